@@ -1,0 +1,270 @@
+//! What an analysis is, and the registry of all of them.
+
+use std::{
+    fmt,
+    sync::{
+        OnceLock,
+        atomic::{AtomicBool, Ordering},
+    },
+};
+
+use crate::{
+    Field, FieldError, Inputs, Plain, Record, Sheet, Shape, Solution, Source, Text, Trail, Worksheet,
+    input::Lift,
+};
+
+/// What a person reads before picking an analysis.
+#[derive(Debug)]
+pub struct About {
+    /// `family/name`, in kebab case: the name on the command line and in files.
+    pub id: &'static str,
+    /// A few words.
+    pub title: &'static str,
+    /// One sentence: what goes in and what comes out.
+    pub summary: &'static str,
+    /// Words people search for, in any language.
+    pub keywords: &'static str,
+    /// The books and notes it follows.
+    pub sources: &'static [&'static Source],
+    /// Published cases, in TOML. The first one is what the form opens with.
+    pub cases: &'static str,
+}
+
+/// A problem: its fields are the inputs, and it knows how it is solved.
+pub trait Analysis: Inputs {
+    /// What a person reads before picking it.
+    const ABOUT: About;
+
+    /// Writes the solution on `sheet`. `given` holds the inputs as numbers of that worksheet, `self` in SI.
+    fn solve<W: Worksheet>(&self, given: &Self::Given<W>, sheet: W) -> Result<(), Refusal>;
+}
+
+/// Why there is no solution although the inputs could be read.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// The problem is well written but has no answer, and why.
+    NoAnswer(Text),
+    /// Nobody waits for the answer any more.
+    Stopped,
+}
+
+/// Why there is no solution.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SolveError {
+    /// Inputs that cannot be read or may not stand: all of them.
+    Fields(Vec<FieldError>),
+    /// Inputs without an answer.
+    Refused(Refusal),
+}
+
+/// A signal that ends a solve early.
+#[derive(Debug, Default)]
+pub struct Stop(AtomicBool);
+
+/// One registered analysis, with its types erased.
+pub struct Entry {
+    /// What a person reads before picking it.
+    pub about: &'static About,
+    shape: fn() -> Shape,
+    solve: fn(&Record, &Stop) -> Result<Solution, SolveError>,
+    prepare: fn(&Record, &[&str], &[&str]) -> Result<Box<dyn Evaluate>, SolveError>,
+}
+
+/// The plain reading of a problem, ready to be repeated with other inputs.
+pub trait Evaluate: Send {
+    /// Solves once for each row of `points` (row-major, one column for each varied input, in SI) and writes the
+    /// wanted answers into `answers` (row-major). A point without an answer gives NaN in its row.
+    fn sweep(&mut self, points: &[f64], answers: &mut [f64], stop: &Stop) -> Result<(), Refusal>;
+}
+
+inventory::collect!(Entry);
+
+/// Registers an [`Analysis`]. Stands at the top level of a file.
+#[macro_export]
+macro_rules! register {
+    ($analysis:ty) => {
+        $crate::inventory::submit! { $crate::Entry::of::<$analysis>() }
+    };
+}
+
+/// Every linked analysis, in the order of their ids.
+pub fn registry() -> &'static [&'static Entry] {
+    static REGISTRY: OnceLock<Vec<&'static Entry>> = OnceLock::new();
+    REGISTRY.get_or_init(|| {
+        let mut all: Vec<&'static Entry> = inventory::iter::<Entry>().collect();
+        all.sort_by_key(|entry| entry.about.id);
+        all
+    })
+}
+
+/// The analysis of that id.
+pub fn find(id: &str) -> Option<&'static Entry> {
+    registry().iter().find(|entry| entry.about.id == id).copied()
+}
+
+impl Entry {
+    /// The entry of an analysis.
+    pub const fn of<A: Analysis>() -> Self {
+        Self { about: &A::ABOUT, shape: || A::SHAPE, solve: solve::<A>, prepare: prepare::<A> }
+    }
+
+    /// The shape of its inputs: a group.
+    pub fn shape(&self) -> Shape {
+        (self.shape)()
+    }
+
+    /// What it asks for.
+    pub fn fields(&self) -> &'static [Field] {
+        self.shape().fields(None)
+    }
+
+    /// The family: the part of the id before `/`.
+    pub fn family(&self) -> &'static str {
+        self.about.id.split_once('/').map_or(self.about.id, |(family, _)| family)
+    }
+
+    /// Solves, leaving the worked solution.
+    pub fn solve(&self, record: &Record, stop: &Stop) -> Result<Solution, SolveError> {
+        (self.solve)(record, stop)
+    }
+
+    /// Prepares the plain reading: `vary` are paths of quantities, `wanted` names of answers that are numbers.
+    pub fn prepare(&self, record: &Record, vary: &[&str], wanted: &[&str]) -> Result<Box<dyn Evaluate>, SolveError> {
+        (self.prepare)(record, vary, wanted)
+    }
+}
+
+impl fmt::Debug for Entry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Entry").field(&self.about.id).finish()
+    }
+}
+
+impl Refusal {
+    /// There is no answer, and why: `return Err(Refusal::because("the speed is zero"))`.
+    pub fn because(why: impl Into<Text>) -> Self {
+        Refusal::NoAnswer(why.into())
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Refusal::NoAnswer(why) => f.write_str(&why.english()),
+            Refusal::Stopped => f.write_str("stopped"),
+        }
+    }
+}
+
+impl fmt::Display for SolveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SolveError::Fields(errors) => {
+                for (n, err) in errors.iter().enumerate() {
+                    write!(f, "{}{err}", if n == 0 { "" } else { "; " })?;
+                }
+                Ok(())
+            }
+            SolveError::Refused(refusal) => refusal.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for SolveError {}
+
+impl From<Refusal> for SolveError {
+    fn from(refusal: Refusal) -> Self {
+        SolveError::Refused(refusal)
+    }
+}
+
+impl Stop {
+    /// A signal that has not been given.
+    pub const fn new() -> Self {
+        Self(AtomicBool::new(false))
+    }
+
+    /// Gives the signal.
+    pub fn stop(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// `Err` once the signal has been given.
+    #[inline]
+    pub fn check(&self) -> Result<(), Refusal> {
+        if self.0.load(Ordering::Relaxed) { Err(Refusal::Stopped) } else { Ok(()) }
+    }
+}
+
+fn solve<A: Analysis>(record: &Record, stop: &Stop) -> Result<Solution, SolveError> {
+    let problem = A::read_record(record).map_err(SolveError::Fields)?;
+    let sheet = Sheet::new(stop);
+    let given = problem.given(Lift { sheet: &sheet, value: Some(&crate::Value::Group(record.clone())), trail: &Trail::TOP });
+    problem.solve(&given, &sheet)?;
+    drop(given);
+    Ok(sheet.into_solution()?)
+}
+
+struct Prepared<A> {
+    problem: A,
+    vary: Vec<Vec<usize>>,
+    wanted: Vec<(usize, &'static str)>,
+}
+
+fn prepare<A: Analysis>(record: &Record, vary: &[&str], wanted: &[&str]) -> Result<Box<dyn Evaluate>, SolveError> {
+    let mut problem = A::read_record(record).map_err(SolveError::Fields)?;
+    let shape = A::SHAPE;
+    let unknown = |path: &str, why: &'static str| SolveError::Fields(vec![FieldError::new(path, Text::from(why))]);
+    let mut slots = Vec::new();
+    for path in vary {
+        let slot = crate::path::indices(&shape, path).map_err(|err| SolveError::Fields(vec![err]))?;
+        if problem.slot(&slot).is_none() {
+            return Err(unknown(path, "is not a quantity of this problem, so it cannot be varied"));
+        }
+        slots.push(slot);
+    }
+    // The places of the answers, from one reading of the problem as it stands.
+    let stop = Stop::new();
+    let plain = Plain::new(&stop);
+    let given = problem.given(Lift { sheet: &plain, value: None, trail: &Trail::TOP });
+    problem.solve(&given, &plain)?;
+    drop(given);
+    let names: Vec<&'static str> = plain.answers().map(|(name, _)| name).collect();
+    let wanted = wanted
+        .iter()
+        .map(|&name| {
+            let at = names.iter().position(|found| *found == name);
+            at.map(|at| (at, names[at])).ok_or_else(|| unknown(name, "is not a number among the answers"))
+        })
+        .collect::<Result<_, _>>()?;
+    Ok(Box::new(Prepared { problem, vary: slots, wanted }))
+}
+
+impl<A: Analysis> Evaluate for Prepared<A> {
+    fn sweep(&mut self, points: &[f64], answers: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
+        let columns = self.vary.len().max(1);
+        let plain = Plain::new(stop);
+        for (n, (point, row)) in points.chunks(columns).zip(answers.chunks_mut(self.wanted.len().max(1))).enumerate() {
+            if n % 1024 == 0 {
+                stop.check()?;
+            }
+            for (slot, value) in self.vary.iter().zip(point) {
+                if let Some(place) = self.problem.slot(slot) {
+                    *place = *value;
+                }
+            }
+            plain.clear();
+            let given = self.problem.given(Lift { sheet: &plain, value: None, trail: &Trail::TOP });
+            match self.problem.solve(&given, &plain) {
+                Err(Refusal::Stopped) => return Err(Refusal::Stopped),
+                Err(Refusal::NoAnswer(_)) => row.fill(f64::NAN),
+                Ok(()) => {
+                    for ((at, name), place) in self.wanted.iter().zip(row) {
+                        *place = plain.answer_at(*at, name).unwrap_or(f64::NAN);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,317 @@
+//! Published cases: inputs and answers that somebody printed, and how near to them we come.
+
+use dalembert_units::{self as units, Dim};
+use toml_edit::{Item, TableLike};
+
+use crate::{
+    AnswerValue, Draft, Entry, Locale, Number, Record, Refusal, Solution, SolveError, Stop, Text,
+    file::{self, FileError},
+};
+
+/// A problem with printed answers.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// What it is called.
+    pub name: String,
+    /// Where it was printed.
+    pub source: String,
+    /// What kind of truth its answers are.
+    pub truth: Truth,
+    /// Remarks; may be empty.
+    pub note: String,
+    /// Its inputs, as they are typed.
+    pub draft: Draft,
+    /// What was printed.
+    pub expect: Vec<Expected>,
+    /// Words of the refusal it must meet, for a problem without an answer.
+    pub refused: Option<String>,
+}
+
+/// What kind of truth an answer is held to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Truth {
+    /// Somebody printed it.
+    Published,
+    /// A formula gives it exactly.
+    ClosedForm,
+    /// Another program gave it.
+    OtherProgram,
+    /// This program gave it before.
+    OwnEarlierValue,
+}
+
+/// A printed answer.
+#[derive(Clone, Debug)]
+pub struct Expected {
+    /// The name of the answer.
+    pub answer: String,
+    /// As it was printed, with its unit.
+    pub printed: String,
+    /// How it is held to ours.
+    pub how: Hold,
+}
+
+/// How a printed answer is held to ours.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Hold {
+    /// To half a unit in the last printed place.
+    ToTheLastPlace,
+    /// To a share of itself, because its source rounded on the way.
+    Within(f64, String),
+    /// It is wrong, and why. Agreeing with it is a fault: the dispute is stale.
+    Disputed(String),
+}
+
+/// A printed answer beside ours.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verdict {
+    /// The name of the answer.
+    pub answer: String,
+    /// As it was printed.
+    pub printed: String,
+    /// Ours, in the unit of the printed one.
+    pub ours: String,
+    /// How they compare.
+    pub outcome: Outcome,
+    /// Why they differ, where they do.
+    pub why: String,
+}
+
+/// How a printed answer and ours compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// They agree.
+    Agreed,
+    /// They differ, and we say why.
+    Disputed,
+    /// They differ, or a dispute is stale.
+    Differing,
+}
+
+/// The cases of an analysis. `Err` says what is wrong with its case file.
+pub fn cases(entry: &Entry) -> Result<Vec<Case>, String> {
+    let text = entry.about.cases;
+    let words = |errors: Vec<FileError>| {
+        errors.iter().map(|err| format!("{}{}", line_of(text, err), err.why.english())).collect::<Vec<_>>().join("; ")
+    };
+    let document = file::document(text).map_err(words)?;
+    let list = document.as_table().get("case").and_then(Item::as_array_of_tables).ok_or("there is no [[case]]")?;
+    list.iter().map(|table| case(entry, table)).collect()
+}
+
+/// The case that a problem opens with.
+pub fn first(entry: &Entry) -> Option<Case> {
+    cases(entry).ok().and_then(|cases| cases.into_iter().next())
+}
+
+impl Case {
+    /// Its inputs as understood.
+    pub fn record(&self, entry: &Entry) -> Result<Record, SolveError> {
+        self.draft.read(&entry.shape()).map_err(SolveError::Fields)
+    }
+
+    /// Solves the case and holds every answer to what was printed.
+    pub fn verify(&self, entry: &Entry) -> Result<Vec<Verdict>, SolveError> {
+        let solved = self.record(entry).and_then(|record| entry.solve(&record, &Stop::new()));
+        match (&self.refused, solved) {
+            (Some(words), Err(SolveError::Refused(Refusal::NoAnswer(why)))) => {
+                let ours = why.english();
+                let agreed = ours.to_lowercase().contains(&words.to_lowercase());
+                let outcome = if agreed { Outcome::Agreed } else { Outcome::Differing };
+                let (answer, printed) = ("refusal".to_owned(), words.clone());
+                Ok(vec![Verdict { answer, printed, ours, outcome, why: String::new() }])
+            }
+            (Some(words), Ok(_)) => Ok(vec![Verdict {
+                answer: "refusal".into(),
+                printed: words.clone(),
+                ours: "an answer".into(),
+                outcome: Outcome::Differing,
+                why: String::new(),
+            }]),
+            (_, Err(err)) => Err(err),
+            (None, Ok(solution)) => Ok(self.expect.iter().map(|expected| verdict(expected, &solution)).collect()),
+        }
+    }
+}
+
+impl Truth {
+    /// The name in case files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Truth::Published => "published",
+            Truth::ClosedForm => "closed form",
+            Truth::OtherProgram => "other program",
+            Truth::OwnEarlierValue => "own earlier value",
+        }
+    }
+}
+
+impl Outcome {
+    /// `agreed`, `disputed` or `differing`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Outcome::Agreed => "agreed",
+            Outcome::Disputed => "disputed",
+            Outcome::Differing => "differing",
+        }
+    }
+}
+
+fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
+    let text = |key: &str| table.get(key).and_then(Item::as_str).map(str::to_owned);
+    let name = text("name").ok_or("a case has no name")?;
+    for (key, _) in table {
+        if !["name", "source", "truth", "note", "inputs", "expect", "refused"].contains(&key) {
+            return Err(format!("{name}: there is no key `{key}` in a case"));
+        }
+    }
+    let source = text("source").ok_or_else(|| format!("{name}: the source is not named"))?;
+    let truth = match text("truth").as_deref() {
+        None | Some("published") => Truth::Published,
+        Some("closed form") => Truth::ClosedForm,
+        Some("other program") => Truth::OtherProgram,
+        Some("own earlier value") => Truth::OwnEarlierValue,
+        Some(other) => return Err(format!("{name}: `{other}` is no kind of truth")),
+    };
+    let inputs = table.get("inputs").ok_or_else(|| format!("{name}: there are no inputs"))?;
+    let mut errors = Vec::new();
+    let draft = file::draft_of(inputs, &entry.shape(), "inputs", &mut errors);
+    if let Some(err) = errors.first() {
+        return Err(format!("{name}: {}", err.why.english()));
+    }
+    let mut expect = Vec::new();
+    for (answer, item) in table.get("expect").and_then(Item::as_table_like).into_iter().flat_map(TableLike::iter) {
+        expect.push(expected(answer, item).map_err(|why| format!("{name}: {answer}: {why}"))?);
+    }
+    let refused = text("refused");
+    if expect.is_empty() && refused.is_none() {
+        return Err(format!("{name}: nothing is expected"));
+    }
+    Ok(Case { name, source, truth, note: text("note").unwrap_or_default(), draft, expect, refused })
+}
+
+fn expected(answer: &str, item: &Item) -> Result<Expected, String> {
+    let answer = answer.to_owned();
+    if let Some(printed) = item.as_str() {
+        return Ok(Expected { answer, printed: printed.to_owned(), how: Hold::ToTheLastPlace });
+    }
+    let table = item.as_table_like().ok_or("write a text, or a table with `printed`")?;
+    let text = |key: &str| table.get(key).and_then(Item::as_str).map(str::to_owned);
+    let printed = text("printed").ok_or("`printed` is missing")?;
+    let how = match (text("disputed"), table.get("within").and_then(Item::as_float), text("because")) {
+        (Some(why), None, None) => Hold::Disputed(why),
+        (None, Some(share), Some(why)) if share < 0.05 => Hold::Within(share, why),
+        (None, Some(_), Some(_)) => return Err("a share of 5 % or more holds nothing".into()),
+        (None, None, None) => Hold::ToTheLastPlace,
+        _ => return Err("write `disputed`, or `within` and `because`".into()),
+    };
+    Ok(Expected { answer, printed, how })
+}
+
+fn verdict(expected: &Expected, solution: &Solution) -> Verdict {
+    let (ours, near) = match solution.answer(&expected.answer) {
+        None => ("no such answer".to_owned(), None),
+        Some(answer) => match &answer.value {
+            AnswerValue::Number(Number::Scalar(si), _) => compare_scalar(*si, answer.dim(), expected),
+            AnswerValue::Number(Number::Vector(si), _) => compare_vector(*si, answer.dim(), expected),
+            AnswerValue::Set(..) => {
+                let ours = answer.shown(&Locale::english().digits(6));
+                let near = compare_set(&answer.shown(&Locale::english()), &expected.printed, expected);
+                (ours, near)
+            }
+        },
+    };
+    let (outcome, why) = match (&expected.how, near) {
+        (Hold::Disputed(why), Some(false)) => (Outcome::Disputed, why.clone()),
+        (Hold::Disputed(_), Some(true)) => (Outcome::Differing, "this dispute is stale: the printed value is ours".into()),
+        (Hold::Within(_, why), Some(true)) => (Outcome::Agreed, why.clone()),
+        (_, Some(true)) => (Outcome::Agreed, String::new()),
+        (_, None) => (Outcome::Differing, "the printed value cannot be compared with ours".into()),
+        _ => (Outcome::Differing, String::new()),
+    };
+    Verdict { answer: expected.answer.clone(), printed: expected.printed.clone(), ours, outcome, why }
+}
+
+/// Half a unit in the last printed place, or the share that the case grants.
+fn tolerance(expected: &Expected, printed: f64, last_place: f64) -> f64 {
+    match expected.how {
+        Hold::Within(share, _) => share * printed.abs(),
+        _ => 0.5 * last_place * (1.0 + 1e-9) + 1e-12 * printed.abs(),
+    }
+}
+
+fn compare_scalar(si: f64, dim: Dim, expected: &Expected) -> (String, Option<bool>) {
+    let printed = match units::read_any(&expected.printed) {
+        Ok(printed) => printed,
+        Err(err) => return (err.to_string(), None),
+    };
+    let ours = units::write_quantity(si, &printed.unit, Locale::english().digits(6).style);
+    if !printed.unit.dim.agrees(dim) {
+        return (ours, None);
+    }
+    let mut off = (si - printed.si).abs();
+    if dim == Dim::ANGLE {
+        // Directions are the same a turn apart.
+        off = off.rem_euclid(std::f64::consts::TAU);
+        off = off.min(std::f64::consts::TAU - off);
+    }
+    (ours, Some(off <= tolerance(expected, printed.si, printed.last_place)))
+}
+
+fn compare_vector(si: [f64; 3], dim: Dim, expected: &Expected) -> (String, Option<bool>) {
+    let printed = match units::read_vector(&expected.printed, &units::Unit::ONE, units::Kind::Other, 3) {
+        Ok(printed) => printed,
+        Err(err) => return (err.to_string(), None),
+    };
+    let ours = units::write_components(&si, &printed.unit, Locale::english().digits(6).style);
+    if !printed.unit.dim.agrees(dim) {
+        return (ours, None);
+    }
+    let size = printed.si.iter().fold(0.0f64, |size, x| size.max(x.abs()));
+    let near = si.iter().zip(printed.si).all(|(a, b)| (a - b).abs() <= tolerance(expected, size, printed.last_place));
+    (ours, Some(near))
+}
+
+/// Sets are printed as ours are shown: `≤ 113.4 mm or ≥ 439.9 mm`, `every value`, `no value`. Each end is held
+/// to the last place printed.
+fn compare_set(ours: &str, printed: &str, expected: &Expected) -> Option<bool> {
+    let ends = |text: &str| -> Option<Vec<(String, Option<units::Quantity>)>> {
+        text.split(" or ")
+            .map(|part| {
+                let part = part.trim();
+                match part.strip_prefix(['≤', '≥', '<', '>']) {
+                    Some(rest) => Some((part.chars().take(1).collect(), Some(units::read_any(rest).ok()?))),
+                    None => Some((part.to_owned(), None)),
+                }
+            })
+            .collect()
+    };
+    let (ours, printed) = (ends(ours)?, ends(printed)?);
+    if ours.len() != printed.len() {
+        return Some(false);
+    }
+    Some(ours.iter().zip(&printed).all(|((sign, ours), (other, printed))| {
+        sign == other
+            && match (ours, printed) {
+                (Some(ours), Some(printed)) => {
+                    (ours.si - printed.si).abs() <= tolerance(expected, printed.si, printed.last_place)
+                        && ours.unit.dim.agrees(printed.unit.dim)
+                }
+                (None, None) => true,
+                _ => false,
+            }
+    }))
+}
+
+fn line_of(text: &str, error: &FileError) -> String {
+    error.span.as_ref().map_or_else(String::new, |span| {
+        let line = text.get(..span.start).map_or(1, |before| before.lines().count().max(1));
+        format!("line {line}: ")
+    })
+}
+
+impl From<&Case> for Text {
+    fn from(case: &Case) -> Self {
+        Text::new(case.name.clone())
+    }
+}

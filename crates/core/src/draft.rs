@@ -1,0 +1,395 @@
+//! What was typed: the texts of a problem's inputs, whether they can be read or not.
+//!
+//! Form, file and command line all make a draft; [`Draft::read`] is the one way from there to a [`Record`],
+//! and reports every error at once.
+
+use dalembert_units::{self as units, Style};
+
+use crate::{
+    Field, FieldError, Limit, Locale, Measure, Record, Shape, Text, Value,
+    path::{Segment, segments, unknown},
+    table,
+};
+
+/// The longest text of one line that is read, in bytes.
+const LONGEST_LINE: usize = 1_000;
+
+/// Texts in the shape of a problem's inputs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Draft {
+    /// What is typed on one line; a table is one text of several lines.
+    Leaf(String),
+    /// The fields of a group, in the order of its fields.
+    Group(Vec<Draft>),
+    /// The chosen alternative, by its place, and the group of its fields.
+    OneOf(usize, Box<Draft>),
+    /// The items of a list.
+    Rows(Vec<Draft>),
+    /// An optional input that is left out.
+    Absent,
+}
+
+impl Draft {
+    /// A draft with every default filled in and everything else empty.
+    pub fn blank(shape: &Shape) -> Draft {
+        match shape {
+            Shape::Group(fields) => Draft::blank_fields(fields()),
+            Shape::OneOf(_) => Draft::alternative(shape, 0),
+            Shape::Rows { item, min } => Draft::Rows(vec![Draft::blank(item()); *min]),
+            Shape::Optional(_) => Draft::Absent,
+            _ => Draft::Leaf(String::new()),
+        }
+    }
+
+    /// An alternative of a one-of, by its place, with its fields blank.
+    pub fn alternative(shape: &Shape, at: usize) -> Draft {
+        Draft::OneOf(at, Box::new(Draft::blank_fields(shape.fields(Some(at)))))
+    }
+
+    /// The texts that give this record again.
+    pub fn of_record(record: &Record) -> Draft {
+        Draft::Group(record.values.iter().map(of_value).collect())
+    }
+
+    /// What was understood, or everything that is wrong. `shape` is that of the whole problem.
+    pub fn read(&self, shape: &Shape) -> Result<Record, Vec<FieldError>> {
+        let mut errors = Vec::new();
+        let Value::Group(mut record) = read(self, shape, "", &mut errors) else {
+            return Err(vec![FieldError::new("", "a group of inputs is needed")]);
+        };
+        let whole = record.clone();
+        resolve_record(&mut record, &whole, "", &mut errors);
+        if errors.is_empty() { Ok(record) } else { Err(errors) }
+    }
+
+    /// The part at a path such as `masses[1].radius`, and its shape.
+    pub fn at(&self, shape: &Shape, path: &str) -> Result<(&Draft, Shape), FieldError> {
+        let (mut draft, mut shape) = (self, *shape);
+        for segment in segments(path)? {
+            shape = present(shape);
+            let (at, inner) = step(&shape, &segment, path)?;
+            draft = match draft {
+                Draft::OneOf(chosen, fields) if *chosen == at => fields,
+                Draft::Group(all) | Draft::Rows(all) => all.get(at).ok_or_else(|| no_row(path, all.len()))?,
+                _ => return Err(FieldError::new(path, "is not part of the problem as it stands")),
+            };
+            shape = inner;
+        }
+        Ok((draft, shape))
+    }
+
+    /// The same, to be changed.
+    pub fn at_mut(&mut self, shape: &Shape, path: &str) -> Result<(&mut Draft, Shape), FieldError> {
+        let (mut draft, mut shape) = (self, *shape);
+        for segment in segments(path)? {
+            shape = present(shape);
+            let (at, inner) = step(&shape, &segment, path)?;
+            draft = draft.child_mut(at, path)?;
+            shape = inner;
+        }
+        Ok((draft, shape))
+    }
+
+    /// Writes a text at a path, making rows, alternatives and optional inputs on the way as needed.
+    ///
+    /// At a one-of the text is the name of the alternative; an optional input is left out by an empty text.
+    pub fn set(&mut self, shape: &Shape, path: &str, text: &str) -> Result<(), FieldError> {
+        let (mut draft, mut shape) = (self, *shape);
+        for segment in segments(path)? {
+            if let (Shape::Optional(inner), Draft::Absent) = (&shape, &*draft) {
+                *draft = Draft::blank(inner());
+            }
+            shape = present(shape);
+            let (at, inner) = step(&shape, &segment, path)?;
+            match draft {
+                Draft::OneOf(chosen, _) if *chosen != at => *draft = Draft::alternative(&shape, at),
+                Draft::Rows(all) if at == all.len() => all.push(Draft::blank(&inner)),
+                _ => {}
+            }
+            draft = draft.child_mut(at, path)?;
+            shape = inner;
+        }
+        *draft = written(&shape, text, path)?;
+        Ok(())
+    }
+
+    fn child_mut(&mut self, at: usize, path: &str) -> Result<&mut Draft, FieldError> {
+        match self {
+            Draft::OneOf(chosen, fields) if *chosen == at => Ok(fields),
+            Draft::Group(all) | Draft::Rows(all) => {
+                let rows = all.len();
+                all.get_mut(at).ok_or_else(|| no_row(path, rows))
+            }
+            _ => Err(FieldError::new(path, "is not part of the problem as it stands")),
+        }
+    }
+
+    fn blank_fields(fields: &[Field]) -> Draft {
+        let blank = |field: &Field| match field.default {
+            Some(text) => written(&field.shape, text, field.name).unwrap_or_else(|_| Draft::blank(&field.shape)),
+            None => Draft::blank(&field.shape),
+        };
+        Draft::Group(fields.iter().map(blank).collect())
+    }
+}
+
+/// Reads one leaf as it is typed.
+pub fn read_leaf(text: &str, shape: &Shape, path: &str) -> Result<Value, Vec<FieldError>> {
+    let mut errors = Vec::new();
+    let value = leaf(text, shape, path, &mut errors);
+    if errors.is_empty() { Ok(value) } else { Err(errors) }
+}
+
+/// The text that gives this value again, for a leaf; exact, in ASCII.
+pub fn leaf_text(value: &Value) -> String {
+    let style = Style { digits: 15, ascii: true, ..Style::default() };
+    match value {
+        Value::Quantity(quantity) => units::write_quantity(quantity.si, &quantity.unit, style),
+        Value::Vector(vector) => units::write_components(&vector.si[..vector.len], &vector.unit, style),
+        Value::Text(text) | Value::Reference { name: text, .. } => text.clone(),
+        Value::Flag(flag) => if *flag { "yes" } else { "no" }.into(),
+        Value::Count(count) => count.to_string(),
+        Value::Table(table) => table::text(table),
+        Value::Absent | Value::OneOf { .. } | Value::Group(_) | Value::Rows(_) => String::new(),
+    }
+}
+
+/// The draft that a text makes: of a one-of, the alternative of that name.
+fn written(shape: &Shape, text: &str, path: &str) -> Result<Draft, FieldError> {
+    match shape {
+        Shape::OneOf(variants) => {
+            let at = variants().iter().position(|variant| variant.name == text.trim());
+            let at = at.ok_or_else(|| unknown(path, text.trim(), variants().iter().map(|variant| variant.name)))?;
+            Ok(Draft::alternative(shape, at))
+        }
+        Shape::Optional(_) if text.trim().is_empty() => Ok(Draft::Absent),
+        Shape::Optional(inner) => written(inner(), text, path),
+        Shape::Group(_) | Shape::Rows { .. } => {
+            Err(FieldError::new(path, "holds several inputs; name one of them, as in masses[1].radius"))
+        }
+        _ => Ok(Draft::Leaf(text.to_owned())),
+    }
+}
+
+/// What a segment of a path leads to: its place and its shape. A one-of leads to the group of an alternative.
+fn step(shape: &Shape, segment: &Segment, path: &str) -> Result<(usize, Shape), FieldError> {
+    match (shape, segment) {
+        (Shape::Group(fields), Segment::Name(name)) => {
+            let fields = fields();
+            let at = fields.iter().position(|field| field.name == name);
+            let at = at.ok_or_else(|| unknown(path, name, fields.iter().map(|field| field.name)))?;
+            Ok((at, fields[at].shape))
+        }
+        (Shape::OneOf(variants), Segment::Name(name)) => {
+            let variants = variants();
+            let at = variants.iter().position(|variant| variant.name == name);
+            let at = at.ok_or_else(|| unknown(path, name, variants.iter().map(|variant| variant.name)))?;
+            Ok((at, Shape::Group(variants[at].fields)))
+        }
+        (Shape::Rows { item, .. }, Segment::Row(row)) => Ok((*row, *item())),
+        (Shape::Rows { .. }, Segment::Name(_)) => Err(FieldError::new(path, "is a list; name a row, as in masses[1]")),
+        _ => Err(FieldError::new(path, "there is no such field")),
+    }
+}
+
+/// The shape of an optional input that is there.
+fn present(shape: Shape) -> Shape {
+    if let Shape::Optional(inner) = shape { present(*inner()) } else { shape }
+}
+
+fn no_row(path: &str, rows: usize) -> FieldError {
+    let why = Text::new("there are {rows} rows; the next is {next}").with("rows", rows).with("next", rows + 1);
+    FieldError::new(path, why)
+}
+
+fn of_value(value: &Value) -> Draft {
+    match value {
+        Value::Group(record) => Draft::of_record(record),
+        Value::OneOf { variant, fields } => Draft::OneOf(*variant, Box::new(Draft::of_record(fields))),
+        Value::Rows(rows) => Draft::Rows(rows.iter().map(of_value).collect()),
+        Value::Absent => Draft::Absent,
+        leaf => Draft::Leaf(leaf_text(leaf)),
+    }
+}
+
+fn read(draft: &Draft, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> Value {
+    match (shape, draft) {
+        (Shape::Optional(_), Draft::Absent) => Value::Absent,
+        (Shape::Optional(inner), Draft::Leaf(text)) if inner().is_leaf() && text.trim().is_empty() => Value::Absent,
+        (Shape::Optional(inner), _) => read(draft, inner(), path, errors),
+        (Shape::Group(fields), Draft::Group(drafts)) => {
+            const MISSING: &Draft = &Draft::Leaf(String::new());
+            let fields = fields();
+            let values = fields.iter().enumerate().map(|(n, field)| {
+                read(drafts.get(n).unwrap_or(MISSING), &field.shape, &join(path, field.name), errors)
+            });
+            Value::Group(Record { fields, values: values.collect() })
+        }
+        (Shape::OneOf(variants), Draft::OneOf(variant, fields)) => match variants().get(*variant) {
+            Some(chosen) => match read(fields, &Shape::Group(chosen.fields), &join(path, chosen.name), errors) {
+                Value::Group(fields) => Value::OneOf { variant: *variant, fields },
+                _ => Value::Absent,
+            },
+            None => {
+                errors.push(FieldError::new(path, "one of the alternatives is needed here"));
+                Value::Absent
+            }
+        },
+        (Shape::Rows { item, min }, Draft::Rows(drafts)) => {
+            if drafts.len() < *min {
+                let why = Text::new("at least {min} rows are needed; there are {have}");
+                errors.push(FieldError::new(path, why.with("min", min).with("have", drafts.len())));
+            }
+            let rows = drafts.iter().enumerate();
+            Value::Rows(rows.map(|(n, row)| read(row, item(), &format!("{path}[{}]", n + 1), errors)).collect())
+        }
+        (shape, Draft::Leaf(text)) if shape.is_leaf() => leaf(text, shape, path, errors),
+        _ => {
+            errors.push(FieldError::new(path, "is missing"));
+            Value::Absent
+        }
+    }
+}
+
+fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> Value {
+    let mut fail = |why: Text, span| {
+        errors.push(FieldError { path: path.into(), why, span });
+        Value::Absent
+    };
+    if !matches!(shape, Shape::Table(_)) {
+        if text.len() > LONGEST_LINE {
+            let why = Text::new("this text has {have} characters; at most {most} are read");
+            return fail(why.with("have", text.chars().count()).with("most", LONGEST_LINE), None);
+        }
+        if let Some(control) = text.chars().find(|c| c.is_control()) {
+            let why = Text::new("the character {code} cannot be typed here; remove it");
+            return fail(why.with("code", control.escape_unicode()), None);
+        }
+    }
+    match shape {
+        Shape::Quantity(measure) => match units::read_quantity(text, &measure.own_unit(), measure.kind()) {
+            Ok(quantity) => match outside(measure, quantity.si, text) {
+                Some(why) => fail(why, None),
+                None => Value::Quantity(quantity),
+            },
+            Err(err) => fail(reading(&err), err.span()),
+        },
+        Shape::Vector(measure, len) => match units::read_vector(text, &measure.own_unit(), measure.kind(), *len) {
+            Ok(vector) => Value::Vector(vector),
+            Err(err) => fail(reading(&err), err.span()),
+        },
+        Shape::Text => Value::Text(text.trim().to_owned()),
+        Shape::Flag => match text.trim().to_lowercase().as_str() {
+            "yes" | "y" | "true" | "on" | "sim" | "s" => Value::Flag(true),
+            "no" | "n" | "false" | "off" | "não" | "nao" => Value::Flag(false),
+            other => fail(Text::new("`{text}` is neither yes nor no").with("text", other), None),
+        },
+        Shape::Count { min, max } => match units::read_count(text) {
+            Ok(count) if (*min..=*max).contains(&count) => Value::Count(count),
+            Ok(count) => {
+                let why = Text::new("{count} is outside the limits; write a whole number from {min} to {max}");
+                fail(why.with("count", count).with("min", min).with("max", max), None)
+            }
+            Err(err) => fail(reading(&err), err.span()),
+        },
+        // Which row it is can only be said when all rows are read.
+        Shape::Reference(_) if text.trim().is_empty() => fail("the name of a row is needed here".into(), None),
+        Shape::Reference(_) => Value::Reference { name: text.trim().to_owned(), row: usize::MAX },
+        Shape::Table(columns) => match table::read(text, columns()) {
+            Ok(table) => Value::Table(table),
+            Err(faults) => {
+                for why in faults {
+                    fail(why, None);
+                }
+                Value::Absent
+            }
+        },
+        Shape::Optional(inner) => leaf(text, inner(), path, errors),
+        Shape::OneOf(_) | Shape::Group(_) | Shape::Rows { .. } => fail("is missing".into(), None),
+    }
+}
+
+/// The words of a reading error, to be translated.
+fn reading(err: &units::ReadError) -> Text {
+    Text::new(err.to_string())
+}
+
+/// Why a value is outside its limits.
+fn outside(measure: &Measure, si: f64, text: &str) -> Option<Text> {
+    let own = measure.own_unit();
+    let value = own.value(si);
+    let shown = |limit: f64| units::write_quantity(own.si(limit), &own, Locale::english().style);
+    let why = match (measure.min, measure.max) {
+        (Limit::Excluding(0.0), _) if value <= 0.0 => Text::new("must be above zero; you wrote {text}"),
+        (Limit::Including(0.0), _) if value < 0.0 => Text::new("must not be below zero; you wrote {text}"),
+        (Limit::Excluding(min), _) if value <= min => {
+            Text::new("must be above {limit}; you wrote {text}").with("limit", shown(min))
+        }
+        (Limit::Including(min), _) if value < min => {
+            Text::new("must be {limit} or more; you wrote {text}").with("limit", shown(min))
+        }
+        (_, Limit::Excluding(max)) if value >= max => {
+            Text::new("must be below {limit}; you wrote {text}").with("limit", shown(max))
+        }
+        (_, Limit::Including(max)) if value > max => {
+            Text::new("must be {limit} or less; you wrote {text}").with("limit", shown(max))
+        }
+        _ => return None,
+    };
+    Some(why.with("text", text.trim()))
+}
+
+/// Finds the rows that references name.
+fn resolve_record(record: &mut Record, whole: &Record, path: &str, errors: &mut Vec<FieldError>) {
+    for (field, value) in record.fields.iter().zip(&mut record.values) {
+        resolve(value, &field.shape, whole, &join(path, field.name), errors);
+    }
+}
+
+fn resolve(value: &mut Value, shape: &Shape, whole: &Record, path: &str, errors: &mut Vec<FieldError>) {
+    match (value, present(*shape)) {
+        (Value::Reference { name, row }, Shape::Reference(list)) => match find_row(whole, list, name) {
+            Ok(found) => *row = found,
+            Err(why) => errors.push(FieldError::new(path, why)),
+        },
+        (Value::Group(record), _) => resolve_record(record, whole, path, errors),
+        (Value::OneOf { variant, fields }, Shape::OneOf(variants)) => {
+            let name = variants().get(*variant).map_or("", |variant| variant.name);
+            resolve_record(fields, whole, &join(path, name), errors);
+        }
+        (Value::Rows(rows), Shape::Rows { item, .. }) => {
+            for (n, row) in rows.iter_mut().enumerate() {
+                resolve(row, item(), whole, &format!("{path}[{}]", n + 1), errors);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The row of a top-level list by the text of its field `name`, or by its number.
+fn find_row(whole: &Record, list: &str, name: &str) -> Result<usize, Text> {
+    let Some(Value::Rows(rows)) = whole.get(list) else {
+        return Err(Text::new("there are no {list} to name").with("list", list));
+    };
+    let names: Vec<&str> = rows
+        .iter()
+        .map(|row| match row {
+            Value::Group(record) => match record.get("name") {
+                Some(Value::Text(name)) => name.as_str(),
+                _ => "",
+            },
+            _ => "",
+        })
+        .collect();
+    if let Some(row) = names.iter().position(|found| *found == name) {
+        return Ok(row);
+    }
+    if let Some(row) = name.parse::<usize>().ok().filter(|row| (1..=rows.len()).contains(row)) {
+        return Ok(row - 1);
+    }
+    Err(unknown("", name, names.into_iter().filter(|name| !name.is_empty())).why)
+}
+
+fn join(path: &str, name: &str) -> String {
+    if path.is_empty() { name.to_owned() } else { format!("{path}.{name}") }
+}

@@ -1,0 +1,126 @@
+//! What a problem asks for: the description of its inputs that forms, files and the command line share.
+
+use dalembert_units::{self as units, Unit};
+
+/// One line of the form, one key of the file, one `--set` of the command line.
+#[derive(Debug)]
+pub struct Field {
+    /// The Rust name: the key in files and paths.
+    pub name: &'static str,
+    /// The first line of its documentation.
+    pub label: &'static str,
+    /// The rest of its documentation; may be empty.
+    pub help: &'static str,
+    /// How formulas write it; empty where it does not stand in formulas.
+    pub symbol: &'static str,
+    /// What is written there when nothing is; `None` where an answer must be given.
+    pub default: Option<&'static str>,
+    /// What may stand there.
+    pub shape: Shape,
+}
+
+/// What may stand in a field. Inner shapes are functions so that a type may contain itself.
+#[derive(Clone, Copy, Debug)]
+pub enum Shape {
+    /// A number with a unit.
+    Quantity(Measure),
+    /// Two or three components with a unit.
+    Vector(Measure, usize),
+    /// Free text on one line.
+    Text,
+    /// Yes or no.
+    Flag,
+    /// A whole number within limits, both included.
+    Count {
+        /// The least.
+        min: u64,
+        /// The most.
+        max: u64,
+    },
+    /// One of several alternatives, each with fields of its own (or none: a plain choice).
+    OneOf(fn() -> &'static [Variant]),
+    /// Fields that belong together.
+    Group(fn() -> &'static [Field]),
+    /// A list, each item of the same shape.
+    Rows {
+        /// The shape of an item.
+        item: fn() -> &'static Shape,
+        /// The least number of items.
+        min: usize,
+    },
+    /// Numbers in columns with units: typed, pasted or read from a file.
+    Table(fn() -> &'static [Field]),
+    /// The name (or number) of an item of the top-level list of that name.
+    Reference(&'static str),
+    /// May be left out.
+    Optional(fn() -> &'static Shape),
+}
+
+/// The unit, kind and limits of a quantity.
+#[derive(Clone, Copy, Debug)]
+pub struct Measure {
+    /// The unit of a number written alone, and of the limits.
+    pub unit: &'static str,
+    /// The kind, where the unit does not tell it.
+    pub kind: Option<units::Kind>,
+    /// The least value, in `unit`.
+    pub min: Limit,
+    /// The largest value, in `unit`.
+    pub max: Limit,
+}
+
+/// An end of the permitted range.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limit {
+    /// No limit.
+    None,
+    /// The value itself is permitted.
+    Including(f64),
+    /// The value itself is not permitted.
+    Excluding(f64),
+}
+
+/// An alternative of a one-of.
+#[derive(Debug)]
+pub struct Variant {
+    /// The key in files and paths, in kebab case.
+    pub name: &'static str,
+    /// The first line of its documentation.
+    pub label: &'static str,
+    /// The rest of its documentation; may be empty.
+    pub help: &'static str,
+    /// What this alternative asks for.
+    pub fields: fn() -> &'static [Field],
+}
+
+impl Measure {
+    /// The unit of a number written alone.
+    pub fn own_unit(&self) -> Unit {
+        units::unit(self.unit).expect("the derive and a test hold the units of fields to be well formed")
+    }
+
+    /// The kind of quantity that is asked for.
+    pub fn kind(&self) -> units::Kind {
+        self.kind.unwrap_or_else(|| units::Kind::of(&self.own_unit()))
+    }
+}
+
+impl Shape {
+    /// The fields directly inside: of a group, or of the alternative `variant` of a one-of.
+    pub fn fields(&self, variant: Option<usize>) -> &'static [Field] {
+        match self {
+            Shape::Group(fields) | Shape::Table(fields) => fields(),
+            Shape::OneOf(variants) => variant.and_then(|n| variants().get(n)).map_or(&[], |v| (v.fields)()),
+            _ => &[],
+        }
+    }
+
+    /// Whether a value of this shape is one text: what a form shows on one line.
+    pub fn is_leaf(&self) -> bool {
+        match self {
+            Shape::OneOf(_) | Shape::Group(_) | Shape::Rows { .. } => false,
+            Shape::Optional(inner) => inner().is_leaf(),
+            _ => true,
+        }
+    }
+}

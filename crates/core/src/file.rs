@@ -1,0 +1,402 @@
+//! Problem files: TOML in, a [`Draft`] out, and back without losing a comment.
+//!
+//! ```toml
+//! analysis = "vibration/rotating-unbalance"
+//! title = "Fan of the paint shop"
+//!
+//! [inputs]
+//! mass = "40 kg"
+//! ```
+
+use std::ops::Range;
+
+use toml_edit::{ArrayOfTables, Document, DocumentMut, InlineTable, Item, Table, TableLike, Value as Toml};
+
+use crate::{Draft, Entry, FieldError, Shape, Text, find, path, path::Segment, registry};
+
+/// The version of the file format that is written; older ones are read.
+const FORMAT: i64 = 1;
+/// The keys a problem file may have at the top.
+const KEYS: [&str; 5] = ["format", "analysis", "title", "inputs", "show"];
+
+/// A problem as it stands in a file.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// Its analysis.
+    pub entry: &'static Entry,
+    /// What the person calls it; may be empty.
+    pub title: String,
+    /// What is typed in its inputs.
+    pub draft: Draft,
+    /// How answers are shown: `(answer, unit)`.
+    pub show: Vec<(String, String)>,
+}
+
+/// What is wrong with a problem file, and where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileError {
+    /// What is wrong and what to write instead.
+    pub why: Text,
+    /// The bytes of the file.
+    pub span: Option<Range<usize>>,
+}
+
+/// Reads a problem file. The inputs are taken as they are typed; [`Draft::read`] says what is wrong with them,
+/// and [`locate`] where.
+pub fn parse(text: &str) -> Result<Problem, Vec<FileError>> {
+    let document = document(text)?;
+    let root = document.as_table();
+    let mut errors = Vec::new();
+    check_keys(root, &KEYS, &mut errors);
+    if let Some(format) = root.get("format").and_then(Item::as_integer)
+        && format > FORMAT
+    {
+        let why = Text::new("this file is of format {found}; this program reads formats up to {known}: update it");
+        errors.push(FileError { why: why.with("found", format).with("known", FORMAT), span: span(root, "format") });
+        return Err(errors);
+    }
+    let entry = match root.get("analysis").map(|item| (item, item.as_str())) {
+        Some((_, Some(id))) => find(id).ok_or_else(|| unknown_analysis(id)),
+        Some((_, None)) => Err(Text::new("the analysis must be a text such as \"vibration/rotating-unbalance\"")),
+        None => Err(Text::new("the analysis is not named; write analysis = \"family/name\" at the top")),
+    };
+    let entry = match entry {
+        Ok(entry) => entry,
+        Err(why) => {
+            errors.insert(0, FileError { why, span: span(root, "analysis") });
+            return Err(errors);
+        }
+    };
+    let shape = entry.shape();
+    let draft = match root.get("inputs") {
+        Some(inputs) => draft_of(inputs, &shape, "inputs", &mut errors),
+        None => Draft::blank(&shape),
+    };
+    let title = text_at(root, "title", &mut errors).unwrap_or_default();
+    let mut show = Vec::new();
+    if let Some(table) = root.get("show").and_then(Item::as_table_like) {
+        for (key, item) in table.iter() {
+            match item.as_str() {
+                Some(unit) => show.push((key.to_owned(), unit.to_owned())),
+                None => errors.push(FileError {
+                    why: "a unit must be a text such as \"mm\"".into(),
+                    span: item.span(),
+                }),
+            }
+        }
+    }
+    if errors.is_empty() { Ok(Problem { entry, title, draft, show }) } else { Err(errors) }
+}
+
+/// Writes a problem over the text of its file, keeping comments, order and everything that has not changed.
+pub fn write(problem: &Problem, over: &str) -> String {
+    let mut document: DocumentMut = over.parse().unwrap_or_default();
+    let root = document.as_table_mut();
+    set_text(root, "analysis", problem.entry.about.id);
+    if !problem.title.is_empty() || root.contains_key("title") {
+        set_text(root, "title", &problem.title);
+    }
+    let inputs = root.entry("inputs").or_insert_with(|| Item::Table(Table::new()));
+    write_item(inputs, &problem.draft, &problem.entry.shape());
+    if !problem.show.is_empty() {
+        let show = root.entry("show").or_insert_with(|| Item::Table(Table::new()));
+        if let Some(table) = show.as_table_like_mut() {
+            for (answer, unit) in &problem.show {
+                set_text(table, answer, unit);
+            }
+        }
+    }
+    document.to_string()
+}
+
+/// Where the field of an error stands in the text of a problem file: its value, or the nearest part around it.
+pub fn locate(text: &str, error: &FieldError) -> Option<Range<usize>> {
+    let document = Document::parse(text).ok()?;
+    let mut item = document.as_table().get("inputs")?;
+    let mut found = item.span();
+    let mut owned;
+    for segment in path::segments(&error.path).ok()? {
+        let next = match segment {
+            Segment::Name(name) => item.as_table_like().and_then(|table| table.get(&name)).cloned(),
+            Segment::Row(row) => match item {
+                Item::ArrayOfTables(tables) => tables.get(row).cloned().map(Item::Table),
+                _ => item.as_array().and_then(|array| array.get(row)).cloned().map(Item::Value),
+            },
+        };
+        let Some(next) = next else { break };
+        found = next.span().or(found);
+        owned = next;
+        item = &owned;
+    }
+    found
+}
+
+/// The TOML document of a text, or where it is not TOML.
+pub(crate) fn document(text: &str) -> Result<Document<&str>, Vec<FileError>> {
+    Document::parse(text).map_err(|err| {
+        vec![FileError { why: Text::new(err.message().to_owned()), span: err.span() }]
+    })
+}
+
+/// What an item of a file says, in the shape of the inputs.
+pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, errors: &mut Vec<FileError>) -> Draft {
+    let mut fail = |why: Text, span: Option<Range<usize>>| {
+        errors.push(FileError { why: Text::new("{path}: {why}").with("path", path).with_text("why", why), span });
+        Draft::blank(shape)
+    };
+    match shape {
+        Shape::Optional(inner) => draft_of(item, inner(), path, errors),
+        Shape::Group(fields) => match item.as_table_like() {
+            Some(table) => {
+                let names: Vec<&str> = fields().iter().map(|field| field.name).collect();
+                check_keys(table, &names, errors);
+                let Draft::Group(mut drafts) = Draft::blank(shape) else { return Draft::Absent };
+                for (field, draft) in fields().iter().zip(&mut drafts) {
+                    if let Some(item) = table.get(field.name) {
+                        *draft = draft_of(item, &field.shape, &format!("{path}.{}", field.name), errors);
+                    }
+                }
+                Draft::Group(drafts)
+            }
+            None => fail("a table of inputs is needed here".into(), item.span()),
+        },
+        Shape::OneOf(variants) => {
+            let names = || variants().iter().map(|variant| variant.name);
+            let (name, fields) = match (item.as_str(), item.as_table_like()) {
+                (Some(name), _) => (name, None),
+                (None, Some(table)) if table.len() == 1 => match table.iter().next() {
+                    Some((name, fields)) => (name, Some(fields)),
+                    None => ("", None),
+                },
+                _ => {
+                    let why = Text::new("one alternative is needed here: {known}");
+                    return fail(why.with("known", names().collect::<Vec<_>>().join(", ")), item.span());
+                }
+            };
+            match names().position(|known| known == name) {
+                Some(at) => match fields {
+                    Some(fields) => {
+                        let group = Shape::Group(variants()[at].fields);
+                        Draft::OneOf(at, Box::new(draft_of(fields, &group, &format!("{path}.{name}"), errors)))
+                    }
+                    None => Draft::alternative(shape, at),
+                },
+                None => fail(path::unknown("", name, names()).why, item.span()),
+            }
+        }
+        Shape::Rows { item: inner, .. } => {
+            let rows: Vec<Item> = match item {
+                Item::ArrayOfTables(tables) => tables.iter().cloned().map(Item::Table).collect(),
+                _ => match item.as_array() {
+                    Some(array) => array.iter().cloned().map(Item::Value).collect(),
+                    None => return fail("a list is needed here".into(), item.span()),
+                },
+            };
+            let rows = rows.iter().enumerate();
+            Draft::Rows(rows.map(|(n, row)| draft_of(row, inner(), &format!("{path}[{}]", n + 1), errors)).collect())
+        }
+        Shape::Table(_) | Shape::Vector(..) => match item.as_value() {
+            Some(Toml::Array(rows)) => Draft::Leaf(array_text(rows, matches!(shape, Shape::Vector(..)))),
+            Some(value) => Draft::Leaf(plain(value)),
+            None => fail("one value is needed here".into(), item.span()),
+        },
+        _ => match item.as_value() {
+            Some(value @ (Toml::String(_) | Toml::Integer(_) | Toml::Float(_) | Toml::Boolean(_))) => {
+                Draft::Leaf(plain(value))
+            }
+            _ => fail("one value is needed here".into(), item.span()),
+        },
+    }
+}
+
+fn unknown_analysis(id: &str) -> Text {
+    match path::nearest(id, registry().iter().map(|entry| entry.about.id)) {
+        Some(near) => Text::new("there is no analysis `{id}`; did you mean `{near}`?").with("id", id).with("near", near),
+        None => Text::new("there is no analysis `{id}`; see `dalembert list`").with("id", id),
+    }
+}
+
+/// The error for an id that is no analysis, with the nearest one.
+pub fn no_such_analysis(id: &str) -> Text {
+    unknown_analysis(id)
+}
+
+fn check_keys(table: &dyn TableLike, known: &[&str], errors: &mut Vec<FileError>) {
+    for (key, item) in table.iter() {
+        if !known.contains(&key) {
+            let span = table.key(key).and_then(toml_edit::Key::span).or_else(|| item.span());
+            errors.push(FileError { why: path::unknown("", key, known.iter().copied()).why, span });
+        }
+    }
+}
+
+fn span(table: &Table, key: &str) -> Option<Range<usize>> {
+    table.get(key).and_then(Item::span)
+}
+
+fn text_at(table: &Table, key: &str, errors: &mut Vec<FileError>) -> Option<String> {
+    let item = table.get(key)?;
+    if item.as_str().is_none() {
+        let why = Text::new("`{key}` must be a text in quotes").with("key", key);
+        errors.push(FileError { why, span: item.span() });
+    }
+    item.as_str().map(str::to_owned)
+}
+
+/// A value without quotes and comments.
+fn plain(value: &Toml) -> String {
+    match value {
+        Toml::String(text) => text.value().clone(),
+        other => other.clone().decorated("", "").to_string(),
+    }
+}
+
+/// An array as a person types it: a vector in brackets, a table in lines.
+fn array_text(array: &toml_edit::Array, vector: bool) -> String {
+    let cells = |array: &toml_edit::Array| array.iter().map(plain).collect::<Vec<_>>().join("; ");
+    if vector {
+        return format!("({})", cells(array));
+    }
+    let rows = array.iter().map(|row| match row {
+        Toml::Array(row) => cells(row),
+        other => plain(other),
+    });
+    rows.collect::<Vec<_>>().join("\n")
+}
+
+fn set_text(table: &mut dyn TableLike, key: &str, text: &str) {
+    match table.get_mut(key) {
+        Some(item) => write_text(item, text),
+        None => {
+            table.insert(key, Item::Value(text.into()));
+        }
+    }
+}
+
+/// Puts a text in place of a value that says something else, with the comment behind it kept.
+fn write_text(item: &mut Item, text: &str) {
+    if item.as_value().is_some_and(|value| plain(value) == text) {
+        return;
+    }
+    let mut value: Toml = if text.contains('\n') { multiline(text) } else { text.into() };
+    if let Some(old) = item.as_value() {
+        *value.decor_mut() = old.decor().clone();
+    }
+    *item = Item::Value(value);
+}
+
+/// A text of several lines, as `"""` lines.
+fn multiline(text: &str) -> Toml {
+    let literal = format!("x = '''\n{text}'''");
+    let parsed = if text.contains("'''") { None } else { literal.parse::<DocumentMut>().ok() };
+    parsed.and_then(|mut document| document.remove("x")?.into_value().ok()).unwrap_or_else(|| text.into())
+}
+
+fn write_item(item: &mut Item, draft: &Draft, shape: &Shape) {
+    match (shape, draft) {
+        (Shape::Optional(inner), _) => write_item(item, draft, inner()),
+        (Shape::Group(fields), Draft::Group(drafts)) => {
+            if item.as_table_like().is_none() {
+                *item = Item::Table(Table::new());
+            }
+            let Some(table) = item.as_table_like_mut() else { return };
+            for (field, draft) in fields().iter().zip(drafts) {
+                match draft {
+                    Draft::Absent => {
+                        table.remove(field.name);
+                    }
+                    Draft::Leaf(text) if text.is_empty() && !table.contains_key(field.name) => {}
+                    _ => {
+                        if !table.contains_key(field.name) {
+                            table.insert(field.name, Item::Value("".into()));
+                        }
+                        if let Some(item) = table.get_mut(field.name) {
+                            write_item(item, draft, &field.shape);
+                        }
+                    }
+                }
+            }
+        }
+        (Shape::OneOf(variants), Draft::OneOf(at, fields)) => {
+            let Some(variant) = variants().get(*at) else { return };
+            if (variant.fields)().is_empty() {
+                write_text(item, variant.name);
+                return;
+            }
+            if !item.as_table_like().is_some_and(|table| table.contains_key(variant.name)) {
+                let mut table = Table::new();
+                table.set_implicit(true);
+                table.insert(variant.name, Item::Table(Table::new()));
+                *item = Item::Table(table);
+            }
+            if let Some(inner) = item.as_table_like_mut().and_then(|table| table.get_mut(variant.name)) {
+                write_item(inner, fields, &Shape::Group(variant.fields));
+            }
+        }
+        (Shape::Rows { item: inner, .. }, Draft::Rows(rows)) => write_rows(item, rows, inner()),
+        (_, Draft::Leaf(text)) => write_text(item, text),
+        _ => {}
+    }
+}
+
+fn write_rows(item: &mut Item, rows: &[Draft], shape: &Shape) {
+    if let (Item::Value(Toml::Array(array)), false) = (&mut *item, rows.is_empty()) {
+        // A list written on one line stays on one line.
+        while array.len() > rows.len() {
+            array.remove(array.len() - 1);
+        }
+        for (n, row) in rows.iter().enumerate() {
+            let mut cell = array.get(n).cloned().map_or(Item::None, Item::Value);
+            write_item(&mut cell, row, shape);
+            let Some(value) = inline(cell) else { continue };
+            if n < array.len() {
+                array.replace(n, value);
+            } else {
+                array.push(value);
+            }
+        }
+        return;
+    }
+    if shape.is_leaf() || rows.is_empty() {
+        *item = Item::Value(Toml::Array(toml_edit::Array::new()));
+        if !rows.is_empty() {
+            write_rows(item, rows, shape);
+        }
+        return;
+    }
+    if !item.is_array_of_tables() {
+        *item = Item::ArrayOfTables(ArrayOfTables::new());
+    }
+    let Item::ArrayOfTables(tables) = item else { return };
+    while tables.len() > rows.len() {
+        tables.remove(tables.len() - 1);
+    }
+    for (n, row) in rows.iter().enumerate() {
+        let mut element = tables.get(n).cloned().map_or_else(|| Item::Table(Table::new()), Item::Table);
+        write_item(&mut element, row, shape);
+        let table = match element {
+            Item::Table(table) => table,
+            // An alternative without fields has no table of its own: it is written as its name.
+            other => {
+                let mut table = Table::new();
+                if let Some(name) = other.as_str() {
+                    table.insert(name, Item::Value(Toml::InlineTable(InlineTable::new())));
+                }
+                table
+            }
+        };
+        match tables.get_mut(n) {
+            Some(old) => *old = table,
+            None => tables.push(table),
+        }
+    }
+}
+
+/// An item as a value on one line.
+fn inline(item: Item) -> Option<Toml> {
+    match item {
+        Item::Value(value) => Some(value),
+        Item::Table(table) => Some(Toml::InlineTable(table.into_inline_table())),
+        other => other.into_value().ok(),
+    }
+}

@@ -1,0 +1,249 @@
+//! The bridge between the struct of a problem and its description: what `#[derive(Inputs)]` writes.
+
+use std::fmt;
+
+use dalembert_units::{self as units, Unit};
+use nalgebra::Vector3;
+
+use crate::{
+    Field, Record, Shape, Text, Value, Worksheet,
+    worksheet::{Given, Trail},
+};
+
+/// A struct or enum that a form can fill. Derived.
+pub trait Inputs: Sized + Send + 'static {
+    /// What it asks for: a group of fields (struct) or a one-of (enum).
+    const SHAPE: Shape;
+    /// The same inputs as numbers of a worksheet.
+    type Given<W: Worksheet>;
+
+    /// The problem that a value describes. `Err` names what is missing or of another shape; a value that was
+    /// read against [`SHAPE`](Inputs::SHAPE) has no such faults.
+    fn read(value: &Value, trail: &Trail<'_>, errors: &mut Vec<FieldError>) -> Option<Self>;
+    /// The same inputs as numbers of `lift.sheet`.
+    fn given<W: Worksheet>(&self, lift: Lift<'_, W>) -> Self::Given<W>;
+    /// The number at a place: field indices, row indices, the index of the chosen alternative, vector components.
+    fn slot(&mut self, path: &[usize]) -> Option<&mut f64>;
+
+    /// The problem that a record describes.
+    fn read_record(record: &Record) -> Result<Self, Vec<FieldError>> {
+        let mut errors = Vec::new();
+        let read = Self::read(&Value::Group(record.clone()), &Trail::TOP, &mut errors);
+        match read {
+            Some(problem) if errors.is_empty() => Ok(problem),
+            _ => Err(errors),
+        }
+    }
+}
+
+/// What is wrong with an input: where, and what to write instead.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FieldError {
+    /// Where: `masses[1].radius`.
+    pub path: String,
+    /// What is wrong and what to write instead.
+    pub why: Text,
+    /// The bytes of the typed text that are wrong, where they are known.
+    pub span: Option<std::ops::Range<usize>>,
+}
+
+/// What turns inputs into numbers of a worksheet.
+#[derive(Clone, Copy)]
+pub struct Lift<'t, W> {
+    /// The worksheet.
+    pub sheet: W,
+    /// What was written, for its units; `None` where units do not matter.
+    pub value: Option<&'t Value>,
+    /// Where we are.
+    pub trail: &'t Trail<'t>,
+}
+
+/// A row of another list, by its place; written as its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reference(
+    /// The place in the list, counted from 0.
+    pub usize,
+);
+
+impl FieldError {
+    /// An error of the whole field.
+    pub fn new(path: impl Into<String>, why: impl Into<Text>) -> Self {
+        Self { path: path.into(), why: why.into(), span: None }
+    }
+}
+
+impl fmt::Display for FieldError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.path, self.why.english())
+    }
+}
+
+/// What the derive calls.
+#[doc(hidden)]
+pub mod derive_support {
+    use super::*;
+
+    pub use crate::worksheet::Trail;
+    pub use dalembert_units::Kind;
+
+    type Errors = Vec<FieldError>;
+
+    fn mismatch<T>(trail: &Trail<'_>, wanted: &'static str, errors: &mut Errors) -> Option<T> {
+        errors.push(FieldError::new(trail.path(), wanted));
+        None
+    }
+
+    pub fn field(value: &Value, at: usize) -> &Value {
+        const ABSENT: &Value = &Value::Absent;
+        match value {
+            Value::Group(record) | Value::OneOf { fields: record, .. } => record.values.get(at).unwrap_or(ABSENT),
+            _ => ABSENT,
+        }
+    }
+
+    pub fn variant(value: &Value) -> Option<usize> {
+        if let Value::OneOf { variant, .. } = value { Some(*variant) } else { None }
+    }
+
+    pub fn quantity(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<f64> {
+        match value {
+            Value::Quantity(quantity) => Some(quantity.si),
+            _ => mismatch(trail, "a quantity is needed here", errors),
+        }
+    }
+
+    pub fn vector(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<Vector3<f64>> {
+        match value {
+            Value::Vector(vector) => Some(Vector3::from(vector.si)),
+            _ => mismatch(trail, "a vector is needed here", errors),
+        }
+    }
+
+    pub fn text(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<String> {
+        match value {
+            Value::Text(text) => Some(text.clone()),
+            _ => mismatch(trail, "a text is needed here", errors),
+        }
+    }
+
+    pub fn flag(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<bool> {
+        match value {
+            Value::Flag(flag) => Some(*flag),
+            _ => mismatch(trail, "yes or no is needed here", errors),
+        }
+    }
+
+    pub fn count(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<u64> {
+        match value {
+            Value::Count(count) => Some(*count),
+            _ => mismatch(trail, "a whole number is needed here", errors),
+        }
+    }
+
+    pub fn reference(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<Reference> {
+        match value {
+            Value::Reference { row, .. } => Some(Reference(*row)),
+            _ => mismatch(trail, "the name of a row is needed here", errors),
+        }
+    }
+
+    pub fn one_of<T>(trail: &Trail<'_>, errors: &mut Errors) -> Option<T> {
+        mismatch(trail, "one of the alternatives is needed here", errors)
+    }
+
+    #[expect(clippy::option_option, reason = "the outer is whether it could be read, the inner whether it is there")]
+    pub fn optional<T>(
+        value: &Value,
+        errors: &mut Errors,
+        read: impl FnOnce(&Value, &mut Errors) -> Option<T>,
+    ) -> Option<Option<T>> {
+        if *value == Value::Absent { Some(None) } else { read(value, errors).map(Some) }
+    }
+
+    pub fn rows<T>(
+        value: &Value,
+        trail: &Trail<'_>,
+        errors: &mut Errors,
+        mut read: impl FnMut(&Value, &Trail<'_>, &mut Errors) -> Option<T>,
+    ) -> Option<Vec<T>> {
+        let Value::Rows(rows) = value else { return mismatch(trail, "a list is needed here", errors) };
+        let all: Vec<T> = rows.iter().enumerate().filter_map(|(n, row)| read(row, &trail.row(n), errors)).collect();
+        (all.len() == rows.len()).then_some(all)
+    }
+
+    pub fn table<T>(
+        value: &Value,
+        trail: &Trail<'_>,
+        errors: &mut Errors,
+        read: impl Fn(&[f64]) -> Option<T>,
+    ) -> Option<Vec<T>> {
+        match value {
+            Value::Table(table) => table.rows.iter().map(|row| read(row)).collect(),
+            _ => mismatch(trail, "a table is needed here", errors),
+        }
+    }
+
+    fn input<'t>(field: &'static Field, measure: &crate::Measure, unit: Option<&'t Unit>, trail: &'t Trail<'t>) -> Given<'t> {
+        Given { symbol: field.symbol, unit: unit.ok_or(measure.unit), trail }
+    }
+
+    fn measure_of(shape: &Shape) -> &'static crate::Measure {
+        const NONE: &crate::Measure =
+            &crate::Measure { unit: "1", kind: None, min: crate::Limit::None, max: crate::Limit::None };
+        match shape {
+            Shape::Optional(inner) => measure_of(inner()),
+            Shape::Rows { item, .. } => match item() {
+                Shape::Quantity(measure) | Shape::Vector(measure, _) => measure,
+                other => measure_of(other),
+            },
+            _ => NONE,
+        }
+    }
+
+    fn measure(field: &'static Field) -> &'static crate::Measure {
+        match &field.shape {
+            Shape::Quantity(measure) | Shape::Vector(measure, _) => measure,
+            other => measure_of(other),
+        }
+    }
+
+    #[inline]
+    pub fn given<W: Worksheet>(lift: Lift<'_, W>, field: &'static Field, si: f64) -> W::Num {
+        let unit = match lift.value {
+            Some(Value::Quantity(quantity)) => Some(&quantity.unit),
+            _ => None,
+        };
+        lift.sheet.given(input(field, measure(field), unit, lift.trail), si)
+    }
+
+    #[inline]
+    pub fn given_vector<W: Worksheet>(lift: Lift<'_, W>, field: &'static Field, si: Vector3<f64>) -> W::Vec {
+        let unit = match lift.value {
+            Some(Value::Vector(vector)) => Some(&vector.unit),
+            _ => None,
+        };
+        lift.sheet.given_vector(input(field, measure(field), unit, lift.trail), si)
+    }
+
+    #[inline]
+    pub fn row_value(value: Option<&Value>, row: usize) -> Option<&Value> {
+        match value {
+            Some(Value::Rows(rows)) => rows.get(row),
+            _ => None,
+        }
+    }
+
+    /// A row of a table as the struct of its columns.
+    pub fn table_row<R: Inputs>(numbers: &[f64]) -> Option<R> {
+        let fields = R::SHAPE.fields(None);
+        let unit = |field: &Field| match field.shape {
+            Shape::Quantity(measure) => measure.own_unit(),
+            _ => Unit::ONE,
+        };
+        let quantity = |(field, si): (&Field, &f64)| {
+            Value::Quantity(units::Quantity { si: *si, unit: unit(field), last_place: 0.0 })
+        };
+        let values = fields.iter().zip(numbers).map(quantity).collect();
+        R::read(&Value::Group(Record { fields, values }), &Trail::TOP, &mut Vec::new())
+    }
+}

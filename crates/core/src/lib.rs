@@ -1,0 +1,50 @@
+//! What an analysis is: its inputs, its worked solution, its published cases, and the registry of all of them.
+//!
+//! A problem is a struct whose fields are its inputs ([`Inputs`], derived). Its [`Analysis::solve`] is written
+//! once over [`Worksheet`]: read with a [`Sheet`] it is the worked solution, read with [`Plain`] the numbers
+//! alone. Nothing here reads or writes files.
+
+extern crate self as dalembert_core;
+
+mod analysis;
+pub mod cases;
+pub mod draft;
+pub mod exhibit;
+mod field;
+pub mod file;
+mod input;
+mod path;
+pub mod printer;
+mod record;
+mod sheet;
+mod solution;
+mod source;
+mod table;
+pub mod text;
+pub mod trace;
+pub mod worksheet;
+
+pub use dalembert_derive::Inputs;
+#[doc(hidden)]
+pub use inventory;
+
+#[doc(hidden)]
+pub use crate::input::derive_support;
+pub use crate::{
+    analysis::{About, Analysis, Entry, Evaluate, Refusal, SolveError, Stop, find, registry},
+    draft::Draft,
+    exhibit::{
+        Axis, Band, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Level, Mark, Plot, Point, Scale, Series,
+        TableExhibit,
+    },
+    field::{Field, Limit, Measure, Shape, Variant},
+    input::{FieldError, Inputs, Lift, Reference},
+    path::nearest,
+    record::{Record, Table, Value},
+    sheet::{Sheet, Term, Vect},
+    solution::{Answer, AnswerValue, Check, Solution, Step},
+    source::{Cite, Source},
+    text::{Arg, Language, Locale, Messages, Text},
+    trace::{Number, Symbol, Trace},
+    worksheet::{Plain, Trail, Why, Worksheet},
+};

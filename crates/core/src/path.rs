@@ -1,0 +1,148 @@
+//! Paths of fields as text: `supports[2].cantilever.length`. Rows count from 1, as in `m₁`.
+
+use crate::{Field, FieldError, Shape, Text};
+
+/// A part of a path.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Segment {
+    /// A field or an alternative.
+    Name(String),
+    /// A row, counted from 0.
+    Row(usize),
+}
+
+/// The parts of a path.
+pub(crate) fn segments(path: &str) -> Result<Vec<Segment>, FieldError> {
+    let mut parts = Vec::new();
+    for piece in path.split('.') {
+        let (name, mut rest) = piece.split_at(piece.find('[').unwrap_or(piece.len()));
+        if name.is_empty() {
+            return Err(FieldError::new(path, "a name is missing; write a path such as masses[1].radius"));
+        }
+        parts.push(Segment::Name(name.to_owned()));
+        while let Some(tail) = rest.strip_prefix('[') {
+            let row = tail.split_once(']').and_then(|(row, tail)| Some((row.trim().parse::<usize>().ok()?, tail)));
+            match row {
+                Some((row @ 1.., tail)) => {
+                    parts.push(Segment::Row(row - 1));
+                    rest = tail;
+                }
+                _ => {
+                    let why = Text::new("`{row}` is not a row; rows count from 1, as in masses[1]").with("row", rest);
+                    return Err(FieldError::new(path, why));
+                }
+            }
+        }
+        if !rest.is_empty() {
+            return Err(FieldError::new(path, Text::new("`{rest}` was not expected here").with("rest", rest)));
+        }
+    }
+    Ok(parts)
+}
+
+/// The indices of a path within a shape: what [`Inputs::slot`](crate::Inputs::slot) takes.
+pub(crate) fn indices(shape: &Shape, path: &str) -> Result<Vec<usize>, FieldError> {
+    let mut indices = Vec::new();
+    let mut shape = *shape;
+    for part in segments(path)? {
+        while let Shape::Optional(inner) = shape {
+            shape = *inner();
+        }
+        match (shape, part) {
+            (Shape::Group(fields), Segment::Name(name)) => {
+                let fields = fields();
+                let at = position(fields, &name, path)?;
+                indices.push(at);
+                shape = fields[at].shape;
+            }
+            (Shape::OneOf(variants), Segment::Name(name)) => {
+                let variants = variants();
+                let at = variants.iter().position(|variant| variant.name == name).ok_or_else(|| {
+                    unknown(path, &name, variants.iter().map(|variant| variant.name))
+                })?;
+                indices.push(at);
+                shape = Shape::Group(variants[at].fields);
+            }
+            (Shape::Rows { item, .. }, Segment::Row(row)) => {
+                indices.push(row);
+                shape = *item();
+            }
+            (Shape::Vector(measure, _), Segment::Name(name)) => {
+                let at = ["x", "y", "z"].iter().position(|axis| *axis == name);
+                indices.push(at.ok_or_else(|| unknown(path, &name, ["x", "y", "z"].into_iter()))?);
+                shape = Shape::Quantity(measure);
+            }
+            _ => return Err(FieldError::new(path, "there is no such field")),
+        }
+    }
+    Ok(indices)
+}
+
+fn position(fields: &[Field], name: &str, path: &str) -> Result<usize, FieldError> {
+    fields
+        .iter()
+        .position(|field| field.name == name)
+        .ok_or_else(|| unknown(path, name, fields.iter().map(|field| field.name)))
+}
+
+/// The error of a name that is none of `known`, with the nearest one.
+pub(crate) fn unknown<'k>(path: &str, name: &str, known: impl Iterator<Item = &'k str>) -> FieldError {
+    let known: Vec<&str> = known.collect();
+    let why = match nearest(name, known.iter().copied()) {
+        Some(near) => Text::new("there is no `{name}`; did you mean `{near}`?").with("name", name).with("near", near),
+        None => Text::new("there is no `{name}`; write one of {known}").with("name", name).with("known", known.join(", ")),
+    };
+    FieldError::new(path, why)
+}
+
+/// The known name that `name` was probably meant to be.
+pub fn nearest<'k>(name: &str, known: impl Iterator<Item = &'k str>) -> Option<&'k str> {
+    let name = name.to_lowercase().replace('_', "-");
+    known
+        .map(|candidate| (distance(&name, &candidate.to_lowercase().replace('_', "-")), candidate))
+        .min_by_key(|(distance, _)| *distance)
+        .filter(|(distance, candidate)| *distance <= 1 + candidate.chars().count() / 3)
+        .map(|(_, candidate)| candidate)
+}
+
+/// Edits (insert, delete, replace, swap neighbours) from one word to the other.
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for i in 0..=a.len() {
+        for j in 0..=b.len() {
+            rows[i][j] = if i == 0 || j == 0 {
+                i + j
+            } else {
+                let same = usize::from(a[i - 1] != b[j - 1]);
+                let swap = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+                let swapped = if swap { rows[i - 2][j - 2] + 1 } else { usize::MAX };
+                (rows[i - 1][j] + 1).min(rows[i][j - 1] + 1).min(rows[i - 1][j - 1] + same).min(swapped)
+            };
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_is_names_and_rows() {
+        let name = |text: &str| Segment::Name(text.into());
+        assert_eq!(segments("joints[2].axis").unwrap(), [name("joints"), Segment::Row(1), name("axis")]);
+        assert_eq!(segments("a[1][3]").unwrap(), [name("a"), Segment::Row(0), Segment::Row(2)]);
+        for wrong in ["", ".x", "a[0]", "a[x]", "a[1", "a[1]b"] {
+            assert!(segments(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn the_nearest_name_is_offered() {
+        let known = ["rotating-unbalance", "two-plane", "shaft-clearance"];
+        assert_eq!(nearest("rotating_unbalence", known.into_iter()), Some("rotating-unbalance"));
+        assert_eq!(nearest("2-plane", known.into_iter()), Some("two-plane"));
+        assert_eq!(nearest("pendulum", known.into_iter()), None);
+    }
+}

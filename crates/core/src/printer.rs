@@ -1,0 +1,505 @@
+//! Writes what a solution found as a person would: formulas with their symbols, the same with their values.
+
+use std::ops::Bound;
+
+use dalembert_mechanics::intervals::{Interval, IntervalSet};
+use dalembert_units::{self as units, Style};
+
+use crate::{
+    Answer, Locale, Solution, Step, Symbol, Text,
+    solution::AnswerValue,
+    trace::{Function, Id, Number, Op},
+};
+
+/// A step as it is read: `symbol = formula = substitution = result`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WrittenStep {
+    /// `k`
+    pub symbol: String,
+    /// `3 E I / L³`; empty where a numerical method found the number.
+    pub formula: String,
+    /// `3 × 200 kN/mm² × 1.3×10⁻⁶ m⁴ / (1.2 m)³`; empty where it would repeat the result.
+    pub substitution: String,
+    /// `451.39 kN/m`
+    pub result: String,
+    /// Why the step is taken.
+    pub why: String,
+    /// What says so.
+    pub source: String,
+    /// The terms of a sum that is too long for a line, each with its value.
+    pub terms: Vec<(String, String)>,
+}
+
+/// The longest sum that is written out.
+const LONGEST_SUM: usize = 4;
+
+/// A step as it is read.
+pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
+    let writer = |values| Writer { solution, values, general: false, style: locale.style };
+    let (formula, mut substitution, mut terms) = (
+        step.formula.map_or_else(String::new, |id| writer(false).expression(id)),
+        step.formula.map_or_else(String::new, |id| writer(true).expression(id)),
+        Vec::new(),
+    );
+    let result = number(solution.trace.node(step.result).number, &step.unit, locale.style);
+    if let Some(id) = step.formula {
+        writer(false).long_sums(id, &step.unit, &mut terms);
+    }
+    if substitution == result {
+        substitution.clear();
+    }
+    WrittenStep {
+        symbol: symbol_in(&step.symbol, locale.style),
+        formula,
+        substitution,
+        result,
+        why: step.why.render(locale),
+        source: step.cite.map_or_else(String::new, |cite| cite.to_string()),
+        terms,
+    }
+}
+
+/// A number of the trace as a formula of symbols.
+pub fn formula(solution: &Solution, id: Id, locale: &Locale) -> String {
+    Writer { solution, values: false, general: false, style: locale.style }.expression(id)
+}
+
+/// A number of the trace with the values in place of the symbols.
+pub fn substitution(solution: &Solution, id: Id, locale: &Locale) -> String {
+    Writer { solution, values: true, general: false, style: locale.style }.expression(id)
+}
+
+/// An answer in words and numbers.
+pub fn answer(answer: &Answer, locale: &Locale) -> String {
+    match &answer.value {
+        AnswerValue::Number(value, _) => number(*value, &answer.unit, locale.style),
+        AnswerValue::Set(set, _) => set_text(set, &answer.unit, locale),
+    }
+}
+
+/// A set of positive numbers in SI: `≤ 113.4 mm or ≥ 439.9 mm`, `every value`, `no value`.
+fn set_text(set: &IntervalSet, unit: &units::Unit, locale: &Locale) -> String {
+    if set.is_none() {
+        return Text::new("no value").render(locale);
+    }
+    let shown = |si: f64| units::write_quantity(si, unit, locale.style);
+    let sign = |strict: &'static str, (ascii, unicode): (&'static str, &'static str), bound: Bound<f64>| match bound {
+        Bound::Excluded(_) => strict,
+        _ if locale.style.ascii => ascii,
+        _ => unicode,
+    };
+    let part = |interval: Interval| {
+        // Lengths, stiffnesses and speeds begin at zero: that end is no limit.
+        let lower = match interval.lower {
+            Bound::Included(x) | Bound::Excluded(x) if x > 0.0 => Some(x),
+            _ => None,
+        };
+        let upper = match interval.upper {
+            Bound::Included(x) | Bound::Excluded(x) => Some(x),
+            Bound::Unbounded => None,
+        };
+        match (lower, upper) {
+            (None, None) => Text::new("every value").render(locale),
+            (None, Some(x)) => format!("{} {}", sign("<", ("<=", "≤"), interval.upper), shown(x)),
+            (Some(x), None) => format!("{} {}", sign(">", (">=", "≥"), interval.lower), shown(x)),
+            (Some(from), Some(to)) => format!("{} … {}", shown(from), shown(to)),
+        }
+    };
+    let or = Text::new("or").render(locale);
+    set.intervals().map(part).collect::<Vec<_>>().join(&format!(" {or} "))
+}
+
+/// A symbol with its rows: `m₁`, `I_G₂`.
+pub fn symbol(symbol: &Symbol) -> String {
+    symbol_in(symbol, Style::default())
+}
+
+/// A symbol in the characters of a style.
+pub fn symbol_in(symbol: &Symbol, style: Style) -> String {
+    let mut text = symbol.base.to_owned();
+    for (n, row) in symbol.rows.iter().take_while(|row| **row != 0).enumerate() {
+        if n > 0 {
+            text.push(',');
+        }
+        match (*row, style.ascii) {
+            (SUMMED, false) => text.push('ᵢ'),
+            (SUMMED, true) => text.push_str("_i"),
+            (row, false) => text += &units::subscript(row.into()),
+            (row, true) => text += &row.to_string(),
+        }
+    }
+    text
+}
+
+/// The name of a function.
+pub fn function(function: Function) -> &'static str {
+    match function {
+        Function::Sin => "sin",
+        Function::Cos => "cos",
+        Function::Tan => "tan",
+        Function::Asin => "arcsin",
+        Function::Acos => "arccos",
+        Function::Exp => "exp",
+        Function::Ln => "ln",
+        Function::Abs => "abs",
+    }
+}
+
+/// A number or vector in SI, in `unit`.
+pub fn number(value: Number, unit: &units::Unit, style: Style) -> String {
+    match value {
+        Number::Scalar(si) => units::write_quantity(si, unit, style),
+        Number::Vector(si) => units::write_vector(si, unit, style),
+    }
+}
+
+/// The row index that stands for all rows, in the general term of a long sum.
+const SUMMED: u16 = u16::MAX;
+
+struct Writer<'s> {
+    solution: &'s Solution,
+    /// Whether values stand in place of symbols.
+    values: bool,
+    /// Whether the innermost row of a symbol is written as the index of a sum.
+    general: bool,
+    style: Style,
+}
+
+/// How tightly a text holds together: what may stand beside it without brackets.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Tight {
+    Sum,
+    Product,
+    Factor,
+}
+
+impl Writer<'_> {
+    fn op(&self, id: Id) -> &Op {
+        &self.solution.trace.node(id).op
+    }
+
+    fn value(&self, id: Id) -> Number {
+        self.solution.trace.node(id).number
+    }
+
+    fn is_vector(&self, id: Id) -> bool {
+        matches!(self.value(id), Number::Vector(_))
+    }
+
+    fn times(&self) -> &'static str {
+        match (self.values, self.style.ascii) {
+            (false, _) => " ",
+            (true, false) => " × ",
+            (true, true) => " * ",
+        }
+    }
+
+    fn minus(&self) -> &'static str {
+        if self.style.ascii { "-" } else { "−" }
+    }
+
+    /// A sum, its terms in the order they were added.
+    fn expression(&self, id: Id) -> String {
+        let mut addends = Vec::new();
+        self.addends(id, false, &mut addends);
+        let mut text = String::new();
+        for (id, negative) in addends {
+            let (product, negative) = self.signed_product(id, negative);
+            text += match (text.is_empty(), negative) {
+                (true, false) => "",
+                (true, true) => self.minus(),
+                (false, false) => " + ",
+                (false, true) => if self.style.ascii { " - " } else { " − " },
+            };
+            text += &product;
+        }
+        text
+    }
+
+    fn addends(&self, id: Id, negative: bool, out: &mut Vec<(Id, bool)>) {
+        match self.op(id) {
+            Op::Add(a, b) => {
+                self.addends(*a, negative, out);
+                self.addends(*b, negative, out);
+            }
+            Op::Sub(a, b) => {
+                self.addends(*a, negative, out);
+                self.addends(*b, !negative, out);
+            }
+            Op::Neg(a) => self.addends(*a, !negative, out),
+            Op::Sum(all) if all.len() <= LONGEST_SUM => {
+                for id in all {
+                    self.addends(*id, negative, out);
+                }
+            }
+            _ => out.push((id, negative)),
+        }
+    }
+
+    /// A product without its sign, and whether it is negative.
+    fn signed_product(&self, id: Id, negative: bool) -> (String, bool) {
+        let (mut over, mut under) = (Vec::new(), Vec::new());
+        let mut negative = negative;
+        self.factors(id, false, &mut negative, &mut over, &mut under);
+        // Bare numbers come first; their signs are drawn out in front.
+        let mut arranged = |ids: Vec<Id>| -> Vec<Id> {
+            let (mut numbers, others): (Vec<Id>, Vec<Id>) = ids
+                .into_iter()
+                .partition(|id| matches!((self.op(*id), self.value(*id)), (Op::Literal, Number::Scalar(_))));
+            for id in &numbers {
+                negative ^= matches!(self.value(*id), Number::Scalar(value) if value < 0.0);
+            }
+            numbers.retain(|id| self.value(*id).size() != 1.0);
+            numbers.into_iter().chain(others).collect()
+        };
+        let (over, under) = (arranged(over), arranged(under));
+        let alone = over.len() == 1 && under.is_empty();
+        let top: Vec<String> = over.iter().map(|id| if alone { self.alone(*id) } else { self.factor(*id) }).collect();
+        let bottom: Vec<String> = under.iter().map(|id| self.factor(*id)).collect();
+        let top = if top.is_empty() { "1".to_owned() } else { top.join(self.times()) };
+        let text = match &bottom[..] {
+            [] => top,
+            [one] => format!("{top} / {one}"),
+            many => format!("{top} / ({})", many.join(self.times())),
+        };
+        (text, negative)
+    }
+
+    fn factors(&self, id: Id, divide: bool, negative: &mut bool, over: &mut Vec<Id>, under: &mut Vec<Id>) {
+        match self.op(id) {
+            Op::Mul(a, b) => {
+                self.factors(*a, divide, negative, over, under);
+                self.factors(*b, divide, negative, over, under);
+            }
+            Op::Div(a, b) => {
+                self.factors(*a, divide, negative, over, under);
+                self.factors(*b, !divide, negative, over, under);
+            }
+            Op::Neg(a) => {
+                *negative = !*negative;
+                self.factors(*a, divide, negative, over, under);
+            }
+            _ if divide => under.push(id),
+            _ => over.push(id),
+        }
+    }
+
+    /// A factor that stands alone between plus and minus signs: it needs no brackets.
+    fn alone(&self, id: Id) -> String {
+        match self.op(id) {
+            Op::Given { .. } | Op::Step(_) if self.values && !self.is_negative(id) => self.named(id),
+            Op::Cross(a, b) => format!("{} × {}", self.operand(*a), self.operand(*b)),
+            Op::Dot(a, b) => format!("{} · {}", self.operand(*a), self.operand(*b)),
+            _ => self.factor(id),
+        }
+    }
+
+    fn factor(&self, id: Id) -> String {
+        match self.op(id) {
+            Op::Literal => self.literal(id),
+            Op::Given { .. } | Op::Step(_) if self.is_negative(id) => format!("({})", self.named(id)),
+            Op::Given { .. } | Op::Step(_) => self.named(id),
+            Op::Power(base, n) => format!("{}{}", self.base(*base), self.power(*n)),
+            Op::Root(of, n) => {
+                let sign = match (*n, self.style.ascii) {
+                    (2, false) => "√".to_owned(),
+                    (2, true) => "sqrt".to_owned(),
+                    (n, false) => format!("{}√", units::superscript(n.into())),
+                    (n, true) => format!("root{n}"),
+                };
+                format!("{sign}{}", if self.style.ascii { format!("({})", self.expression(*of)) } else { self.base(*of) })
+            }
+            Op::Call(Function::Abs, of) => format!("|{}|", self.expression(*of)),
+            Op::Call(name, of) => format!("{}{}", function(*name), self.argument(*of)),
+            Op::Atan2(y, x) => format!("atan2({}, {})", self.expression(*y), self.expression(*x)),
+            Op::Sum(all) if all.len() > LONGEST_SUM => self.sigma(all),
+            Op::Dot(a, b) => format!("({} · {})", self.operand(*a), self.operand(*b)),
+            Op::Cross(a, b) => format!("({} × {})", self.operand(*a), self.operand(*b)),
+            Op::Magnitude(of) => format!("|{}|", self.expression(*of)),
+            Op::Component(of, axis) => self.component(*of, *axis),
+            Op::Compose(parts) => self.compose(*parts),
+            Op::Add(..) | Op::Sub(..) | Op::Neg(_) | Op::Sum(_) | Op::Mul(..) | Op::Div(..) => {
+                format!("({})", self.expression(id))
+            }
+        }
+    }
+
+    /// An operand of a vector product: brackets round everything but a name and its multiples.
+    fn operand(&self, id: Id) -> String {
+        match self.op(id) {
+            Op::Mul(..) | Op::Div(..) => format!("({})", self.expression(id)),
+            _ => self.factor(id),
+        }
+    }
+
+    fn literal(&self, id: Id) -> String {
+        match self.value(id) {
+            Number::Scalar(value) => self.bare(value.abs()),
+            Number::Vector(value) => match value {
+                [1.0, 0.0, 0.0] => "i".into(),
+                [0.0, 1.0, 0.0] => "j".into(),
+                [0.0, 0.0, 1.0] => "k".into(),
+                value => units::write_vector(value, &units::Unit::ONE, self.style),
+            },
+        }
+    }
+
+    fn bare(&self, value: f64) -> String {
+        use std::f64::consts::{PI, TAU};
+        let pi = if self.style.ascii { "pi" } else { "π" };
+        if value == PI {
+            pi.into()
+        } else if value == TAU {
+            format!("2{}{pi}", self.times().trim_end_matches(' '))
+        } else {
+            // The numbers of a formula are exact: as many digits as it takes.
+            units::write_number(value, Style { digits: 12, ..self.style })
+        }
+    }
+
+    /// The symbol, or the value in the unit it was typed or found in.
+    fn named(&self, id: Id) -> String {
+        let (symbol, unit) = match self.op(id) {
+            Op::Given { symbol, unit, .. } => (symbol, unit),
+            Op::Step(step) => (&self.solution.steps[*step].symbol, &self.solution.steps[*step].unit),
+            _ => unreachable!("only inputs and steps have names"),
+        };
+        if self.values {
+            return number(self.value(id), unit, self.style);
+        }
+        let mut symbol = *symbol;
+        if self.general
+            && let Some(innermost) = symbol.rows.iter_mut().rev().find(|row| **row != 0)
+        {
+            *innermost = SUMMED;
+        }
+        symbol_in(&symbol, self.style)
+    }
+
+    fn unit_of(&self, id: Id) -> Option<&units::Unit> {
+        match self.op(id) {
+            Op::Given { unit, .. } => Some(unit),
+            Op::Step(step) => Some(&self.solution.steps[*step].unit),
+            _ => None,
+        }
+    }
+
+    fn is_negative(&self, id: Id) -> bool {
+        self.values && matches!(self.value(id), Number::Scalar(value) if value < 0.0)
+    }
+
+    fn base(&self, id: Id) -> String {
+        let bare = match self.op(id) {
+            Op::Literal => true,
+            Op::Given { .. } | Op::Step(_) => {
+                !self.values || (!self.is_negative(id) && self.unit_of(id).is_some_and(|unit| unit.pretty().is_empty()))
+            }
+            _ => false,
+        };
+        match self.op(id) {
+            _ if bare => {
+                let text = self.factor(id);
+                // 1.3×10⁻⁶ and symbols of several letters with a power need brackets.
+                if text.contains(['×', '*']) { format!("({text})") } else { text }
+            }
+            Op::Call(Function::Abs, _) | Op::Magnitude(_) => self.factor(id),
+            _ => format!("({})", self.expression(id)),
+        }
+    }
+
+    fn power(&self, n: i8) -> String {
+        if self.style.ascii { format!("^{n}") } else { units::superscript(n.into()) }
+    }
+
+    fn argument(&self, id: Id) -> String {
+        match self.op(id) {
+            Op::Given { .. } | Op::Step(_) if !self.values => format!(" {}", self.factor(id)),
+            _ => format!("({})", self.expression(id)),
+        }
+    }
+
+    fn component(&self, of: Id, axis: u8) -> String {
+        let name = ["x", "y", "z"][usize::from(axis.min(2))];
+        match (self.op(of), self.value(of)) {
+            (Op::Given { .. } | Op::Step(_), Number::Vector(value)) if self.values => {
+                let unit = self.unit_of(of).cloned().unwrap_or(units::Unit::ONE);
+                let text = units::write_quantity(value[usize::from(axis.min(2))], &unit, self.style);
+                if value[usize::from(axis.min(2))] < 0.0 { format!("({text})") } else { text }
+            }
+            (Op::Given { .. } | Op::Step(_), _) => format!("{}_{name}", self.named(of)),
+            _ => format!("({})_{name}", self.expression(of)),
+        }
+    }
+
+    fn compose(&self, parts: [Id; 3]) -> String {
+        let mut text = String::new();
+        for (id, axis) in parts.into_iter().zip(["i", "j", "k"]) {
+            if matches!(self.op(id), Op::Literal) && self.value(id).size() == 0.0 {
+                continue;
+            }
+            let (product, negative) = self.signed_product(id, false);
+            let product = if self.tightness(id) == Tight::Sum { format!("({})", self.expression(id)) } else { product };
+            text += match (text.is_empty(), negative) {
+                (true, false) => "",
+                (true, true) => self.minus(),
+                (false, false) => " + ",
+                (false, true) => if self.style.ascii { " - " } else { " − " },
+            };
+            text += &format!("{product} {axis}");
+        }
+        if text.is_empty() { "0".into() } else { format!("({text})") }
+    }
+
+    fn tightness(&self, id: Id) -> Tight {
+        match self.op(id) {
+            Op::Add(..) | Op::Sub(..) => Tight::Sum,
+            Op::Sum(all) if all.len() <= LONGEST_SUM => Tight::Sum,
+            Op::Mul(..) | Op::Div(..) | Op::Neg(_) => Tight::Product,
+            _ => Tight::Factor,
+        }
+    }
+
+    /// `Σ mᵢ rᵢ cos θᵢ`, where the terms differ in their row alone.
+    fn sigma(&self, all: &[Id]) -> String {
+        let sign = if self.style.ascii { "sum of" } else { "Σ" };
+        let terms: Vec<String> = all.iter().map(|id| self.general(*id)).collect();
+        match terms.split_first() {
+            Some((first, rest)) if !self.values && rest.iter().all(|term| term == first) => format!("{sign} {first}"),
+            _ if self.values => {
+                let all = self.bare(all.len() as f64);
+                format!("{sign}({all})")
+            }
+            _ => {
+                let all: Vec<String> = all.iter().map(|id| self.expression(*id)).collect();
+                format!("({})", all.join(" + "))
+            }
+        }
+    }
+
+    /// A term with its innermost row replaced by the index of summation.
+    fn general(&self, id: Id) -> String {
+        Writer { values: false, general: true, ..*self }.factor(id)
+    }
+
+    /// The terms of every long sum below `id`, each with its value.
+    fn long_sums(&self, id: Id, unit: &units::Unit, out: &mut Vec<(String, String)>) {
+        if let Op::Sum(all) = self.op(id)
+            && all.len() > LONGEST_SUM
+        {
+            for id in all {
+                let node = self.solution.trace.node(*id);
+                let unit = if node.dim.agrees(unit.dim) { unit.clone() } else { si_unit(node.dim) };
+                out.push((self.expression(*id), number(node.number, &unit, self.style)));
+            }
+            return;
+        }
+        for operand in self.solution.trace.operands(id) {
+            self.long_sums(operand, unit, out);
+        }
+    }
+}
+
+/// The SI unit of a dimension.
+fn si_unit(dim: units::Dim) -> units::Unit {
+    units::unit(&dim.to_string()).unwrap_or(units::Unit::ONE)
+}

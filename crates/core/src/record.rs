@@ -1,0 +1,114 @@
+//! What was understood of the inputs: values in SI with the units they were written in.
+
+use dalembert_units::{Quantity, Unit, VectorQuantity};
+
+use crate::{Field, Shape};
+
+/// A value of some [`Shape`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A number with a unit.
+    Quantity(Quantity),
+    /// Components with a unit.
+    Vector(VectorQuantity),
+    /// Free text.
+    Text(String),
+    /// Yes or no.
+    Flag(bool),
+    /// A whole number.
+    Count(u64),
+    /// The row, counted from 0, that a name refers to.
+    Reference {
+        /// As it was written.
+        name: String,
+        /// Its place in the list.
+        row: usize,
+    },
+    /// An alternative, by its place, and its fields.
+    OneOf {
+        /// Its place among the alternatives.
+        variant: usize,
+        /// Its fields.
+        fields: Record,
+    },
+    /// Fields that belong together.
+    Group(Record),
+    /// A list.
+    Rows(Vec<Value>),
+    /// Numbers in columns.
+    Table(Table),
+    /// Left out.
+    Absent,
+}
+
+/// Numbers in columns.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Table {
+    /// The units the columns were written in.
+    pub units: Vec<Unit>,
+    /// The rows, in SI.
+    pub rows: Vec<Vec<f64>>,
+}
+
+/// The values of a list of fields, in the order of the fields.
+#[derive(Clone, Debug)]
+pub struct Record {
+    /// What is asked for.
+    pub fields: &'static [Field],
+    /// What was understood; as long as `fields`.
+    pub values: Vec<Value>,
+}
+
+impl PartialEq for Record {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self.fields, other.fields) && self.values == other.values
+    }
+}
+
+impl Record {
+    /// The value of the field of that name.
+    pub fn get(&self, name: &str) -> Option<&Value> {
+        self.fields.iter().position(|field| field.name == name).map(|at| &self.values[at])
+    }
+
+    /// The value of the field of that name, to be changed.
+    pub fn get_mut(&mut self, name: &str) -> Option<&mut Value> {
+        let at = self.fields.iter().position(|field| field.name == name)?;
+        self.values.get_mut(at)
+    }
+
+    /// Calls `visit` with the path, the field and the value of every leaf, in the order of the form.
+    pub fn leaves<'r>(&'r self, visit: &mut impl FnMut(&str, &'static Field, &'r Value)) {
+        walk_record(self, "", visit);
+    }
+}
+
+fn walk_record<'r>(record: &'r Record, prefix: &str, visit: &mut impl FnMut(&str, &'static Field, &'r Value)) {
+    for (field, value) in record.fields.iter().zip(&record.values) {
+        let path = if prefix.is_empty() { field.name.to_owned() } else { format!("{prefix}.{}", field.name) };
+        walk(field, &field.shape, value, &path, visit);
+    }
+}
+
+fn walk<'r>(
+    field: &'static Field,
+    shape: &Shape,
+    value: &'r Value,
+    path: &str,
+    visit: &mut impl FnMut(&str, &'static Field, &'r Value),
+) {
+    match (shape, value) {
+        (Shape::Optional(inner), value) => walk(field, inner(), value, path, visit),
+        (_, Value::Group(record)) => walk_record(record, path, visit),
+        (Shape::OneOf(variants), Value::OneOf { variant, fields }) => {
+            visit(path, field, value);
+            walk_record(fields, &format!("{path}.{}", variants()[*variant].name), visit);
+        }
+        (Shape::Rows { item, .. }, Value::Rows(rows)) => {
+            for (n, row) in rows.iter().enumerate() {
+                walk(field, item(), row, &format!("{path}[{}]", n + 1), visit);
+            }
+        }
+        _ => visit(path, field, value),
+    }
+}

@@ -1,0 +1,109 @@
+//! Numbers in columns, as they are typed, pasted or stand in a file.
+//!
+//! One row a line; columns are separated by tabs, semicolons, blanks or commas. A first line of words is a
+//! heading and may name the units: `f [Hz]; X [mm]`. Lines that begin with `#` are skipped.
+
+use dalembert_units::{self as units, Kind, Style, Unit};
+
+use crate::{Field, Shape, Text, record::Table};
+
+/// The longest table that is read, in bytes.
+const LONGEST_TABLE: usize = 16 << 20;
+/// The most faults that are listed.
+const MOST_FAULTS: usize = 20;
+
+/// Reads a table, or says what is wrong with each line.
+pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<Text>> {
+    if text.len() > LONGEST_TABLE {
+        let why = Text::new("this table has {have} bytes; at most {most} are read");
+        return Err(vec![why.with("have", text.len()).with("most", LONGEST_TABLE)]);
+    }
+    let mut table = Table { units: columns.iter().map(own_unit).collect(), rows: Vec::new() };
+    let mut faults = Vec::new();
+    for (n, line) in text.lines().enumerate() {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let cells = cells(line, columns.len());
+        if table.rows.is_empty() && is_heading(&cells) {
+            read_heading(line, columns, &mut table.units, &mut faults);
+            continue;
+        }
+        match read_row(&cells, columns, &table.units) {
+            Ok(row) => table.rows.push(row),
+            Err(why) => faults.push(Text::new("line {line}: {why}").with("line", n + 1).with_text("why", why)),
+        }
+        if faults.len() >= MOST_FAULTS {
+            faults.push("there are more faults; these are the first".into());
+            return Err(faults);
+        }
+    }
+    if table.rows.is_empty() && faults.is_empty() {
+        let names = columns.iter().map(|column| column.label).collect::<Vec<_>>().join("; ");
+        faults.push(Text::new("the table is empty; write one row a line: {columns}").with("columns", names));
+    }
+    if faults.is_empty() { Ok(table) } else { Err(faults) }
+}
+
+/// The text that gives a table again: a heading with the units, then the rows.
+pub(crate) fn text(table: &Table) -> String {
+    let style = Style { digits: 15, ascii: true, ..Style::default() };
+    let heading: Vec<String> = table.units.iter().map(|unit| format!("[{}]", unit.ascii())).collect();
+    let mut text = heading.join("; ");
+    for row in &table.rows {
+        let cells: Vec<String> =
+            row.iter().zip(&table.units).map(|(si, unit)| units::write_number(unit.value(*si), style)).collect();
+        text.push('\n');
+        text += &cells.join("; ");
+    }
+    text
+}
+
+fn measure(column: &Field) -> Option<crate::Measure> {
+    if let Shape::Quantity(measure) = column.shape { Some(measure) } else { None }
+}
+
+fn own_unit(column: &Field) -> Unit {
+    measure(column).map_or(Unit::ONE, |measure| measure.own_unit())
+}
+
+/// The cells of a line. The separator is the first of `;`, tab, blank and `,` that gives as many as there are columns.
+fn cells(line: &str, columns: usize) -> Vec<&str> {
+    let by = |separator: &[char]| -> Vec<&str> { line.split(separator).map(str::trim).collect() };
+    let blank: Vec<&str> = line.split_whitespace().collect();
+    let ways = [by(&[';']), by(&['\t']), blank.clone(), by(&[','])];
+    ways.into_iter().find(|cells| cells.len() == columns).unwrap_or(blank)
+}
+
+fn is_heading(cells: &[&str]) -> bool {
+    cells.iter().all(|cell| !cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | '−')))
+}
+
+/// The units in brackets of a heading.
+fn read_heading(line: &str, columns: &'static [Field], found: &mut [Unit], faults: &mut Vec<Text>) {
+    let bracketed = line.split(['[', '(']).skip(1).filter_map(|rest| rest.split_once([']', ')']).map(|(unit, _)| unit));
+    for ((text, column), place) in bracketed.zip(columns).zip(found) {
+        let own = own_unit(column);
+        match units::unit(text) {
+            Ok(unit) if unit.dim.agrees(own.dim) => *place = unit,
+            Ok(_) => {
+                let why = Text::new("the heading gives {unit} for {column}; write a unit like {own}");
+                faults.push(why.with("unit", text).with("column", column.label).with("own", own.pretty()));
+            }
+            Err(err) => faults.push(Text::new(err.to_string())),
+        }
+    }
+}
+
+fn read_row(cells: &[&str], columns: &'static [Field], found: &[Unit]) -> Result<Vec<f64>, Text> {
+    if cells.len() != columns.len() {
+        let why = Text::new("there are {have} numbers; {want} are needed");
+        return Err(why.with("have", cells.len()).with("want", columns.len()));
+    }
+    let cell = |((text, column), unit): ((&&str, &Field), &Unit)| {
+        let kind = measure(column).map_or(Kind::Other, |measure| measure.kind());
+        units::read_quantity(text, unit, kind).map(|quantity| quantity.si).map_err(|err| Text::new(err.to_string()))
+    };
+    cells.iter().zip(columns).zip(found).map(cell).collect()
+}

@@ -1,0 +1,178 @@
+//! How every number of a solution was found, as plain data.
+
+use dalembert_units::{Dim, Unit};
+
+/// The place of a node in its [`Trace`].
+pub type Id = u32;
+
+/// Every number of a solution, each with the operation that made it; operands stand before results.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Trace {
+    /// The nodes.
+    pub nodes: Vec<Node>,
+}
+
+/// A number and where it came from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Node {
+    /// Its value in SI.
+    pub number: Number,
+    /// Its dimension.
+    pub dim: Dim,
+    /// What made it.
+    pub op: Op,
+}
+
+/// A number or a vector, in SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Number {
+    /// A number.
+    Scalar(f64),
+    /// Components along `i`, `j` and `k`.
+    Vector([f64; 3]),
+}
+
+/// What made a number.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Op {
+    /// A number of the formula itself: the 3 of `3 E I / L³`.
+    Literal,
+    /// An input, in the unit it was typed in.
+    Given {
+        /// How formulas write it.
+        symbol: Symbol,
+        /// The unit it was typed in.
+        unit: Unit,
+        /// Where it stands in the problem: `masses[1].radius`.
+        path: String,
+    },
+    /// The result of a step, by the step's place in the solution.
+    Step(usize),
+    /// `a + b`
+    Add(Id, Id),
+    /// `a − b`
+    Sub(Id, Id),
+    /// `a b`; also a number times a vector.
+    Mul(Id, Id),
+    /// `a / b`; also a vector over a number.
+    Div(Id, Id),
+    /// `−a`
+    Neg(Id),
+    /// `aⁿ`
+    Power(Id, i8),
+    /// The `n`th root.
+    Root(Id, u8),
+    /// A function of one number.
+    Call(Function, Id),
+    /// `atan2(y, x)`
+    Atan2(Id, Id),
+    /// The sum of all.
+    Sum(Vec<Id>),
+    /// `a · b`
+    Dot(Id, Id),
+    /// `a × b`
+    Cross(Id, Id),
+    /// `|a|` of a vector.
+    Magnitude(Id),
+    /// One component of a vector: 0, 1 or 2.
+    Component(Id, u8),
+    /// `x i + y j + z k`
+    Compose([Id; 3]),
+}
+
+/// A function of one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Function {
+    /// `sin`
+    Sin,
+    /// `cos`
+    Cos,
+    /// `tan`
+    Tan,
+    /// `arcsin`
+    Asin,
+    /// `arccos`
+    Acos,
+    /// `exp`
+    Exp,
+    /// `ln`
+    Ln,
+    /// `|x|`
+    Abs,
+}
+
+/// How a formula writes a quantity: a symbol, and the rows it belongs to, counted from 1 (`m₁`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Symbol {
+    /// The symbol without its row.
+    pub base: &'static str,
+    /// The rows, outermost first; 0 where there are no more.
+    pub rows: [u16; 3],
+}
+
+impl Symbol {
+    /// The same symbol in one more row, counted from 1.
+    #[must_use]
+    pub fn row(mut self, row: usize) -> Self {
+        if let Some(free) = self.rows.iter_mut().find(|row| **row == 0) {
+            *free = u16::try_from(row).unwrap_or(u16::MAX);
+        }
+        self
+    }
+}
+
+impl From<&'static str> for Symbol {
+    fn from(base: &'static str) -> Self {
+        Self { base, rows: [0; 3] }
+    }
+}
+
+impl From<(&'static str, usize)> for Symbol {
+    fn from((base, row): (&'static str, usize)) -> Self {
+        Symbol::from(base).row(row)
+    }
+}
+
+impl Trace {
+    /// The node at `id`.
+    pub fn node(&self, id: Id) -> &Node {
+        &self.nodes[id as usize]
+    }
+
+    /// The nodes that `id` was made from.
+    pub fn operands(&self, id: Id) -> Vec<Id> {
+        match &self.node(id).op {
+            Op::Literal | Op::Given { .. } | Op::Step(_) => Vec::new(),
+            Op::Add(a, b)
+            | Op::Sub(a, b)
+            | Op::Mul(a, b)
+            | Op::Div(a, b)
+            | Op::Atan2(a, b)
+            | Op::Dot(a, b)
+            | Op::Cross(a, b) => vec![*a, *b],
+            Op::Neg(a) | Op::Power(a, _) | Op::Root(a, _) | Op::Call(_, a) | Op::Magnitude(a) | Op::Component(a, _) => {
+                vec![*a]
+            }
+            Op::Sum(all) => all.clone(),
+            Op::Compose(all) => all.to_vec(),
+        }
+    }
+}
+
+impl Number {
+    /// Whether every component is finite.
+    pub fn is_finite(self) -> bool {
+        match self {
+            Number::Scalar(x) => x.is_finite(),
+            Number::Vector(v) => v.iter().all(|x| x.is_finite()),
+        }
+    }
+
+    /// The number itself, or the magnitude of the vector.
+    pub fn size(self) -> f64 {
+        match self {
+            Number::Scalar(x) => x.abs(),
+            Number::Vector([x, y, z]) => x.hypot(y).hypot(z),
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! What a solve writes on, and the reading of it that keeps only numbers.
+
+use std::cell::Cell;
+
+use dalembert_mechanics::{Real, Vector, intervals::IntervalSet};
+use dalembert_units::Unit;
+use nalgebra::Vector3;
+
+use crate::{Cite, Exhibit, Refusal, Stop, Symbol, Text};
+
+/// What a solve writes on. Written once over `W: Worksheet`, a solve has two readings: on a
+/// [`Sheet`](crate::Sheet) it leaves the worked solution, on [`Plain`] only its answers, at the speed of its formulas.
+pub trait Worksheet: Copy {
+    /// The numbers of this worksheet.
+    type Num: Real;
+    /// The vectors of this worksheet.
+    type Vec: Vector<Scalar = Self::Num>;
+
+    /// An input: a value in SI, by its symbol, in the unit it was typed in.
+    #[doc(hidden)]
+    fn given(self, input: Given<'_>, si: f64) -> Self::Num;
+    /// An input vector.
+    #[doc(hidden)]
+    fn given_vector(self, input: Given<'_>, si: Vector3<f64>) -> Self::Vec;
+
+    /// Writes `symbol = formula = substitution = result in unit` and goes on with the symbol.
+    fn step(self, symbol: impl Into<Symbol>, unit: &'static str, value: Self::Num, why: impl Into<Why>) -> Self::Num;
+    /// Writes a step whose result is a vector.
+    fn step_vector(
+        self,
+        symbol: impl Into<Symbol>,
+        unit: &'static str,
+        value: Self::Vec,
+        why: impl Into<Why>,
+    ) -> Self::Vec;
+    /// Brings in a number (SI) that a numerical method found, saying how; a [`check`](Worksheet::check)
+    /// must then hold it to its equation.
+    fn found(self, symbol: impl Into<Symbol>, unit: &'static str, si: f64, how: impl Into<Why>) -> Self::Num;
+    /// Holds two ways to the same number together, to within 10⁻⁹ of the larger.
+    fn check(self, what: impl Into<Text>, left: Self::Num, right: Self::Num);
+    /// Holds a sum to zero, to within 10⁻⁹ of `scale`, the size of its largest term.
+    fn check_zero(self, what: impl Into<Text>, residual: Self::Num, scale: f64);
+    /// Holds two ways to the same vector together, to within 10⁻⁹ of the longer.
+    fn check_vector(self, what: impl Into<Text>, left: Self::Vec, right: Self::Vec);
+    /// Names an answer. `value` must be the result of a step or found.
+    fn answer(self, name: &'static str, label: &'static str, value: Self::Num);
+    /// Names an answer that is a vector.
+    fn answer_vector(self, name: &'static str, label: &'static str, value: Self::Vec);
+    /// Names an answer that is a set of numbers in SI, shown in `unit`; `limits` says what limits each end.
+    fn answer_set(self, name: &'static str, label: &'static str, unit: &'static str, set: &IntervalSet, limits: Vec<Text>);
+    /// Shows something beside the numbers. Only built when someone looks.
+    fn show(self, exhibit: impl FnOnce() -> Exhibit);
+    /// Warns of a valid but doubtful result.
+    fn warn(self, warning: impl FnOnce() -> Text);
+    /// Ends a long computation that nobody waits for any more.
+    fn keep_going(self) -> Result<(), Refusal>;
+}
+
+/// Why a step is taken, and what says so.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Why {
+    /// The reason, in words.
+    pub reason: Text,
+    /// The source.
+    pub cite: Option<Cite>,
+}
+
+/// Where an input stands: what its number on a worksheet is called.
+#[derive(Clone, Copy)]
+pub struct Given<'t> {
+    /// How formulas write it.
+    pub symbol: &'static str,
+    /// The unit it was typed in, or that of the field.
+    pub unit: Result<&'t Unit, &'static str>,
+    /// Where it stands.
+    pub trail: &'t Trail<'t>,
+}
+
+/// The way from the top of a problem to one of its fields, on the stack.
+#[derive(Clone, Copy)]
+pub struct Trail<'t> {
+    /// The way to the enclosing field; `None` at the top.
+    pub parent: Option<&'t Trail<'t>>,
+    /// The last part.
+    pub part: Part,
+}
+
+/// A part of a [`Trail`].
+#[derive(Clone, Copy)]
+pub enum Part {
+    /// The problem itself.
+    Top,
+    /// A field or an alternative, by name.
+    Name(&'static str),
+    /// A row, counted from 1.
+    Row(usize),
+}
+
+/// Reads a solve as plain numbers. Nothing is recorded but the answers.
+pub struct Plain<'a> {
+    answers: [Cell<(&'static str, f64)>; MOST_ANSWERS],
+    count: Cell<usize>,
+    stop: &'a Stop,
+}
+
+/// The most answers (numbers, not vectors or sets) that a plain reading keeps.
+pub const MOST_ANSWERS: usize = 32;
+
+impl<'a> Plain<'a> {
+    /// A worksheet without answers.
+    #[inline]
+    pub fn new(stop: &'a Stop) -> Self {
+        Self { answers: [const { Cell::new(("", 0.0)) }; MOST_ANSWERS], count: Cell::new(0), stop }
+    }
+
+    /// Forgets the answers, for the next reading.
+    #[inline]
+    pub fn clear(&self) {
+        self.count.set(0);
+    }
+
+    /// The answer of that name, expected (but not required) as the `at`th.
+    #[inline]
+    pub fn answer_at(&self, at: usize, name: &str) -> Option<f64> {
+        let count = self.count.get().min(MOST_ANSWERS);
+        if at < count {
+            let (found, value) = self.answers[at].get();
+            if std::ptr::eq(found, name) {
+                return Some(value);
+            }
+        }
+        self.answers[..count].iter().map(Cell::get).find(|(found, _)| *found == name).map(|(_, value)| value)
+    }
+
+    /// All answers, in the order they were named.
+    pub fn answers(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        self.answers[..self.count.get().min(MOST_ANSWERS)].iter().map(Cell::get)
+    }
+}
+
+impl Worksheet for &Plain<'_> {
+    type Num = f64;
+    type Vec = Vector3<f64>;
+
+    #[inline]
+    fn given(self, _: Given<'_>, si: f64) -> f64 {
+        si
+    }
+    #[inline]
+    fn given_vector(self, _: Given<'_>, si: Vector3<f64>) -> Vector3<f64> {
+        si
+    }
+    #[inline]
+    fn step(self, _: impl Into<Symbol>, _: &'static str, value: f64, _: impl Into<Why>) -> f64 {
+        value
+    }
+    #[inline]
+    fn step_vector(
+        self,
+        _: impl Into<Symbol>,
+        _: &'static str,
+        value: Vector3<f64>,
+        _: impl Into<Why>,
+    ) -> Vector3<f64> {
+        value
+    }
+    #[inline]
+    fn found(self, _: impl Into<Symbol>, _: &'static str, si: f64, _: impl Into<Why>) -> f64 {
+        si
+    }
+    #[inline]
+    fn check(self, _: impl Into<Text>, _: f64, _: f64) {}
+    #[inline]
+    fn check_zero(self, _: impl Into<Text>, _: f64, _: f64) {}
+    #[inline]
+    fn check_vector(self, _: impl Into<Text>, _: Vector3<f64>, _: Vector3<f64>) {}
+    #[inline]
+    fn answer(self, name: &'static str, _: &'static str, value: f64) {
+        let at = self.count.get();
+        if let Some(cell) = self.answers.get(at) {
+            cell.set((name, value));
+        }
+        self.count.set(at + 1);
+    }
+    #[inline]
+    fn answer_vector(self, _: &'static str, _: &'static str, _: Vector3<f64>) {}
+    #[inline]
+    fn answer_set(self, _: &'static str, _: &'static str, _: &'static str, _: &IntervalSet, _: Vec<Text>) {}
+    #[inline]
+    fn show(self, _: impl FnOnce() -> Exhibit) {}
+    #[inline]
+    fn warn(self, _: impl FnOnce() -> Text) {}
+    #[inline]
+    fn keep_going(self) -> Result<(), Refusal> {
+        self.stop.check()
+    }
+}
+
+impl<'t> Trail<'t> {
+    /// The way to the problem itself.
+    pub const TOP: Trail<'static> = Trail { parent: None, part: Part::Top };
+
+    /// The way to a field of what is here.
+    pub fn field(&'t self, name: &'static str) -> Trail<'t> {
+        Trail { parent: Some(self), part: Part::Name(name) }
+    }
+
+    /// The way to a row, counted from 0, of what is here.
+    pub fn row(&'t self, row: usize) -> Trail<'t> {
+        Trail { parent: Some(self), part: Part::Row(row + 1) }
+    }
+
+    /// `masses[1].radius`
+    pub fn path(&self) -> String {
+        let mut path = self.parent.map_or_else(String::new, Trail::path);
+        match self.part {
+            Part::Top => {}
+            Part::Name(name) if path.is_empty() => path.push_str(name),
+            Part::Name(name) => {
+                path.push('.');
+                path.push_str(name);
+            }
+            Part::Row(row) => path += &format!("[{row}]"),
+        }
+        path
+    }
+
+    /// `base` with the rows on the way as its indices.
+    pub fn symbol(&self, base: &'static str) -> Symbol {
+        let symbol = self.parent.map_or_else(|| Symbol::from(base), |parent| parent.symbol(base));
+        if let Part::Row(row) = self.part { symbol.row(row) } else { symbol }
+    }
+}
+
+impl From<&'static str> for Why {
+    fn from(reason: &'static str) -> Self {
+        Self { reason: reason.into(), cite: None }
+    }
+}
+
+impl From<Text> for Why {
+    fn from(reason: Text) -> Self {
+        Self { reason, cite: None }
+    }
+}
+
+impl<T: Into<Text>> From<(T, Cite)> for Why {
+    fn from((reason, cite): (T, Cite)) -> Self {
+        Self { reason: reason.into(), cite: Some(cite) }
+    }
+}

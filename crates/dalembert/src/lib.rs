@@ -1,0 +1,1 @@
+//! The program without its analyses: a binary links those it wants and calls [`main`].

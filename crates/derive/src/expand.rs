@@ -1,0 +1,287 @@
+//! The implementation of `Inputs` for a struct or an enum.
+
+use proc_macro2::{Literal, TokenStream as Tokens};
+use quote::{format_ident, quote};
+use syn::{Data, DataEnum, DeriveInput, Error, Fields, FieldsNamed, Ident, Result, Visibility};
+
+use crate::field::{Arguments, Asks, documentation};
+
+pub(crate) fn expand(item: &DeriveInput) -> Result<Tokens> {
+    if !item.generics.params.is_empty() {
+        return Err(Error::new_spanned(&item.generics, "inputs have no generic parameters"));
+    }
+    match &item.data {
+        Data::Struct(data) => match &data.fields {
+            Fields::Named(fields) => structure(item, fields),
+            _ => Err(Error::new_spanned(item, "inputs have names: write a struct with named fields")),
+        },
+        Data::Enum(data) => alternatives(item, data),
+        Data::Union(_) => Err(Error::new_spanned(item, "a union cannot be an input")),
+    }
+}
+
+/// A list of fields as code.
+struct Group {
+    /// `Field { … }, …`
+    described: Vec<Tokens>,
+    names: Vec<Ident>,
+    asks: Vec<Asks>,
+}
+
+impl Group {
+    fn of(fields: &FieldsNamed) -> Result<Self> {
+        let (mut described, mut names, mut all) = (Vec::new(), Vec::new(), Vec::new());
+        for field in &fields.named {
+            let Some(ident) = &field.ident else { return Err(Error::new_spanned(field, "a field needs a name")) };
+            let (label, help) = documentation(&field.attrs);
+            if label.is_empty() {
+                let why = "a field needs a line of documentation: it is the label in the form";
+                return Err(Error::new_spanned(field, why));
+            }
+            let arguments = Arguments::of(&field.attrs)?;
+            let asks = Asks::of(&field.ty, &arguments)?;
+            let (name, symbol) = (ident.to_string(), arguments.symbol());
+            let (shape, default) = (asks.shape(&arguments)?, arguments.default_text());
+            described.push(quote! {
+                dalembert_core::Field {
+                    name: #name, label: #label, help: #help, symbol: #symbol, default: #default, shape: #shape,
+                }
+            });
+            names.push(ident.clone());
+            all.push(asks);
+        }
+        Ok(Self { described, names, asks: all })
+    }
+
+    /// Fields of the lifted struct.
+    fn given_fields(&self, visibility: &Tokens) -> Vec<Tokens> {
+        let lifted = self.names.iter().zip(&self.asks).filter(|(_, asks)| asks.is_lifted());
+        lifted
+            .map(|(name, asks)| {
+                let ty = asks.given_type();
+                let doc = format!("`{name}` on the worksheet.");
+                quote! { #[doc = #doc] #visibility #name: #ty }
+            })
+            .collect()
+    }
+
+    /// `name: read, …`: `Option`s of all fields, from `value: &Value`.
+    fn read(&self) -> Tokens {
+        let names = &self.names;
+        let reads = self.names.iter().zip(&self.asks).enumerate().map(|(at, (name, asks))| {
+            let (text, at, read) = (name.to_string(), Literal::usize_unsuffixed(at), asks.read());
+            quote! {
+                let #name = {
+                    let value = support::field(value, #at);
+                    let trail = &trail.field(#text);
+                    #read
+                };
+            }
+        });
+        quote! { #(#reads)* let (#(Some(#names),)*) = (#(#names,)*) else { return None; }; }
+    }
+
+    /// `name: lifted, …`, from `#name: &T` in scope, `fields` and `lift`.
+    fn given(&self) -> Vec<Tokens> {
+        let lifted = self.names.iter().zip(&self.asks).enumerate().filter(|(_, (_, asks))| asks.is_lifted());
+        lifted
+            .map(|(at, (name, asks))| {
+                let (text, at, given) = (name.to_string(), Literal::usize_unsuffixed(at), asks.given());
+                quote! {
+                    #name: {
+                        let this = #name;
+                        let field = &fields[#at];
+                        let trail = lift.trail.field(#text);
+                        let lift = dalembert_core::Lift {
+                            sheet: lift.sheet,
+                            value: lift.value.map(|value| support::field(value, #at)),
+                            trail: &trail,
+                        };
+                        let _ = field;
+                        #given
+                    }
+                }
+            })
+            .collect()
+    }
+
+    /// `0 => …, 1 => …,` from `#name: &mut T` in scope and `rest`.
+    fn slots(&self) -> Vec<Tokens> {
+        let all = self.names.iter().zip(&self.asks).enumerate();
+        all.map(|(at, (name, asks))| {
+            let (at, slot) = (Literal::usize_unsuffixed(at), asks.slot());
+            quote! { #at => { let this = #name; #slot } }
+        })
+        .collect()
+    }
+}
+
+fn structure(item: &DeriveInput, fields: &FieldsNamed) -> Result<Tokens> {
+    let (name, visibility) = (&item.ident, &item.vis);
+    let given_name = format_ident!("{name}Given");
+    let group = Group::of(fields)?;
+    let (described, names) = (&group.described, &group.names);
+    let given_fields = group.given_fields(&quote! { pub });
+    let (read, given, slots) = (group.read(), group.given(), group.slots());
+    let doc = format!("The inputs of [`{name}`] as numbers of a worksheet.");
+    Ok(quote! {
+        #[doc = #doc]
+        #visibility struct #given_name<W: dalembert_core::Worksheet> {
+            #(#given_fields,)*
+            #[doc(hidden)]
+            pub sheet: ::std::marker::PhantomData<W>,
+        }
+
+        const _: () = {
+            use dalembert_core::derive_support as support;
+
+            static FIELDS: &[dalembert_core::Field] = &[#(#described),*];
+
+            impl dalembert_core::Inputs for #name {
+                const SHAPE: dalembert_core::Shape = dalembert_core::Shape::Group(|| FIELDS);
+                type Given<W: dalembert_core::Worksheet> = #given_name<W>;
+
+                fn read(
+                    value: &dalembert_core::Value,
+                    trail: &support::Trail<'_>,
+                    errors: &mut ::std::vec::Vec<dalembert_core::FieldError>,
+                ) -> ::std::option::Option<Self> {
+                    #read
+                    Some(Self { #(#names),* })
+                }
+
+                #[inline]
+                fn given<W: dalembert_core::Worksheet>(&self, lift: dalembert_core::Lift<'_, W>) -> #given_name<W> {
+                    let fields = FIELDS;
+                    let Self { #(#names),* } = self;
+                    let _ = (#(#names,)*);
+                    #given_name { #(#given,)* sheet: ::std::marker::PhantomData }
+                }
+
+                #[inline]
+                fn slot(&mut self, path: &[usize]) -> ::std::option::Option<&mut f64> {
+                    let (first, rest) = path.split_first()?;
+                    let Self { #(#names),* } = self;
+                    match first { #(#slots)* _ => None }
+                }
+            }
+        };
+    })
+}
+
+fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
+    let name = &item.ident;
+    let visibility: &Visibility = &item.vis;
+    let given_name = format_ident!("{name}Given");
+    let plain = data.variants.iter().all(|variant| variant.fields.is_empty());
+    let (mut described, mut statics, mut reads, mut givens) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut slots, mut given_variants) = (Vec::new(), Vec::new());
+    for (at, variant) in data.variants.iter().enumerate() {
+        let (label, help) = documentation(&variant.attrs);
+        if label.is_empty() {
+            let why = "an alternative needs a line of documentation: it is the label in the form";
+            return Err(Error::new_spanned(variant, why));
+        }
+        let empty = FieldsNamed { brace_token: syn::token::Brace::default(), named: syn::punctuated::Punctuated::new() };
+        let fields = match &variant.fields {
+            Fields::Named(fields) => fields,
+            Fields::Unit => &empty,
+            Fields::Unnamed(_) => return Err(Error::new_spanned(variant, "the inputs of an alternative have names")),
+        };
+        let group = Group::of(fields)?;
+        let (ident, key) = (&variant.ident, kebab(&variant.ident.to_string()));
+        let (list, inner) = (format_ident!("FIELDS_{at}"), &group.described);
+        let at = Literal::usize_unsuffixed(at);
+        statics.push(quote! { static #list: &[dalembert_core::Field] = &[#(#inner),*]; });
+        described.push(quote! {
+            dalembert_core::Variant { name: #key, label: #label, help: #help, fields: || #list }
+        });
+        let (read, names, given, slot) = (group.read(), &group.names, group.given(), group.slots());
+        let text = &key;
+        reads.push(quote! {
+            Some(#at) => {
+                let trail = &trail.field(#text);
+                #read
+                Some(Self::#ident { #(#names),* })
+            }
+        });
+        if !plain {
+            let fields = group.given_fields(&quote! {});
+            let doc = format!("{label}.");
+            given_variants.push(quote! { #[doc = #doc] #ident { #(#fields,)* } });
+            givens.push(quote! {
+                Self::#ident { #(#names),* } => {
+                    let fields = #list;
+                    let trail = lift.trail.field(#text);
+                    let lift = dalembert_core::Lift { trail: &trail, ..lift };
+                    let _ = (fields, lift.trail, #(#names,)*);
+                    #given_name::#ident { #(#given,)* }
+                }
+            });
+        }
+        slots.push(quote! { (#at, Self::#ident { #(#names),* }) => {
+            let (first, rest) = rest.split_first()?;
+            let _ = (rest, #(&#names,)*);
+            match first { #(#slot)* _ => None }
+        } });
+    }
+    let (given_type, given_item, given_body) = if plain {
+        (quote! { () }, quote! {}, quote! { let _ = lift; })
+    } else {
+        let doc = format!("The inputs of [`{name}`] as numbers of a worksheet.");
+        let item = quote! {
+            #[doc = #doc]
+            #visibility enum #given_name<W: dalembert_core::Worksheet> { #(#given_variants,)* }
+        };
+        (quote! { #given_name<W> }, item, quote! { match self { #(#givens)* } })
+    };
+    Ok(quote! {
+        #given_item
+
+        const _: () = {
+            use dalembert_core::derive_support as support;
+
+            #(#statics)*
+            static VARIANTS: &[dalembert_core::Variant] = &[#(#described),*];
+
+            impl dalembert_core::Inputs for #name {
+                const SHAPE: dalembert_core::Shape = dalembert_core::Shape::OneOf(|| VARIANTS);
+                type Given<W: dalembert_core::Worksheet> = #given_type;
+
+                fn read(
+                    value: &dalembert_core::Value,
+                    trail: &support::Trail<'_>,
+                    errors: &mut ::std::vec::Vec<dalembert_core::FieldError>,
+                ) -> ::std::option::Option<Self> {
+                    match support::variant(value) {
+                        #(#reads)*
+                        _ => support::one_of(trail, errors),
+                    }
+                }
+
+                #[inline]
+                fn given<W: dalembert_core::Worksheet>(&self, lift: dalembert_core::Lift<'_, W>) -> Self::Given<W> {
+                    #given_body
+                }
+
+                #[inline]
+                fn slot(&mut self, path: &[usize]) -> ::std::option::Option<&mut f64> {
+                    let (first, rest) = path.split_first()?;
+                    match (first, self) { #(#slots)* _ => None }
+                }
+            }
+        };
+    })
+}
+
+/// `SimplySupported` as `simply-supported`.
+fn kebab(name: &str) -> String {
+    let mut text = String::new();
+    for c in name.chars() {
+        if c.is_uppercase() && !text.is_empty() {
+            text.push('-');
+        }
+        text.extend(c.to_lowercase());
+    }
+    text
+}

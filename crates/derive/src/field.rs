@@ -1,0 +1,310 @@
+//! One field: its type, its documentation and its `#[input(…)]`, as code that describes, reads and lifts it.
+
+use proc_macro2::TokenStream as Tokens;
+use quote::quote;
+use syn::{
+    Attribute, Error, Expr, ExprLit, GenericArgument, Lit, Meta, PathArguments, Result, Type, punctuated::Punctuated,
+    spanned::Spanned,
+};
+
+/// What the type of a field asks for.
+pub(crate) enum Asks {
+    Quantity,
+    Vector,
+    Text,
+    Flag,
+    Count(Type),
+    Reference,
+    Optional(Box<Asks>),
+    Rows(Box<Asks>),
+    Table(Type),
+    Nested(Type),
+}
+
+/// The arguments of `#[input(…)]`.
+
+pub(crate) struct Arguments {
+    texts: Vec<String>,
+    words: Vec<String>,
+    values: Vec<(String, Expr)>,
+    span: Option<proc_macro2::Span>,
+}
+
+impl Asks {
+    /// What a field of this type, with these arguments, asks for.
+    pub(crate) fn of(ty: &Type, arguments: &Arguments) -> Result<Self> {
+        let Type::Path(path) = ty else {
+            return Err(Error::new_spanned(ty, "this type cannot be an input; see the table in the docs of `Inputs`"));
+        };
+        let Some(last) = path.path.segments.last() else { return Err(Error::new_spanned(ty, "a type is needed")) };
+        let inner = || match &last.arguments {
+            PathArguments::AngleBracketed(args) => match args.args.first() {
+                Some(GenericArgument::Type(inner)) => Ok(inner.clone()),
+                _ => Err(Error::new_spanned(ty, "the type inside is missing")),
+            },
+            _ => Err(Error::new_spanned(ty, "the type inside is missing")),
+        };
+        Ok(match last.ident.to_string().as_str() {
+            "f64" => Asks::Quantity,
+            "Vector3" => Asks::Vector,
+            "String" => Asks::Text,
+            "bool" => Asks::Flag,
+            "u32" | "u64" | "usize" => Asks::Count(ty.clone()),
+            "Reference" => Asks::Reference,
+            "Option" => Asks::Optional(Box::new(Asks::of(&inner()?, arguments)?)),
+            "Vec" if arguments.has("table") => Asks::Table(inner()?),
+            "Vec" => Asks::Rows(Box::new(Asks::of(&inner()?, arguments)?)),
+            _ => Asks::Nested(ty.clone()),
+        })
+    }
+
+    /// Whether the field stands in `NameGiven`.
+    pub(crate) fn is_lifted(&self) -> bool {
+        match self {
+            Asks::Quantity | Asks::Vector | Asks::Nested(_) => true,
+            Asks::Optional(inner) | Asks::Rows(inner) => inner.is_lifted(),
+            Asks::Text | Asks::Flag | Asks::Count(_) | Asks::Reference | Asks::Table(_) => false,
+        }
+    }
+
+    /// A `Shape`.
+    pub(crate) fn shape(&self, arguments: &Arguments) -> Result<Tokens> {
+        Ok(match self {
+            Asks::Quantity => {
+                let measure = arguments.measure()?;
+                quote! { dalembert_core::Shape::Quantity(#measure) }
+            }
+            Asks::Vector => {
+                let measure = arguments.measure()?;
+                let len: usize = if arguments.has("planar") { 2 } else { 3 };
+                quote! { dalembert_core::Shape::Vector(#measure, #len) }
+            }
+            Asks::Text => quote! { dalembert_core::Shape::Text },
+            Asks::Flag => quote! { dalembert_core::Shape::Flag },
+            Asks::Count(_) => {
+                let min = arguments.value("min").map_or_else(|| quote! { 0 }, |min| quote! { #min });
+                let max = arguments.value("max").map_or_else(|| quote! { 1_000_000 }, |max| quote! { #max });
+                quote! { dalembert_core::Shape::Count { min: #min, max: #max } }
+            }
+            Asks::Reference => {
+                let rows = arguments.value("rows").ok_or_else(|| {
+                    arguments.error("a reference names the list it points into: #[input(rows = \"bodies\")]")
+                })?;
+                quote! { dalembert_core::Shape::Reference(#rows) }
+            }
+            Asks::Optional(inner) => {
+                let inner = inner.shape(arguments)?;
+                quote! { dalembert_core::Shape::Optional(|| { const SHAPE: &dalembert_core::Shape = &#inner; SHAPE }) }
+            }
+            Asks::Rows(inner) => {
+                let min = arguments.value("min").map_or_else(|| quote! { 0 }, |min| quote! { #min });
+                let inner = inner.shape(arguments)?;
+                quote! {
+                    dalembert_core::Shape::Rows {
+                        item: || { const SHAPE: &dalembert_core::Shape = &#inner; SHAPE },
+                        min: #min,
+                    }
+                }
+            }
+            Asks::Table(row) => quote! {
+                dalembert_core::Shape::Table(|| <#row as dalembert_core::Inputs>::SHAPE.fields(None))
+            },
+            // Behind a function, so that a type may contain itself.
+            Asks::Nested(ty) => quote! { <#ty as dalembert_core::Inputs>::SHAPE },
+        })
+    }
+
+    /// An expression of `Option<Self>`, from `value: &Value` and `trail: &Trail`, noting faults in `errors`.
+    pub(crate) fn read(&self) -> Tokens {
+        match self {
+            Asks::Quantity => quote! { support::quantity(value, trail, errors) },
+            Asks::Vector => quote! { support::vector(value, trail, errors) },
+            Asks::Text => quote! { support::text(value, trail, errors) },
+            Asks::Flag => quote! { support::flag(value, trail, errors) },
+            Asks::Count(ty) => quote! {
+                support::count(value, trail, errors).and_then(|count| <#ty>::try_from(count).ok())
+            },
+            Asks::Reference => quote! { support::reference(value, trail, errors) },
+            Asks::Optional(inner) => {
+                let inner = inner.read();
+                quote! { support::optional(value, errors, |value, errors| #inner) }
+            }
+            Asks::Rows(inner) => {
+                let inner = inner.read();
+                quote! { support::rows(value, trail, errors, |value, trail, errors| #inner) }
+            }
+            Asks::Table(row) => quote! {
+                support::table(value, trail, errors, |numbers| support::table_row::<#row>(numbers))
+            },
+            Asks::Nested(ty) => quote! { <#ty as dalembert_core::Inputs>::read(value, trail, errors) },
+        }
+    }
+
+    /// The type in `NameGiven<W>`.
+    pub(crate) fn given_type(&self) -> Tokens {
+        match self {
+            Asks::Quantity => quote! { W::Num },
+            Asks::Vector => quote! { W::Vec },
+            Asks::Optional(inner) => {
+                let inner = inner.given_type();
+                quote! { ::std::option::Option<#inner> }
+            }
+            Asks::Rows(inner) => {
+                let inner = inner.given_type();
+                quote! { ::std::vec::Vec<#inner> }
+            }
+            Asks::Nested(ty) => quote! { <#ty as dalembert_core::Inputs>::Given<W> },
+            _ => quote! { () },
+        }
+    }
+
+    /// An expression of the lifted value, from `this: &T`, `lift: Lift<W>` and `field: &'static Field`.
+    pub(crate) fn given(&self) -> Tokens {
+        match self {
+            Asks::Quantity => quote! { support::given(lift, field, *this) },
+            Asks::Vector => quote! { support::given_vector(lift, field, *this) },
+            Asks::Optional(inner) => {
+                let inner = inner.given();
+                quote! { this.as_ref().map(|this| #inner) }
+            }
+            Asks::Rows(inner) => {
+                let inner = inner.given();
+                quote! {
+                    this.iter().enumerate().map(|(n, this)| {
+                        let trail = lift.trail.row(n);
+                        let lift = dalembert_core::Lift {
+                            sheet: lift.sheet, value: support::row_value(lift.value, n), trail: &trail,
+                        };
+                        #inner
+                    }).collect()
+                }
+            }
+            Asks::Nested(_) => quote! { dalembert_core::Inputs::given(this, lift) },
+            _ => quote! { () },
+        }
+    }
+
+    /// An expression of `Option<&mut f64>`, from `this: &mut T` and `rest: &[usize]`.
+    pub(crate) fn slot(&self) -> Tokens {
+        match self {
+            Asks::Quantity => quote! { if rest.is_empty() { Some(this) } else { None } },
+            Asks::Vector => quote! { if let [axis] = rest { this.get_mut(*axis) } else { None } },
+            Asks::Optional(inner) => {
+                let inner = inner.slot();
+                quote! { this.as_mut().and_then(|this| #inner) }
+            }
+            Asks::Rows(inner) => {
+                let inner = inner.slot();
+                quote! {
+                    rest.split_first().and_then(|(row, rest)| this.get_mut(*row).and_then(|this| #inner))
+                }
+            }
+            Asks::Nested(_) => quote! { dalembert_core::Inputs::slot(this, rest) },
+            _ => quote! { { let _ = (this, rest); None } },
+        }
+    }
+}
+
+impl Arguments {
+    /// The arguments of all `#[input(…)]` of a field.
+    pub(crate) fn of(attributes: &[Attribute]) -> Result<Self> {
+        let mut found = Arguments { texts: Vec::new(), words: Vec::new(), values: Vec::new(), span: None };
+        for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("input")) {
+            found.span = Some(attribute.span());
+            for argument in attribute.parse_args_with(Punctuated::<Expr, syn::Token![,]>::parse_terminated)? {
+                match &argument {
+                    Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => found.texts.push(text.value()),
+                    Expr::Path(path) if path.path.get_ident().is_some() => {
+                        let word = path.path.require_ident()?.to_string();
+                        let known = ["positive", "nonnegative", "planar", "table"];
+                        if !known.contains(&word.as_str()) {
+                            return Err(Error::new_spanned(&argument, format!("expected one of {}", known.join(", "))));
+                        }
+                        found.words.push(word);
+                    }
+                    Expr::Assign(assign) => {
+                        let Expr::Path(left) = &*assign.left else {
+                            return Err(Error::new_spanned(&argument, "expected `name = value`"));
+                        };
+                        let name = left.path.require_ident()?.to_string();
+                        let known = ["above", "below", "min", "max", "kind", "default", "rows"];
+                        if !known.contains(&name.as_str()) {
+                            return Err(Error::new_spanned(&argument, format!("expected one of {}", known.join(", "))));
+                        }
+                        found.values.push((name, (*assign.right).clone()));
+                    }
+                    other => return Err(Error::new_spanned(other, "expected a text, a word or `name = value`")),
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    pub(crate) fn has(&self, word: &str) -> bool {
+        self.words.iter().any(|found| found == word)
+    }
+
+    fn value(&self, name: &str) -> Option<&Expr> {
+        self.values.iter().find(|(found, _)| found == name).map(|(_, value)| value)
+    }
+
+    /// The symbol: the first text of a quantity or a vector.
+    pub(crate) fn symbol(&self) -> &str {
+        self.texts.first().map_or("", String::as_str)
+    }
+
+    /// `Option<&'static str>`
+    pub(crate) fn default_text(&self) -> Tokens {
+        self.value("default").map_or_else(|| quote! { None }, |text| quote! { Some(#text) })
+    }
+
+    fn error(&self, message: &str) -> Error {
+        Error::new(self.span.unwrap_or_else(proc_macro2::Span::call_site), message)
+    }
+
+    fn measure(&self) -> Result<Tokens> {
+        let [_, unit] = &self.texts[..] else {
+            return Err(self.error("a quantity needs #[input(\"symbol\", \"unit\")]"));
+        };
+        let kind = match self.value("kind") {
+            Some(Expr::Lit(ExprLit { lit: Lit::Str(name), .. })) => {
+                let name = name.parse::<syn::Ident>()?;
+                quote! { Some(dalembert_core::derive_support::Kind::#name) }
+            }
+            Some(other) => return Err(Error::new_spanned(other, "expected the name of a kind in quotes")),
+            None => quote! { None },
+        };
+        let limit = |including: &str, excluding: &str, word: Option<(&str, &str)>| {
+            let value = |value: &Expr| quote! { (#value) as f64 };
+            if let Some(limit) = self.value(including) {
+                let limit = value(limit);
+                return quote! { dalembert_core::Limit::Including(#limit) };
+            }
+            if let Some(limit) = self.value(excluding) {
+                let limit = value(limit);
+                return quote! { dalembert_core::Limit::Excluding(#limit) };
+            }
+            match word {
+                Some((excluding, _)) if self.has(excluding) => quote! { dalembert_core::Limit::Excluding(0.0) },
+                Some((_, including)) if self.has(including) => quote! { dalembert_core::Limit::Including(0.0) },
+                _ => quote! { dalembert_core::Limit::None },
+            }
+        };
+        let min = limit("min", "above", Some(("positive", "nonnegative")));
+        let max = limit("max", "below", None);
+        Ok(quote! { dalembert_core::Measure { unit: #unit, kind: #kind, min: #min, max: #max } })
+    }
+}
+
+/// The label and the help: the first line of documentation, and the rest.
+pub(crate) fn documentation(attributes: &[Attribute]) -> (String, String) {
+    let mut lines = attributes.iter().filter_map(|attribute| match &attribute.meta {
+        Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
+            Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value().trim().to_owned()),
+            _ => None,
+        },
+        _ => None,
+    });
+    let label = lines.next().unwrap_or_default().trim_end_matches('.').to_owned();
+    (label, lines.filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" "))
+}

@@ -1,0 +1,32 @@
+//! `#[derive(Inputs)]`: the inputs of a problem, from its struct.
+
+mod expand;
+mod field;
+
+use proc_macro::TokenStream;
+
+/// Describes a struct (or an enum of alternatives) to forms, files and the command line.
+///
+/// | type of the field | what a person sees |
+/// |---|---|
+/// | `f64` with `#[input("m", "kg", positive)]` | a quantity: symbol, unit, limits |
+/// | `Vector3<f64>` with `#[input("F", "N")]` | a vector; `planar` asks for two components |
+/// | `String`, `bool` | a text, yes or no |
+/// | `u32`, `u64`, `usize` with `#[input(min = 1, max = 20)]` | a whole number |
+/// | `Reference` with `#[input(rows = "bodies")]` | the name of a row of the top-level list `bodies` |
+/// | `Option<T>` | an input that may be left out |
+/// | `Vec<T>` | rows: add, remove, reorder; `#[input(min = 1)]` asks for at least one |
+/// | `Vec<T>` with `#[input(table)]` | a table with columns, typed or pasted |
+/// | another type that derives `Inputs` | its fields in place (struct), or a choice among its alternatives (enum) |
+///
+/// Arguments of a quantity: `positive`, `nonnegative`, `above = x`, `below = x`, `min = x`, `max = x` (in the unit
+/// of the field), `kind = "Amplitude"` where the unit does not tell the kind, `default = "9.81 m/s^2"`.
+///
+/// The first line of documentation is the label in the form, the rest its help. With the struct comes
+/// `NameGiven<W>`: the same inputs as numbers of a worksheet. Texts, flags, counts, references and tables are not
+/// in it; the struct itself has them.
+#[proc_macro_derive(Inputs, attributes(input))]
+pub fn inputs(item: TokenStream) -> TokenStream {
+    let item = syn::parse_macro_input!(item as syn::DeriveInput);
+    expand::expand(&item).unwrap_or_else(|err| err.to_compile_error()).into()
+}

@@ -1,0 +1,122 @@
+//! Balancing of rigid rotors.
+//!
+//! An unbalance is `U = m r` at an angle `θ` in a plane at the position `z` along the shaft; its components are
+//! `m r cos θ` and `m r sin θ`, kg·m. Components along x and y obey the same equations, one direction at a time.
+//! Weights in place of masses (N·m) change nothing: gravity cancels. Positions count from any origin.
+//! Equation numbers: Riul, *Dinâmica das Máquinas*, Unit II.
+
+use crate::Real;
+
+mod two_plane;
+
+pub use two_plane::{BalanceError, PlaneUnbalance, TwoPlaneBalance, balance_two_planes};
+
+/// Unbalance of a mass at a radius, `U = m r`, kg·m.
+#[inline]
+pub fn unbalance<S: Real>(mass: S, radius: S) -> S {
+    mass * radius
+}
+
+/// Component of an unbalance along x, `m r cos θ`, kg·m.
+#[inline]
+pub fn component_x<S: Real>(mass: S, radius: S, angle: S) -> S {
+    mass * radius * angle.cos()
+}
+
+/// Component of an unbalance along y, `m r sin θ`, kg·m.
+#[inline]
+pub fn component_y<S: Real>(mass: S, radius: S, angle: S) -> S {
+    mass * radius * angle.sin()
+}
+
+/// Magnitude from components, `U = √(U_x² + U_y²)`. Eqs. 11, 16.
+#[inline]
+pub fn magnitude<S: Real>(x: S, y: S) -> S {
+    (x.powi(2) + y.powi(2)).sqrt()
+}
+
+/// Direction from components, `θ = atan2(U_y, U_x)`, rad in `(−π, π]`. Eqs. 11, 19.
+#[inline]
+pub fn direction<S: Real>(x: S, y: S) -> S {
+    y.atan2(x)
+}
+
+/// Mass of a correction from its components and the radius where it is put, `m = √(U_x² + U_y²)/r`, kg.
+/// Eqs. 11, 17, 21.
+#[inline]
+pub fn correction_mass<S: Real>(x: S, y: S, radius: S) -> S {
+    magnitude(x, y) / radius
+}
+
+/// Radius of a correction from its components and the mass at hand, `r = √(U_x² + U_y²)/m`, m.
+#[inline]
+pub fn correction_radius<S: Real>(x: S, y: S, mass: S) -> S {
+    magnitude(x, y) / mass
+}
+
+/// Static balancing in one plane, one component: `U_e = −Σ Uᵢ`. Eqs. 9–11.
+#[inline]
+pub fn single_plane_correction<S: Real>(components: impl IntoIterator<Item = S>) -> S {
+    -S::sum(components)
+}
+
+/// Two planes, moments about plane A, one component of the correction in plane B:
+/// `U_B = −Σ Uᵢ(zᵢ − z_A)/(z_B − z_A)`. Eqs. 13–15.
+///
+/// Takes pairs of component and position. The planes must differ.
+#[inline]
+pub fn correction_in_b<S: Real>(
+    components_at: impl IntoIterator<Item = (S, S)>,
+    plane_a: S,
+    plane_b: S,
+) -> S {
+    -S::sum(components_at.into_iter().map(|(u, z)| u * (z - plane_a))) / (plane_b - plane_a)
+}
+
+/// Two planes, sum of forces, one component of the correction in plane A: `U_A = −(U_B + Σ Uᵢ)`. Eq. 20.
+#[inline]
+pub fn correction_in_a<S: Real>(components: impl IntoIterator<Item = S>, correction_in_b: S) -> S {
+    -(correction_in_b + S::sum(components))
+}
+
+/// The same component in plane A by moments about plane B, a second way: `U_A = −Σ Uᵢ(z_B − zᵢ)/(z_B − z_A)`.
+#[inline]
+pub fn correction_in_a_by_moments<S: Real>(
+    components_at: impl IntoIterator<Item = (S, S)>,
+    plane_a: S,
+    plane_b: S,
+) -> S {
+    -S::sum(components_at.into_iter().map(|(u, z)| u * (plane_b - z))) / (plane_b - plane_a)
+}
+
+/// One component of the resultant of unbalances, `Σ Uᵢ`, kg·m; times `ω²` it is a force in N. Eq. 12.
+#[inline]
+pub fn resultant<S: Real>(components: impl IntoIterator<Item = S>) -> S {
+    S::sum(components)
+}
+
+/// One component of the moment of unbalances about the position `z₀`, `Σ Uᵢ(zᵢ − z₀)`, kg·m²; times `ω²` it is a
+/// couple in N·m. Eq. 13.
+#[inline]
+pub fn moment<S: Real>(components_at: impl IntoIterator<Item = (S, S)>, about: S) -> S {
+    S::sum(components_at.into_iter().map(|(u, z)| u * (z - about)))
+}
+
+/// Static part of the unbalances of two planes, equal in both: `(U_A + U_B)/2`, one component.
+#[inline]
+pub fn static_part<S: Real>(in_a: S, in_b: S) -> S {
+    (in_a + in_b) / 2.0
+}
+
+/// Couple part of the unbalances of two planes: `(U_A − U_B)/2` in plane A and its opposite in plane B, one
+/// component.
+#[inline]
+pub fn couple_part<S: Real>(in_a: S, in_b: S) -> S {
+    (in_a - in_b) / 2.0
+}
+
+/// Rotating force of an unbalance, `F = U ω²`, N. Eq. 7.
+#[inline]
+pub fn centrifugal_force<S: Real>(unbalance: S, speed: S) -> S {
+    unbalance * speed.powi(2)
+}

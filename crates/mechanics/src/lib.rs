@@ -1,0 +1,23 @@
+//! The mechanics itself: numbers in SI, no text, no units, no input and no output.
+//!
+//! Two kinds of function live here. A *closed formula* is generic over [`Real`] or [`Vector`] and is written in
+//! the shape of the textbook, since a worked solution prints it as it stands; it checks nothing. A *numerical
+//! kernel* works on `f64`, refuses what has no answer with a typed error, and never returns NaN or infinity.
+
+pub mod balance;
+pub mod beam;
+pub mod intervals;
+pub mod linalg;
+pub mod polynomial;
+pub mod rigid;
+pub mod roots;
+pub mod sdof;
+pub mod section;
+pub mod slider_crank;
+pub mod spring;
+pub mod whirl;
+pub mod work;
+
+mod real;
+
+pub use real::{Real, Vector};

@@ -1,0 +1,264 @@
+//! Linear algebra that always comes back: the only place that calls a decomposition of the library.
+//!
+//! Several decompositions of the library never return on NaN or infinity, one never returns on a harmless
+//! permutation matrix, and a nearly singular system is solved without a word. Here every matrix is checked to be
+//! finite and scaled, every iteration has a limit, every result is held against its own equation, and what has no
+//! answer is refused by name. Everywhere else clippy bans the raw calls.
+
+use nalgebra::linalg::balancing::balance_parlett_reinsch;
+use nalgebra::{Complex, DMatrix, DVector, Schur};
+
+/// Below this reciprocal condition number of the scaled matrix a system counts as singular: fewer than three
+/// digits of its solution would be right.
+pub const SINGULAR: f64 = 1e-13;
+
+/// Why there is no result.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum LinalgError {
+    /// An entry of the input, or of the result, is NaN or infinite.
+    #[error("a number is not finite; every entry must be, and no result may overflow")]
+    NotFinite,
+    /// The sizes do not fit each other or the problem.
+    #[error("a {rows} by {columns} matrix does not fit; the problem needs {wanted}")]
+    Shape {
+        /// Rows of the offending matrix.
+        rows: usize,
+        /// Columns of the offending matrix.
+        columns: usize,
+        /// What would fit.
+        wanted: &'static str,
+    },
+    /// The matrix of a symmetric problem is not symmetric.
+    #[error(
+        "the matrix is not symmetric: entries across the diagonal differ by {difference:e} of the largest"
+    )]
+    NotSymmetric {
+        /// The largest difference across the diagonal over the largest entry.
+        difference: f64,
+    },
+    /// The equations do not determine the unknowns.
+    #[error("the equations are singular: reciprocal condition number {reciprocal_condition:e}")]
+    Singular {
+        /// `1/cond₂` of the scaled matrix; zero when exactly singular.
+        reciprocal_condition: f64,
+    },
+    /// The iteration reached its limit, or its result does not satisfy the equation.
+    #[error("the iteration did not converge")]
+    NotConverged,
+}
+
+/// Solution of a linear system or a least-squares problem.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solved {
+    /// The unknowns.
+    pub x: DVector<f64>,
+    /// Condition number `cond₂` of the scaled matrix, at least 1: about `log₁₀` of it digits are lost.
+    pub condition: f64,
+}
+
+/// Eigenvalues and eigenvectors of a symmetric matrix.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SymmetricEigen {
+    /// Eigenvalues, ascending.
+    pub values: DVector<f64>,
+    /// Unit eigenvectors, a column each, in the order of the values.
+    pub vectors: DMatrix<f64>,
+}
+
+/// Solves `A x = b` for a square `A`.
+///
+/// Rows and columns are first scaled to comparable size, so that the units of the unknowns and of the equations do
+/// not matter; the condition number is that of the scaled matrix.
+///
+/// # Errors
+/// `Shape` unless A is n by n and b has n entries, n ≥ 1; `NotFinite`; `Singular`; `NotConverged`.
+pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>) -> Result<Solved, LinalgError> {
+    square(a)?;
+    same_rows(a, b)?;
+    finite(a.iter().chain(b.iter()))?;
+    let row_scale = scale_of(a.row_iter().map(|row| row.amax()));
+    let rows_scaled = DMatrix::from_diagonal(&row_scale) * a;
+    let column_scale = scale_of(rows_scaled.column_iter().map(|column| column.amax()));
+    let scaled = rows_scaled * DMatrix::from_diagonal(&column_scale);
+    let right = b.component_mul(&row_scale);
+    let condition = condition(&scaled)?;
+
+    #[expect(clippy::disallowed_methods, reason = "finite, scaled and well conditioned")]
+    let factors = scaled.clone().full_piv_lu();
+    let solve = |right: &DVector<f64>| factors.solve(right).ok_or(LinalgError::NotConverged);
+    let mut x = solve(&right)?;
+    // One step of refinement takes back what rounding in the factors cost.
+    x += solve(&(&right - &scaled * &x))?;
+    finite(x.iter())?;
+
+    let residual = (&right - &scaled * &x).amax();
+    let size = x.amax() * scaled.nrows() as f64 + right.amax();
+    if residual > 1e-13 * size {
+        return Err(LinalgError::NotConverged);
+    }
+    x.component_mul_assign(&column_scale);
+    finite(x.iter())?;
+    Ok(Solved { x, condition })
+}
+
+/// The `x` that makes `|A x − b|` least, for `A` with at least as many rows as columns and independent columns.
+///
+/// Columns are scaled; rows are not, since that would weight the observations.
+///
+/// # Errors
+/// `Shape`; `NotFinite`; `Singular` when the columns are dependent; `NotConverged`.
+pub fn least_squares(a: &DMatrix<f64>, b: &DVector<f64>) -> Result<Solved, LinalgError> {
+    if a.ncols() == 0 || a.nrows() < a.ncols() {
+        return Err(shape(a, "at least as many rows as columns, and one column"));
+    }
+    same_rows(a, b)?;
+    finite(a.iter().chain(b.iter()))?;
+    let column_scale = scale_of(a.column_iter().map(|column| column.amax()));
+    let scaled = a * DMatrix::from_diagonal(&column_scale);
+    let condition = condition(&scaled)?;
+
+    #[expect(clippy::disallowed_methods, reason = "finite, scaled and of full column rank")]
+    let (q, r) = scaled.clone().qr().unpack();
+    let solve =
+        |right: &DVector<f64>| r.solve_upper_triangular(&q.tr_mul(right)).ok_or(LinalgError::NotConverged);
+    let mut x = solve(b)?;
+    x += solve(&(b - &scaled * &x))?;
+    x.component_mul_assign(&column_scale);
+    finite(x.iter())?;
+    Ok(Solved { x, condition })
+}
+
+/// Eigenvalues, ascending, and unit eigenvectors of a symmetric matrix.
+///
+/// # Errors
+/// `Shape`; `NotFinite`; `NotSymmetric` beyond rounding; `NotConverged`.
+pub fn symmetric_eigen(a: &DMatrix<f64>) -> Result<SymmetricEigen, LinalgError> {
+    square(a)?;
+    finite(a.iter())?;
+    let scale = power_of_two_below(a.amax());
+    let scaled = a / scale;
+    let difference = (&scaled - scaled.transpose()).amax() / scaled.amax().max(f64::MIN_POSITIVE);
+    if difference > 1e-12 {
+        return Err(LinalgError::NotSymmetric { difference });
+    }
+    let symmetric = (&scaled + scaled.transpose()) / 2.0;
+
+    #[expect(clippy::disallowed_methods, reason = "finite, scaled and with a limit")]
+    let eigen = symmetric
+        .clone()
+        .try_symmetric_eigen(f64::EPSILON, iteration_limit(a.nrows()))
+        .ok_or(LinalgError::NotConverged)?;
+    finite(eigen.eigenvalues.iter().chain(eigen.eigenvectors.iter()))?;
+
+    let mut order: Vec<usize> = (0..a.nrows()).collect();
+    order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
+    let values = DVector::from_iterator(order.len(), order.iter().map(|&i| eigen.eigenvalues[i]));
+    let vectors = eigen.eigenvectors.select_columns(&order);
+
+    let residual = (&symmetric * &vectors - &vectors * DMatrix::from_diagonal(&values)).amax();
+    if residual > rounding(a.nrows()) * symmetric.amax() {
+        return Err(LinalgError::NotConverged);
+    }
+    let values = values * scale;
+    finite(values.iter())?;
+    Ok(SymmetricEigen { values, vectors })
+}
+
+/// Eigenvalues of a real square matrix, ascending by real part and then by imaginary part.
+///
+/// # Errors
+/// `Shape`; `NotFinite`; `NotConverged`.
+pub fn complex_eigenvalues(a: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, LinalgError> {
+    square(a)?;
+    finite(a.iter())?;
+    let scale = power_of_two_below(a.amax());
+    let mut balanced = a / scale;
+    balance_parlett_reinsch(&mut balanced);
+    finite(balanced.iter())?;
+
+    // The QR iteration of the library stalls on matrices whose eigenvalues share a modulus; a shift parts them.
+    let size = balanced.amax();
+    let mut values = [0.0, 0.377, -0.619, 0.863, -1.237, 1.571]
+        .into_iter()
+        .find_map(|shift| shifted_eigenvalues(&balanced, shift * size))
+        .ok_or(LinalgError::NotConverged)?;
+    for value in &mut values {
+        *value *= scale;
+    }
+    finite(values.iter().flat_map(|value| [&value.re, &value.im]))?;
+    values.sort_by(|p, q| p.re.total_cmp(&q.re).then(p.im.total_cmp(&q.im)));
+    Ok(values)
+}
+
+/// Eigenvalues by the Schur form of `A + σ 1`, if it converges and gives the matrix back.
+fn shifted_eigenvalues(a: &DMatrix<f64>, shift: f64) -> Option<Vec<Complex<f64>>> {
+    let n = a.nrows();
+    let shifted = a + DMatrix::identity(n, n) * shift;
+    #[expect(clippy::disallowed_methods, reason = "finite, balanced and with a limit")]
+    let schur = Schur::try_new(shifted.clone(), f64::EPSILON, iteration_limit(n))?;
+    let values = schur.complex_eigenvalues();
+    let (q, t) = schur.unpack();
+    let residual = (&q * &t * q.transpose() - &shifted).amax();
+    let below_blocks = (0..n)
+        .flat_map(|column| (column + 2..n).map(move |row| (row, column)))
+        .map(|at| t[at].abs())
+        .fold(0.0, f64::max);
+    let tolerance = rounding(n) * shifted.amax();
+    (residual <= tolerance && below_blocks <= tolerance)
+        .then(|| values.iter().map(|value| value - shift).collect())
+}
+
+/// `cond₂` of a scaled matrix.
+fn condition(scaled: &DMatrix<f64>) -> Result<f64, LinalgError> {
+    #[expect(clippy::disallowed_methods, reason = "finite, scaled and with a limit")]
+    let singular_values = scaled
+        .clone()
+        .try_svd(false, false, 5.0 * f64::EPSILON, iteration_limit(scaled.ncols()))
+        .ok_or(LinalgError::NotConverged)?
+        .singular_values;
+    finite(singular_values.iter())?;
+    let (largest, smallest) = (singular_values.max(), singular_values.min());
+    let reciprocal_condition = if largest > 0.0 { smallest / largest } else { 0.0 };
+    if reciprocal_condition < SINGULAR {
+        return Err(LinalgError::Singular { reciprocal_condition });
+    }
+    Ok(1.0 / reciprocal_condition)
+}
+
+/// A reciprocal size for each row or column; powers of two, so that scaling rounds nothing.
+fn scale_of(sizes: impl Iterator<Item = f64>) -> DVector<f64> {
+    DVector::from_vec(sizes.map(|size| 1.0 / power_of_two_below(size)).collect())
+}
+
+fn power_of_two_below(size: f64) -> f64 {
+    if size == 0.0 { 1.0 } else { size.log2().floor().clamp(-1000.0, 1000.0).exp2() }
+}
+
+fn finite<'a>(mut numbers: impl Iterator<Item = &'a f64>) -> Result<(), LinalgError> {
+    if numbers.all(|number| number.is_finite()) { Ok(()) } else { Err(LinalgError::NotFinite) }
+}
+
+fn square(a: &DMatrix<f64>) -> Result<(), LinalgError> {
+    if a.is_square() && !a.is_empty() { Ok(()) } else { Err(shape(a, "a square matrix")) }
+}
+
+fn same_rows(a: &DMatrix<f64>, b: &DVector<f64>) -> Result<(), LinalgError> {
+    if a.nrows() == b.nrows() {
+        Ok(())
+    } else {
+        Err(shape(a, "as many rows as the right-hand side has entries"))
+    }
+}
+
+fn shape(a: &DMatrix<f64>, wanted: &'static str) -> LinalgError {
+    LinalgError::Shape { rows: a.nrows(), columns: a.ncols(), wanted }
+}
+
+fn iteration_limit(n: usize) -> usize {
+    100 * (n + 1)
+}
+
+/// What rounding may leave of a residual, relative to the largest entry.
+fn rounding(n: usize) -> f64 {
+    1e-14 * (n + 10) as f64
+}

@@ -1,0 +1,18 @@
+//! The mechanics held against published numbers, closed forms, second ways and scaling.
+
+mod close;
+
+mod balance;
+mod beam;
+mod dimensions;
+mod intervals;
+mod linalg;
+mod polynomial;
+mod real;
+mod rigid;
+mod roots;
+mod sdof;
+mod slider_crank;
+mod spring;
+mod whirl;
+mod work;

@@ -1,0 +1,187 @@
+//! Files of the person: read with limits, saved whole or not at all, kept aside against a crash.
+//!
+//! A problem file is small and precious. So [`read`] takes regular files of UTF-8 up to [`LARGEST`] and nothing else;
+//! [`save`] replaces a file in one step, after asking whether it is still the one that was opened; [`Autosave`] keeps
+//! unsaved work where the next start finds it. Every message names the file and says what to do.
+
+mod autosave;
+mod save;
+#[cfg(test)]
+mod tests;
+
+use std::{
+    fs::{self, File, FileType},
+    hash::{DefaultHasher, Hash, Hasher},
+    io::{self, Read},
+    os::unix::fs::{FileTypeExt, OpenOptionsExt},
+    path::{Path, PathBuf},
+};
+
+pub use autosave::{Autosave, Crashed};
+pub use save::{Before, remove_strays, save};
+
+use crate::glyphs::filter_untrusted;
+
+/// The largest file that is read, in bytes.
+pub const LARGEST: u64 = 16 * 1024 * 1024;
+
+/// Why a file was not read or written.
+#[derive(Debug, thiserror::Error)]
+pub enum FileError {
+    /// There is no such file.
+    #[error("there is no file `{}`: check the name and the folder", shown(.0))]
+    Missing(PathBuf),
+    /// It is a folder.
+    #[error("`{}` is a folder: name a file in it", shown(.0))]
+    Folder(PathBuf),
+    /// A pipe, a device or a socket.
+    #[error("`{}` is a {kind}: only ordinary files are read and written", shown(.path))]
+    NotOrdinary {
+        /// Its path.
+        path: PathBuf,
+        /// What it is, in words.
+        kind: &'static str,
+    },
+    /// It holds more than [`LARGEST`].
+    #[error("`{}` is larger than {} MiB: it is no problem file, or holds data that belong in a file of their own", shown(.0), LARGEST / (1024 * 1024))]
+    TooLarge(PathBuf),
+    /// It is not UTF-8.
+    #[error("`{}` is not UTF-8 text: byte {byte}, in line {line}, begins no character{}", shown(.path), if *utf16 { ", and the file looks like UTF-16; save it as UTF-8" } else { "; save it as UTF-8" })]
+    NotUtf8 {
+        /// Its path.
+        path: PathBuf,
+        /// Bytes before the first that is wrong.
+        byte: usize,
+        /// The line of that byte, from 1.
+        line: usize,
+        /// It begins with the mark of UTF-16.
+        utf16: bool,
+    },
+    /// The person may not write it.
+    #[error("`{}` is read-only: save under another name, or change its permissions", shown(.0))]
+    ReadOnly(PathBuf),
+    /// Another program wrote it after it was opened.
+    #[error("`{}` was changed on disk since it was opened: reload it, save under another name, or overwrite it", shown(.0))]
+    Changed(PathBuf),
+    /// Another program removed it after it was opened.
+    #[error("`{}` was removed since it was opened: overwrite to write it again, or save under another name", shown(.0))]
+    Removed(PathBuf),
+    /// A new file was to be written, and there is one.
+    #[error("`{}` exists already: choose another name, or overwrite it", shown(.0))]
+    Exists(PathBuf),
+    /// The system has no place for a program's state.
+    #[error("unsaved work is not kept against a crash: {0}; save often")]
+    NoAutosave(String),
+    /// A call to the system failed.
+    #[error("could not {action} `{}`: {source}{}", shown(.path), advice(.source))]
+    Failed {
+        /// What was tried, as a verb.
+        action: &'static str,
+        /// With which file or folder.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+}
+
+/// What a file held: equal when its bytes are equal. Times are not looked at; copying and synchronising change them
+/// without a change, and a quick edit may not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fingerprint {
+    length: usize,
+    hash: u64,
+}
+
+impl Fingerprint {
+    /// That of these bytes.
+    pub fn of(bytes: &[u8]) -> Self {
+        let mut hasher = DefaultHasher::new();
+        bytes.hash(&mut hasher);
+        Self { length: bytes.len(), hash: hasher.finish() }
+    }
+}
+
+/// A file that was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Opened {
+    /// Its text, without a byte-order mark.
+    pub text: String,
+    /// What it held, for [`Before::Was`].
+    pub fingerprint: Fingerprint,
+}
+
+/// Reads a regular file of UTF-8 text of at most [`LARGEST`] bytes. Never waits for a pipe, never reads a device.
+pub fn read(path: &Path) -> Result<Opened, FileError> {
+    let bytes = read_bytes(path)?;
+    let fingerprint = Fingerprint::of(&bytes);
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let byte = error.utf8_error().valid_up_to();
+        let bytes = error.as_bytes();
+        FileError::NotUtf8 {
+            path: path.to_owned(),
+            byte,
+            line: 1 + bytes[..byte].iter().filter(|&&byte| byte == b'\n').count(),
+            utf16: bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF"),
+        }
+    })?;
+    let text = text.strip_prefix('\u{FEFF}').map(str::to_owned).unwrap_or(text);
+    Ok(Opened { text, fingerprint })
+}
+
+/// The bytes of a regular file, at most [`LARGEST`].
+fn read_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
+    // Before it is opened: opening alone can have an effect on a device.
+    ordinary(path, fs::metadata(path).map_err(failed("read", path))?.file_type())?;
+    let file = File::options()
+        .read(true)
+        // What is a pipe by now must not be waited for.
+        .custom_flags((rustix::fs::OFlags::NONBLOCK | rustix::fs::OFlags::NOCTTY).bits() as i32)
+        .open(path)
+        .map_err(failed("open", path))?;
+    let metadata = file.metadata().map_err(failed("read", path))?;
+    ordinary(path, metadata.file_type())?;
+    let mut bytes = Vec::new();
+    if metadata.len() <= LARGEST {
+        // It may grow while it is read, and files of `/proc` say they are empty.
+        file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(failed("read", path))?;
+    }
+    if metadata.len().max(bytes.len() as u64) > LARGEST {
+        return Err(FileError::TooLarge(path.to_owned()));
+    }
+    Ok(bytes)
+}
+
+fn ordinary(path: &Path, kind: FileType) -> Result<(), FileError> {
+    let path = path.to_owned();
+    let kind = match kind {
+        kind if kind.is_file() => return Ok(()),
+        kind if kind.is_dir() => return Err(FileError::Folder(path)),
+        kind if kind.is_fifo() => "pipe",
+        kind if kind.is_socket() => "socket",
+        _ => "device",
+    };
+    Err(FileError::NotOrdinary { path, kind })
+}
+
+/// `failed("read", path)` for `map_err`.
+fn failed(action: &'static str, path: &Path) -> impl FnOnce(io::Error) -> FileError {
+    move |source| match source.kind() {
+        io::ErrorKind::NotFound => FileError::Missing(path.to_owned()),
+        _ => FileError::Failed { action, path: path.to_owned(), source },
+    }
+}
+
+fn advice(error: &io::Error) -> &'static str {
+    match error.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded | io::ErrorKind::FileTooLarge => {
+            "; free some space, or save to another disk"
+        }
+        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => "; save to another folder",
+        _ => "",
+    }
+}
+
+/// A path for a message; a file name can hold anything but a zero byte and a slash.
+fn shown(path: &Path) -> String {
+    filter_untrusted(&path.to_string_lossy()).replace('\n', "\u{FFFD}")
+}

@@ -1,0 +1,220 @@
+//! Unsaved work, kept where the next start finds it.
+//!
+//! One file a session in a folder that only the person can open (`$XDG_STATE_HOME/dalembert/autosave`). Its first
+//! line says whose it is; the rest is the text. A file whose process has ended is the work of a session that crashed.
+
+use std::{
+    fs::{self, DirBuilder},
+    os::unix::{
+        ffi::{OsStrExt, OsStringExt},
+        fs::{DirBuilderExt, MetadataExt, PermissionsExt},
+    },
+    path::{Path, PathBuf},
+    process,
+    sync::{Mutex, MutexGuard, PoisonError},
+    time::{Duration, SystemTime},
+};
+
+use etcetera::{BaseStrategy, choose_base_strategy};
+
+use super::{
+    Before, FileError, failed, read,
+    save::{remove_strays, runs, save},
+};
+
+/// The unsaved work of this session.
+///
+/// [`note`](Self::note) is cheap and belongs after every change; [`flush`](Self::flush) writes what was noted last
+/// and belongs on a timer and in the [`autosave`](crate::terminal::Options::autosave) of the terminal, from any
+/// thread; [`forget`](Self::forget) belongs after a save and at the end.
+#[derive(Debug, Default)]
+pub struct Autosave {
+    /// `None`: there is nowhere to keep anything.
+    folder: Option<PathBuf>,
+    work: Mutex<Work>,
+}
+
+#[derive(Debug, Default)]
+struct Work {
+    noted: Option<(Option<PathBuf>, String)>,
+    written: bool,
+    file: Option<PathBuf>,
+}
+
+/// What a crashed session left.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Crashed {
+    /// The file it worked on; `None` if it had no name yet.
+    pub original: Option<PathBuf>,
+    /// The unsaved text.
+    pub text: String,
+    /// When it was kept.
+    pub kept: SystemTime,
+    file: PathBuf,
+}
+
+impl Autosave {
+    /// The autosave of this session, in the folder of the person's state. Without one (no home, a read-only disk) it
+    /// keeps nothing, and the error says so once; the program goes on.
+    pub fn open() -> (Self, Option<FileError>) {
+        let folder = choose_base_strategy()
+            .map_err(|_| FileError::NoAutosave("there is no home folder".to_owned()))
+            .map(|base| base.state_dir().unwrap_or_else(|| base.data_dir()).join("dalembert").join("autosave"));
+        match folder.and_then(Self::in_folder) {
+            Ok(autosave) => (autosave, None),
+            Err(error) => (Self::default(), Some(error)),
+        }
+    }
+
+    /// The autosave in a folder of one's own, which is made if it is not there.
+    pub fn in_folder(folder: PathBuf) -> Result<Self, FileError> {
+        private_folder(&folder)?;
+        remove_strays(&folder);
+        Ok(Self { folder: Some(folder), work: Mutex::default() })
+    }
+
+    /// Remembers the work as it is now.
+    pub fn note(&self, original: Option<&Path>, text: String) {
+        let mut work = self.work();
+        work.noted = Some((original.map(Path::to_owned), text));
+        work.written = false;
+    }
+
+    /// Writes what was noted last, unless it is written already.
+    pub fn flush(&self) -> Result<(), FileError> {
+        let mut work = self.work();
+        let (Some(folder), Some((original, text)), false) = (&self.folder, &work.noted, work.written) else {
+            return Ok(());
+        };
+        let text = format!("{}\n{text}", header(original.as_deref()));
+        let file = match &work.file {
+            Some(file) => file.clone(),
+            None => new_name(folder)?,
+        };
+        save(&file, &text, Before::Whatever)?;
+        work.file = Some(file);
+        work.written = true;
+        Ok(())
+    }
+
+    /// The work is saved, or given up: nothing is kept any more.
+    pub fn forget(&self) {
+        let mut work = self.work();
+        if let Some(file) = work.file.take() {
+            // If it stays, it is offered at the next start, which does no harm.
+            let _ = fs::remove_file(file);
+        }
+        *work = Work::default();
+    }
+
+    /// What crashed sessions left, the newest first. A file that is not ours, or cannot be read, is passed over.
+    pub fn crashed(&self) -> Vec<Crashed> {
+        let Some(entries) = self.folder.as_ref().and_then(|folder| fs::read_dir(folder).ok()) else {
+            return Vec::new();
+        };
+        let mut found: Vec<Crashed> = entries.flatten().filter_map(|entry| crashed(entry.path())).collect();
+        found.sort_by_key(|crashed| std::cmp::Reverse(crashed.kept));
+        found
+    }
+
+    fn work(&self) -> MutexGuard<'_, Work> {
+        self.work.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Crashed {
+    /// Removes it: its text was taken over, or is not wanted.
+    pub fn discard(self) -> Result<(), FileError> {
+        fs::remove_file(&self.file).map_err(failed("remove", &self.file))
+    }
+}
+
+/// Makes the folder, for its owner alone, and refuses one that is another's.
+fn private_folder(folder: &Path) -> Result<(), FileError> {
+    DirBuilder::new().recursive(true).mode(0o700).create(folder).map_err(failed("make the folder", folder))?;
+    let metadata = fs::metadata(folder).map_err(failed("open the folder", folder))?;
+    if metadata.uid() != rustix::process::geteuid().as_raw() {
+        return Err(FileError::NoAutosave(format!("the folder `{}` belongs to another person", super::shown(folder))));
+    }
+    if metadata.permissions().mode() & 0o077 != 0 {
+        fs::set_permissions(folder, fs::Permissions::from_mode(0o700)).map_err(failed("close the folder", folder))?;
+    }
+    Ok(())
+}
+
+/// A file of a name that nobody can have guessed, created exclusively.
+fn new_name(folder: &Path) -> Result<PathBuf, FileError> {
+    let file = tempfile::Builder::new()
+        .prefix(&format!("{}-", process::id()))
+        .suffix(EXTENSION)
+        .tempfile_in(folder)
+        .map_err(failed("write in the folder", folder))?;
+    let (_, path) = file.keep().map_err(|error| failed("write in the folder", folder)(error.error))?;
+    Ok(path)
+}
+
+const EXTENSION: &str = ".toml";
+const MARK: &str = "# dalembert autosave";
+/// A session on another machine that shares the folder cannot be seen; after this long it has ended.
+const FORGOTTEN: Duration = Duration::from_secs(24 * 3600);
+
+/// The first line of an autosave: a comment to every reader of TOML.
+fn header(original: Option<&Path>) -> String {
+    let path = original.map_or_else(String::new, |path| {
+        format!(" path={}", escape(std::path::absolute(path).as_deref().unwrap_or(path).as_os_str().as_bytes()))
+    });
+    format!("{MARK} pid={} host={}{path}", process::id(), escape(host().as_bytes()))
+}
+
+fn crashed(file: PathBuf) -> Option<Crashed> {
+    // Not through a link: the folder is private, but what is in it may be planted by a careless copy.
+    let metadata = file.symlink_metadata().ok().filter(fs::Metadata::is_file)?;
+    let text = read(&file).ok()?.text;
+    let (header, text) = text.split_once('\n')?;
+    let field = |name: &str| header.strip_prefix(MARK)?.split(' ').find_map(|part| part.strip_prefix(name));
+    let process: i32 = field("pid=")?.parse().ok()?;
+    let kept = metadata.modified().ok()?;
+    let ended = match field("host=").map(unescape) {
+        Some(theirs) if theirs == host().as_bytes() => !runs(process),
+        _ => kept.elapsed().is_ok_and(|past| past > FORGOTTEN),
+    };
+    let original = field("path=").map(|path| PathBuf::from(std::ffi::OsString::from_vec(unescape(path))));
+    ended.then(|| Crashed { original, text: text.to_owned(), kept, file })
+}
+
+/// The name of this machine: homes of a laboratory are shared, process numbers are not.
+fn host() -> String {
+    let named = fs::read_to_string("/proc/sys/kernel/hostname").or_else(|_| fs::read_to_string("/etc/hostname"));
+    named.unwrap_or_default().trim().to_owned()
+}
+
+/// Printable ASCII without space and `%`; every other byte as `%` and two digits.
+fn escape(bytes: &[u8]) -> String {
+    bytes
+        .iter()
+        .map(|&byte| match byte {
+            b'!'..=b'~' if byte != b'%' => char::from(byte).to_string(),
+            _ => format!("%{byte:02X}"),
+        })
+        .collect()
+}
+
+/// The inverse of [`escape`]; a `%` without two digits stands for itself.
+fn unescape(text: &str) -> Vec<u8> {
+    let mut rest = text.as_bytes();
+    let mut plain = Vec::with_capacity(rest.len());
+    while let Some((&byte, after)) = rest.split_first() {
+        let code = (byte == b'%').then(|| after.get(..2)).flatten();
+        match code.and_then(|code| u8::from_str_radix(std::str::from_utf8(code).ok()?, 16).ok()) {
+            Some(code) => {
+                plain.push(code);
+                rest = &after[2..];
+            }
+            None => {
+                plain.push(byte);
+                rest = after;
+            }
+        }
+    }
+    plain
+}

@@ -1,0 +1,5 @@
+//! TODO
+
+pub mod files;
+pub mod glyphs;
+pub mod terminal;

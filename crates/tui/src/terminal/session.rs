@@ -1,0 +1,170 @@
+//! The terminal while it is ours.
+
+use std::{
+    cell::RefCell,
+    io::{self, Write},
+    rc::Rc,
+    sync::{Arc, atomic::Ordering::SeqCst},
+    time::Duration,
+};
+
+use ratatui::{Frame, Terminal, backend::CrosstermBackend, layout::Rect};
+
+use super::{
+    Input, TerminalError, Waker, failed, guard,
+    input::{Reader, Waited},
+    panics,
+    shared::{Autosave, Shared},
+    signals, usable,
+};
+use crate::glyphs::{Capabilities, sweep};
+
+/// How to take the terminal.
+#[derive(Default)]
+pub struct Options {
+    /// Report mouse buttons, drags and the wheel. The terminal's own selection needs Shift then.
+    pub mouse: bool,
+    /// What the terminal can show; every finished frame is reduced to it.
+    pub capabilities: Capabilities,
+    /// Keeps the work when the program ends without asking: a signal, a lost terminal, a panic of the thread that
+    /// draws. It runs on a thread of its own and has 2 s. It must not wait for the thread that draws.
+    pub autosave: Option<Box<dyn Fn() + Send + Sync>>,
+}
+
+/// The terminal, taken: raw mode, alternate screen, bracketed paste. Dropping it gives the terminal back.
+///
+/// It belongs to the thread that made it; a panic of that thread gives the terminal back before its message is
+/// printed, a panic of any other becomes an [`Input::Notice`].
+pub struct Session {
+    terminal: Terminal<CrosstermBackend<FrameBytes>>,
+    bytes: FrameBytes,
+    reader: Reader,
+    shared: Arc<Shared>,
+    capabilities: Capabilities,
+}
+
+impl Session {
+    /// Takes the terminal. Fails, without having touched it, where [`usable`] does.
+    pub fn enter(options: Options) -> Result<Self, TerminalError> {
+        usable()?;
+        let Options { mouse, capabilities, autosave } = options;
+        let (reader, waker) = Reader::new().map_err(failed("open a pipe for its input"))?;
+        let autosave: Option<Autosave> = autosave;
+        let shared = Arc::new(Shared::new(mouse, autosave, waker));
+        let bytes = FrameBytes::default();
+        let terminal =
+            Terminal::new(CrosstermBackend::new(bytes.clone())).map_err(failed("tell its size"))?;
+        panics::watch(&shared);
+        signals::watch(&shared, guard::parent()).map_err(failed("let its signals be watched"))?;
+        shared.take().map_err(failed("switch to raw mode"))?;
+        Ok(Self { terminal, bytes, reader, shared, capabilities })
+    }
+
+    /// Draws a frame: nothing of it is written before it is whole, and it is written as one synchronized update.
+    /// While the program is suspended nothing is drawn.
+    pub fn draw(&mut self, render: impl FnOnce(&mut Frame<'_>)) -> Result<(), TerminalError> {
+        self.bytes.0.borrow_mut().clear();
+        if self.shared.repaint.swap(false, SeqCst) {
+            // Not `clear`: it asks the terminal for its cursor and waits 2 s for one that does not answer.
+            let size = self.terminal.size().map_err(failed("tell its size"))?;
+            self.terminal.resize(Rect::new(0, 0, size.width, size.height)).map_err(failed("take a new size"))?;
+        }
+        let capabilities = &self.capabilities;
+        self.terminal
+            .draw(|frame| {
+                render(frame);
+                sweep(frame.buffer_mut(), capabilities);
+            })
+            .map_err(failed("draw a frame"))?;
+        let _frame = self.shared.frame();
+        if self.shared.is_active() {
+            self.bytes.write_to(&mut io::stdout().lock()).map_err(failed("take a frame"))?;
+        } else {
+            self.shared.repaint.store(true, SeqCst);
+        }
+        Ok(())
+    }
+
+    /// What happened: waits up to `timeout` for the first input, then takes everything that is already there (for at
+    /// most 30 ms), so that a burst of keys costs one frame. Empty after `timeout`, or when a [`Waker`] was used.
+    ///
+    /// A terminal that is gone ends the process here, as `SIGHUP` would, with the autosave.
+    pub fn next_events(&mut self, timeout: Duration) -> Result<Vec<Input>, TerminalError> {
+        let mut inputs = Vec::new();
+        if self.reader.wait(timeout, &mut inputs).map_err(failed("read keys"))? == Waited::HungUp {
+            self.shared.end(signal_hook::consts::SIGHUP);
+        }
+        if self.shared.resized.swap(false, SeqCst) {
+            let size = self.terminal.size().map_err(failed("tell its size"))?;
+            inputs.push(Input::Resize { columns: size.width, rows: size.height });
+        }
+        if self.shared.repaint.load(SeqCst) {
+            inputs.push(Input::Redraw);
+        }
+        inputs.extend(self.shared.notices().into_iter().map(Input::Notice));
+        Ok(inputs)
+    }
+
+    /// Gives the terminal to the shell, as Ctrl-Z is expected to; `fg` takes it back and reports [`Input::Redraw`].
+    /// Where there is no shell to return to, nothing happens and an [`Input::Notice`] says so.
+    pub fn suspend(&self) {
+        if !signals::suspend(&self.shared) {
+            self.shared.notify("there is no shell to return to: the program goes on".to_owned());
+        }
+    }
+
+    /// A handle for other threads to end a wait of [`next_events`](Self::next_events).
+    pub fn waker(&self) -> Waker {
+        self.shared.waker.clone()
+    }
+
+    /// What the terminal can show.
+    pub fn capabilities(&self) -> &Capabilities {
+        &self.capabilities
+    }
+
+    /// Sends bytes that are no part of a frame, such as an OSC 52 copy to the clipboard. They must not move the
+    /// cursor.
+    pub fn send(&mut self, bytes: &[u8]) -> Result<(), TerminalError> {
+        let _frame = self.shared.frame();
+        if !self.shared.is_active() {
+            return Ok(());
+        }
+        let mut stdout = io::stdout().lock();
+        stdout.write_all(bytes).and_then(|()| stdout.flush()).map_err(failed("take a message"))
+    }
+}
+
+impl Drop for Session {
+    fn drop(&mut self) {
+        let _frame = self.shared.frame();
+        self.shared.give_back();
+        panics::forget();
+    }
+}
+
+/// Collects the bytes of a frame; [`Session::draw`] writes them when it is whole.
+#[derive(Clone, Default)]
+struct FrameBytes(Rc<RefCell<Vec<u8>>>);
+
+impl FrameBytes {
+    /// As one synchronized update (mode 2026), so that a terminal never shows half a frame.
+    fn write_to(&self, out: &mut impl Write) -> io::Result<()> {
+        let mut bytes = self.0.borrow_mut();
+        let frame = [b"\x1b[?2026h", &bytes[..], b"\x1b[?2026l"].concat();
+        bytes.clear();
+        out.write_all(&frame)?;
+        out.flush()
+    }
+}
+
+impl Write for FrameBytes {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.borrow_mut().extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}

@@ -1,0 +1,94 @@
+//! Signals, and the terminal that disappears without one. Each has its own thread, so neither depends on the one that
+//! draws being alive.
+
+use std::{
+    io,
+    sync::{Arc, atomic::Ordering::SeqCst},
+    thread,
+    time::Duration,
+};
+
+use rustix::{
+    event::{PollFd, PollFlags, Timespec, poll},
+    process::{Pid, Signal, getpgrp, getppid, getsid, kill_current_process_group},
+};
+use signal_hook::{
+    consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH},
+    iterator::Signals,
+};
+
+use super::shared::Shared;
+
+/// Starts both threads. They live as long as the process: once a handler is installed, the default action of its
+/// signal is gone, so a signal after the session still has to end the process here.
+pub(super) fn watch(shared: &Arc<Shared>, guard: Option<Pid>) -> io::Result<()> {
+    let mut signals = Signals::new([SIGTERM, SIGHUP, SIGINT, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH])?;
+    let (for_signals, for_terminal) = (shared.clone(), shared.clone());
+    thread::Builder::new().name("signals".into()).spawn(move || {
+        loop {
+            let batch: Vec<i32> = signals.wait().collect();
+            let continued = batch.contains(&SIGCONT);
+            for signal in batch {
+                match signal {
+                    // Asked for before the stop that has just ended.
+                    SIGTSTP if continued => {}
+                    SIGTSTP => _ = suspend(&for_signals),
+                    SIGCONT => {
+                        // Failing here means that the terminal is gone, and the other thread will say so.
+                        let _ = for_signals.take();
+                        for_signals.repaint.store(true, SeqCst);
+                        for_signals.waker.wake();
+                    }
+                    SIGWINCH => {
+                        for_signals.resized.store(true, SeqCst);
+                        for_signals.waker.wake();
+                    }
+                    _ => for_signals.end(signal),
+                }
+            }
+        }
+    })?;
+    thread::Builder::new().name("terminal watch".into()).spawn(move || {
+        loop {
+            thread::sleep(Duration::from_millis(500));
+            if terminal_is_gone() || guard.is_some_and(|pid| getppid() != Some(pid)) {
+                for_terminal.end(SIGHUP);
+            }
+        }
+    })?;
+    Ok(())
+}
+
+/// Gives the terminal back and stops the whole process group, so that the shell takes over even when the program has
+/// a parent in that group. Returns false, and does nothing, where no shell would ever continue it.
+///
+/// Nothing is taken again here: this thread may run on for a moment after the call. `SIGCONT` does it.
+pub(super) fn suspend(shared: &Shared) -> bool {
+    if !under_job_control() {
+        return false;
+    }
+    {
+        let _frame = shared.frame();
+        if !shared.is_active() {
+            return false;
+        }
+        shared.give_back();
+    }
+    kill_current_process_group(Signal::STOP).is_ok()
+}
+
+/// A shell with job control gives each job a process group of its own. In the group of the session's leader
+/// (`xterm -e dalembert`, a container) nobody is left to continue what was stopped.
+fn under_job_control() -> bool {
+    getsid(None).is_ok_and(|session| session != getpgrp())
+}
+
+/// The window is closed, or the line is cut. `SIGHUP` says so too, but it can be ignored by inheritance (`nohup`,
+/// `sudo`, a multiplexer that was killed).
+pub(super) fn terminal_is_gone() -> bool {
+    let stdin = rustix::stdio::stdin();
+    let mut fds = [PollFd::new(&stdin, PollFlags::empty())];
+    let now = Timespec { tv_sec: 0, tv_nsec: 0 };
+    let gone = PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL;
+    poll(&mut fds, Some(&now)).is_ok_and(|ready| ready > 0 && fds[0].revents().intersects(gone))
+}

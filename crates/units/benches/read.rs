@@ -1,0 +1,2 @@
+//! Placeholder until the reader is complete.
+fn main() {}

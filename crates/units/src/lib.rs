@@ -1,0 +1,133 @@
+//! Physical dimensions and units: `"20.3 mm"` in, `0.0203` and a length out, and back again.
+//!
+//! Inside the program everything is `f64` in SI. Units exist only where a person reads or writes.
+
+mod decimal;
+mod dim;
+mod kind;
+mod read;
+mod scale;
+mod table;
+mod write;
+
+use std::borrow::Cow;
+
+use scale::Scale;
+
+pub use crate::{
+    dim::Dim,
+    kind::Kind,
+    read::{Hint, ReadError, WrongKind, read_any, read_count, read_quantity, read_vector, unit},
+    write::{
+        Decimal, Style, best_unit, subscript, superscript, write_components, write_number, write_quantity,
+        write_vector,
+    },
+};
+
+/// A unit as written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unit {
+    /// One of this unit in SI. A level (dB) has no factor: use [`Unit::si`] and [`Unit::value`].
+    pub factor: f64,
+    /// Its dimension.
+    pub dim: Dim,
+    /// The text it was written as.
+    pub text: Cow<'static, str>,
+    /// What it says beyond its size and dimension.
+    pub sense: Sense,
+    /// The factor is `mantissa × 10^ten`, kept apart so that a decimal prefix can be put into the
+    /// exponent of a literal: 20.3 mm is then exactly the number nearest to 0.0203.
+    mantissa: f64,
+    ten: i16,
+}
+
+/// What a unit says beyond its size and dimension.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Sense {
+    /// Nothing more.
+    #[default]
+    Plain,
+    /// A unit of energy (J, kWh): a torque is not written in it.
+    Energy,
+    /// A level of an amplitude ratio: 20 log₁₀ of it, in decibels.
+    Level,
+    /// The peak value of an oscillation, said expressly.
+    Peak,
+    /// The distance from peak to peak of an oscillation: twice its amplitude.
+    PeakToPeak,
+    /// The root mean square of an oscillation: its amplitude over √2.
+    Rms,
+}
+
+impl Unit {
+    /// The unit of a pure number, written as nothing.
+    pub const ONE: Unit = Unit {
+        factor: 1.0,
+        dim: Dim::NONE,
+        text: Cow::Borrowed(""),
+        sense: Sense::Plain,
+        mantissa: 1.0,
+        ten: 0,
+    };
+
+    /// The SI value of `value` of this unit.
+    pub fn si(&self, value: f64) -> f64 {
+        match self.sense {
+            Sense::Level => 10f64.powf(value / 20.0),
+            _ => value * self.factor,
+        }
+    }
+
+    /// How many of this unit an SI value is.
+    pub fn value(&self, si: f64) -> f64 {
+        match self.sense {
+            Sense::Level => 20.0 * si.log10(),
+            _ => si / self.factor,
+        }
+    }
+
+    /// For the screen: `N·m²`. Empty for a pure number.
+    pub fn pretty(&self) -> String {
+        write::unit_text(self, false)
+    }
+
+    /// In ASCII, can be typed: `N*m^2`. Empty for a pure number.
+    pub fn ascii(&self) -> String {
+        write::unit_text(self, true)
+    }
+
+    fn new(scale: Scale, text: Cow<'static, str>) -> Unit {
+        let scale = scale.settled();
+        let Scale { mantissa, ten, dim, sense } = scale;
+        Unit { factor: scale.factor(), dim, text, sense, mantissa, ten }
+    }
+
+    fn scale(&self) -> Scale {
+        Scale { mantissa: self.mantissa, ten: self.ten, dim: self.dim, sense: self.sense }
+    }
+}
+
+/// A number with the unit it was written in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// The value in SI; an amplitude as its peak value, a level as its ratio.
+    pub si: f64,
+    /// The unit it was written in.
+    pub unit: Unit,
+    /// One unit in the last written place, in SI: `1674.2 N*mm` gives 10⁻⁴. Zero for an arithmetic
+    /// expression, which is exact.
+    pub last_place: f64,
+}
+
+/// Two or three components with the unit they were written in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VectorQuantity {
+    /// The components in SI; the third is zero when two were written.
+    pub si: [f64; 3],
+    /// How many components were written: 2 or 3.
+    pub len: usize,
+    /// The unit they were written in.
+    pub unit: Unit,
+    /// One unit in the last written place, in SI, of the component with the fewest decimals.
+    pub last_place: f64,
+}

@@ -1,0 +1,187 @@
+//! Reading what a person types: a quantity, a vector, a unit, a count.
+
+mod error;
+mod expression;
+mod kinds;
+pub(crate) mod scan;
+pub(crate) mod units;
+mod value;
+mod vector;
+
+#[cfg(test)]
+mod tests;
+
+use std::ops::Range;
+
+use crate::{Kind, Quantity, Sense, Unit};
+use scan::{Cursor, Literal, guard, is_product};
+
+pub use error::{Hint, ReadError, WrongKind};
+pub use units::unit;
+pub use vector::read_vector;
+
+/// The longest text of a quantity, in characters.
+const LIMIT: usize = 200;
+
+/// Reads a quantity of a given kind; `bare` is the unit of a number written alone.
+///
+/// Numbers take `.` or `,` as the decimal mark, `e-6` or `×10⁻⁶`, and arithmetic with `+ - * / ^ ( )`,
+/// `pi` and `sqrt`. Products and quotients of units are as in [`unit`]. A missing angle is accepted
+/// (N·m/rad for N·m, 1/s for rad/s); for [`Kind::Other`] and [`Kind::Amplitude`] the dimension is that of `bare`.
+///
+/// # Errors
+/// Says what cannot be read and what to write; another kind of quantity than the one asked for is
+/// refused, with what was probably meant.
+///
+/// ```
+/// use dalembert_units::{Kind, read_quantity, unit};
+/// let rpm = unit("rpm")?;
+/// let speed = read_quantity("2*pi*50 rad/s", &rpm, Kind::AngularVelocity)?;
+/// assert_eq!(speed.si, std::f64::consts::TAU * 50.0);
+/// let mass = read_quantity("1000", &rpm, Kind::AngularVelocity)?;
+/// assert!((mass.si - 104.719755).abs() < 1e-6);
+/// # Ok::<(), dalembert_units::ReadError>(())
+/// ```
+pub fn read_quantity(text: &str, bare: &Unit, kind: Kind) -> Result<Quantity, ReadError> {
+    let range = guard(text, LIMIT)?;
+    if range.is_empty() {
+        return Err(empty(bare));
+    }
+    let reading = read(text, range.clone())?;
+    kinds::check(&reading, text, range.clone(), bare, kind)?;
+    finish(&reading, bare, &text[range.clone()], range)
+}
+
+/// Reads a quantity of any dimension; a number alone is a pure number.
+///
+/// # Errors
+/// Says what cannot be read and what to write.
+pub fn read_any(text: &str) -> Result<Quantity, ReadError> {
+    let range = guard(text, LIMIT)?;
+    if range.is_empty() {
+        return Err(empty(&Unit::ONE));
+    }
+    finish(&read(text, range.clone())?, &Unit::ONE, &text[range.clone()], range)
+}
+
+/// Reads a whole number, zero or more, of at most 19 digits.
+///
+/// # Errors
+/// Anything but digits.
+pub fn read_count(text: &str) -> Result<u64, ReadError> {
+    let range = guard(text, LIMIT)?;
+    let digits = &text[range.clone()];
+    if digits.is_empty() {
+        return Err(ReadError::Empty { example: "4".into() });
+    }
+    // `parse` alone would take a sign.
+    let count = if digits.bytes().all(|byte| byte.is_ascii_digit()) { digits.parse().ok() } else { None };
+    count.ok_or_else(|| ReadError::NotACount { text: digits.into(), span: range })
+}
+
+/// What was read: a number, and a unit if one was written.
+struct Reading<'t> {
+    amount: Amount<'t>,
+    unit: Option<Unit>,
+    /// π was written.
+    pi: bool,
+}
+
+#[derive(Clone, Copy)]
+enum Amount<'t> {
+    Literal(Literal<'t>),
+    Computed(f64),
+}
+
+/// Most texts are a literal and a unit; what is not goes to the arithmetic, which reads those too and
+/// has the errors.
+fn read(text: &str, range: Range<usize>) -> Result<Reading<'_>, ReadError> {
+    let (range, suffix) = units::split_suffix(text, range);
+    let cursor = Cursor::new(text, range);
+    let mut reading = match literal_and_unit(cursor) {
+        Some(reading) => reading,
+        None => expression::evaluate(cursor)?,
+    };
+    if suffix != Sense::Plain {
+        let unit = reading.unit.unwrap_or(Unit::ONE);
+        if unit.sense == Sense::Level {
+            return Err(ReadError::Alone { symbol: "dB".into(), example: "20 dB", span: 0..text.len() });
+        }
+        reading.unit = Some(units::with_suffix(unit, suffix));
+    }
+    Ok(reading)
+}
+
+fn literal_and_unit(mut cursor: Cursor<'_>) -> Option<Reading<'_>> {
+    let negative = cursor.eat('-') || cursor.eat('−');
+    let mut literal = cursor.literal().ok()?;
+    literal.negative = negative;
+    if let Some(ten) = power_of_ten(&mut cursor) {
+        literal = literal.shifted(ten);
+    }
+    cursor.skip_space();
+    let amount = Amount::Literal(literal);
+    if cursor.rest().is_empty() {
+        return Some(Reading { amount, unit: None, pi: false });
+    }
+    let unit = units::whole(&mut cursor).ok()?;
+    // `5 1` is no number and its unit.
+    let complete = cursor.rest().is_empty() && !unit.text.is_empty();
+    complete.then_some(Reading { amount, unit: Some(unit), pi: false })
+}
+
+/// The `×10⁻⁶` of `1.3×10⁻⁶`.
+fn power_of_ten(cursor: &mut Cursor) -> Option<i32> {
+    let mut ahead = *cursor;
+    ahead.skip_space();
+    if !ahead.peek().is_some_and(|c| is_product(c) || matches!(c, 'x' | 'X')) {
+        return None;
+    }
+    ahead.bump();
+    ahead.skip_space();
+    ahead.at += ahead.rest().strip_prefix("10").map(|_| 2)?;
+    let ten = if ahead.eat_caret() { ahead.signed_digits() } else { ahead.superscript_digits() }?;
+    let ended =
+        !ahead.peek().is_some_and(|c| matches!(c, '^' | '.' | ',') || scan::superscript_digit(c).is_some());
+    *cursor = ahead;
+    ended.then_some(ten)
+}
+
+fn finish(reading: &Reading, bare: &Unit, text: &str, span: Range<usize>) -> Result<Quantity, ReadError> {
+    let unit = reading.unit.as_ref().unwrap_or(bare);
+    let (si, last_place) = si(reading.amount, unit);
+    check_range(reading.amount, si, text, span)?;
+    Ok(Quantity { si, unit: unit.clone(), last_place })
+}
+
+/// The SI value, and one unit in its last written place.
+fn si(amount: Amount, unit: &Unit) -> (f64, f64) {
+    match amount {
+        Amount::Literal(literal) if unit.sense == Sense::Level => {
+            let ratio = unit.si(literal.value(1.0, 0));
+            (ratio, ratio * std::f64::consts::LN_10 / 20.0 * literal.last_place(1.0, 0))
+        }
+        Amount::Literal(literal) => {
+            (literal.value(unit.mantissa, unit.ten), literal.last_place(unit.mantissa, unit.ten))
+        }
+        Amount::Computed(number) if unit.sense == Sense::Level => (unit.si(number), 0.0),
+        Amount::Computed(number) => (crate::decimal::shift(number * unit.mantissa, unit.ten.into()), 0.0),
+    }
+}
+
+/// Every number that enters is finite, and none is lost below the smallest.
+fn check_range(amount: Amount, si: f64, text: &str, span: Range<usize>) -> Result<(), ReadError> {
+    let zero = match amount {
+        Amount::Literal(literal) => literal.is_zero(),
+        Amount::Computed(number) => number == 0.0,
+    };
+    if si.is_finite() && (si != 0.0 || zero) {
+        return Ok(());
+    }
+    Err(ReadError::OutOfRange { text: text.into(), large: si != 0.0, span })
+}
+
+fn empty(bare: &Unit) -> ReadError {
+    let example = format!("20.3 {}", bare.ascii());
+    ReadError::Empty { example: example.trim_end().to_owned() }
+}

@@ -1,0 +1,314 @@
+//! Why a text could not be read, in words for the person who typed it.
+
+use std::{fmt, ops::Range};
+
+/// Why a text could not be read. `span` is in bytes of the text typed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ReadError {
+    /// Nothing was written.
+    #[error("a value is needed, for example {example}")]
+    Empty {
+        /// What could be written.
+        example: String,
+    },
+    /// More text than a quantity can have.
+    #[error("the text is longer than {limit} characters: write a single value")]
+    TooLong {
+        /// The most characters there may be.
+        limit: usize,
+    },
+    /// A control character, or one that is invisible or turns the direction of the text.
+    #[error("the text holds the control or invisible character U+{code:04X}: delete it")]
+    Control {
+        /// Its code point.
+        code: u32,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// Something else where a number should be.
+    #[error("`{text}` is not a number: write digits, for example {example}")]
+    NotANumber {
+        /// What stands there.
+        text: String,
+        /// What could be written.
+        example: String,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// A number too large or too small to compute with.
+    #[error("`{text}` is too {}: write a number between 1e-300 and 1e300", if *.large { "large" } else { "close to zero" })]
+    OutOfRange {
+        /// What was written.
+        text: String,
+        /// Too large rather than too small.
+        large: bool,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// Two decimal marks, or marks between thousands.
+    #[error("`{text}` has two decimal marks: write `{}` or `{}`", readings[0], readings[1])]
+    TwoMarks {
+        /// What was written.
+        text: String,
+        /// What it may mean.
+        readings: [String; 2],
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// A number after a number: thousands set apart by a space, or an operator left out.
+    #[error("`{text}` has a gap between digits: write `{}` or `{}`", readings[0], readings[1])]
+    Gap {
+        /// What was written.
+        text: String,
+        /// What it may mean.
+        readings: [String; 2],
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// A unit that is not in the table.
+    #[error("unknown unit `{symbol}`{}", did_you_mean(nearest))]
+    UnknownUnit {
+        /// What was written.
+        symbol: String,
+        /// Symbols it may have been meant as.
+        nearest: Vec<&'static str>,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// A text with two readings, such as a product after a division.
+    #[error("`{text}` can be read in two ways: write `{}` or `{}`", readings[0], readings[1])]
+    Ambiguous {
+        /// What was written.
+        text: String,
+        /// What it may mean.
+        readings: [String; 2],
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// Something that does not belong there.
+    #[error("`{found}` cannot stand here: {expected} is expected")]
+    Unexpected {
+        /// What stands there.
+        found: String,
+        /// What should.
+        expected: &'static str,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// The text ends too early.
+    #[error("`{text}` stops too early: {expected} is expected")]
+    Unfinished {
+        /// What was written.
+        text: String,
+        /// What is missing.
+        expected: &'static str,
+        /// Where it stops.
+        span: Range<usize>,
+    },
+    /// Brackets, roots, powers or signs within one another without end.
+    #[error("brackets, roots, powers and signs nest more than {limit} deep: write a simpler expression")]
+    TooDeep {
+        /// The deepest there may be.
+        limit: usize,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// An exponent that is no whole number, or too large.
+    #[error("`{text}` is no exponent of a unit: write a whole number from -{limit} to {limit}")]
+    Exponent {
+        /// What was written.
+        text: String,
+        /// The largest there may be.
+        limit: u8,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// A division by zero.
+    #[error("`{text}` divides by zero: write another divisor")]
+    DivisionByZero {
+        /// What was written.
+        text: String,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// A root or a power that is no real number.
+    #[error("`{text}` is not a real number: write a root of a positive number")]
+    NotReal {
+        /// What was written.
+        text: String,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// A root whose unit does not come out even.
+    #[error("the square root of {dim} is not a unit: write a root of an even power, such as sqrt(4 m^2)")]
+    UnevenRoot {
+        /// The dimension under the root.
+        dim: crate::Dim,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// A sum of different things.
+    #[error(
+        "{left} and {right} cannot be added: give both the same kind of unit, or write brackets as in `(2 + 3) mm`"
+    )]
+    Sum {
+        /// What the left side is.
+        left: String,
+        /// What the right side is.
+        right: String,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// A level or an amplitude suffix within a larger expression.
+    #[error("`{symbol}` must stand after a plain number: write a single value, for example {example}")]
+    Alone {
+        /// The unit.
+        symbol: String,
+        /// What could be written.
+        example: &'static str,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// Another kind of quantity than the one asked for.
+    #[error(transparent)]
+    WrongKind(Box<WrongKind>),
+    /// Too few or too many components.
+    #[error("{found} component{} written where {expected} are expected: write them as in `{example}`", if *.found == 1 { " is" } else { "s are" })]
+    Components {
+        /// How many were written.
+        found: usize,
+        /// How many are expected.
+        expected: &'static str,
+        /// What could be written.
+        example: &'static str,
+        /// Where they are.
+        span: Range<usize>,
+    },
+    /// Units with some components and not with others.
+    #[error(
+        "`{text}` has a unit with some components only: write one unit after the brackets, as in `(300; 200) m/s`"
+    )]
+    MixedComponents {
+        /// What was written.
+        text: String,
+        /// Where it is.
+        span: Range<usize>,
+    },
+    /// Not a whole number.
+    #[error("`{text}` is not a count: write a whole number, for example 4")]
+    NotACount {
+        /// What was written.
+        text: String,
+        /// Where it is.
+        span: Range<usize>,
+    },
+}
+
+/// Another kind of quantity than the one asked for.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("`{text}` is {found}; {expected} is expected, for example in {example}{}", hinted(hint.as_ref()))]
+pub struct WrongKind {
+    /// What was written.
+    pub text: String,
+    /// What it is.
+    pub found: String,
+    /// What is wanted.
+    pub expected: String,
+    /// A unit that fits.
+    pub example: String,
+    /// What was probably meant.
+    pub hint: Option<Hint>,
+    /// Where it is.
+    pub span: Range<usize>,
+}
+
+/// What was probably meant by a unit of the wrong kind. Each shows a text that can be typed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Hint {
+    /// A mass where a force is wanted: its value in kilograms.
+    WeightOf(String),
+    /// A force where a mass is wanted: its value in newtons.
+    MassOf(String),
+    /// A pound where a force is wanted: the number.
+    PoundForce(String),
+    /// A gram where an acceleration is wanted: the number.
+    StandardGravity(String),
+    /// A unit of energy where a torque is wanted: the value in N·m.
+    TorqueOf(String),
+    /// A peak, peak-to-peak or rms value where no amplitude is asked.
+    NoAmplitude,
+    /// A percentage where an angle is wanted: it may be a slope.
+    Slope,
+    /// A mark of minutes or seconds of arc where a length is wanted.
+    Feet(String),
+    /// The reciprocal has the right dimension.
+    Reciprocal(String),
+}
+
+impl fmt::Display for Hint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Hint::WeightOf(kg) => write!(f, "a weight is mass × g: write `9.81*{kg} N` or `{kg} kgf`"),
+            Hint::MassOf(newtons) => write!(f, "a mass is weight / g: write `{newtons}/9.81 kg`"),
+            Hint::PoundForce(number) => write!(f, "lb is a mass: write `{number} lbf`"),
+            Hint::StandardGravity(number) => {
+                write!(f, "g is the gram: write `{number} g0` for multiples of standard gravity")
+            }
+            Hint::TorqueOf(number) => write!(f, "write N·m for a torque: `{number} N*m`"),
+            Hint::NoAmplitude => {
+                write!(f, "peak, peak-to-peak and rms belong to amplitudes: write the unit alone")
+            }
+            Hint::Slope => write!(f, "write the angle in rad or deg; that of a 30 % slope is 16.699 deg"),
+            Hint::Feet(text) => {
+                write!(f, "the marks ' and \" are minutes and seconds of arc: write `{text}`")
+            }
+            Hint::Reciprocal(text) => {
+                write!(f, "write brackets if the divisor is meant to have the unit: `{text}`")
+            }
+        }
+    }
+}
+
+impl ReadError {
+    /// The bytes of the text typed that are at fault; `None` when it is the whole of it.
+    pub fn span(&self) -> Option<Range<usize>> {
+        match self {
+            Self::Empty { .. } | Self::TooLong { .. } => None,
+            Self::WrongKind(wrong) => Some(wrong.span.clone()),
+            Self::Control { span, .. }
+            | Self::NotANumber { span, .. }
+            | Self::OutOfRange { span, .. }
+            | Self::TwoMarks { span, .. }
+            | Self::Gap { span, .. }
+            | Self::UnknownUnit { span, .. }
+            | Self::Ambiguous { span, .. }
+            | Self::Unexpected { span, .. }
+            | Self::Unfinished { span, .. }
+            | Self::TooDeep { span, .. }
+            | Self::Exponent { span, .. }
+            | Self::DivisionByZero { span, .. }
+            | Self::NotReal { span, .. }
+            | Self::UnevenRoot { span, .. }
+            | Self::Sum { span, .. }
+            | Self::Alone { span, .. }
+            | Self::Components { span, .. }
+            | Self::MixedComponents { span, .. }
+            | Self::NotACount { span, .. } => Some(span.clone()),
+        }
+    }
+}
+
+fn did_you_mean(nearest: &[&str]) -> String {
+    match nearest {
+        [] => ": write a unit such as m, kg, s, N, Pa or rpm".into(),
+        [one] => format!(": did you mean `{one}`?"),
+        [first @ .., last] => {
+            let first: Vec<_> = first.iter().map(|symbol| format!("`{symbol}`")).collect();
+            format!(": did you mean {} or `{last}`?", first.join(", "))
+        }
+    }
+}
+
+fn hinted(hint: Option<&Hint>) -> String {
+    hint.map_or_else(String::new, |hint| format!("; {hint}"))
+}

@@ -1,0 +1,281 @@
+//! The text as typed: what is refused at once, and the pieces that units and numbers share.
+
+use std::ops::Range;
+
+use super::ReadError;
+use crate::decimal;
+
+/// How deep brackets, roots, powers and signs may nest.
+pub(crate) const DEPTH: usize = 32;
+
+/// The bytes of `text` without the white space around it, when it is short and holds nothing invisible.
+pub(crate) fn guard(text: &str, limit: usize) -> Result<Range<usize>, ReadError> {
+    let trimmed = text.trim();
+    let start = text.len() - text.trim_start().len();
+    if trimmed.len() > limit && trimmed.chars().nth(limit).is_some() {
+        return Err(ReadError::TooLong { limit });
+    }
+    let suspect = trimmed.bytes().any(|byte| !(0x20..0x7f).contains(&byte));
+    let control = if suspect { trimmed.char_indices().find(|&(_, c)| is_invisible(c)) } else { None };
+    match control {
+        Some((at, c)) => {
+            Err(ReadError::Control { code: c.into(), span: start + at..start + at + c.len_utf8() })
+        }
+        None => Ok(start..start + trimmed.len()),
+    }
+}
+
+/// A place in the text typed, and where the part to read ends.
+#[derive(Clone, Copy)]
+pub(crate) struct Cursor<'t> {
+    pub(crate) text: &'t str,
+    pub(crate) at: usize,
+    pub(crate) end: usize,
+}
+
+impl<'t> Cursor<'t> {
+    pub(crate) fn new(text: &'t str, range: Range<usize>) -> Self {
+        Self { text, at: range.start, end: range.end }
+    }
+
+    pub(crate) fn rest(&self) -> &'t str {
+        &self.text[self.at..self.end]
+    }
+
+    pub(crate) fn peek(&self) -> Option<char> {
+        self.rest().chars().next()
+    }
+
+    pub(crate) fn bump(&mut self) {
+        self.at += self.peek().map_or(0, char::len_utf8);
+    }
+
+    pub(crate) fn skip_space(&mut self) {
+        while self.peek().is_some_and(char::is_whitespace) {
+            self.bump();
+        }
+    }
+
+    /// Goes past `mark` if it stands here.
+    pub(crate) fn eat(&mut self, mark: char) -> bool {
+        let here = self.peek() == Some(mark);
+        if here {
+            self.bump();
+        }
+        here
+    }
+
+    /// The text from `start` to here, without white space at its end.
+    pub(crate) fn since(&self, start: usize) -> &'t str {
+        self.text[start..self.at].trim_end()
+    }
+
+    /// What stands here does not belong here.
+    pub(crate) fn unexpected(&self, expected: &'static str) -> ReadError {
+        if let Some(c) = self.peek() {
+            return ReadError::Unexpected {
+                found: c.into(),
+                expected,
+                span: self.at..self.at + c.len_utf8(),
+            };
+        }
+        let text = self.text[..self.end].trim().to_owned();
+        ReadError::Unfinished { text, expected, span: self.end..self.end }
+    }
+
+    /// A run of digits with at most one decimal mark, and an exponent `e-6` if one follows.
+    pub(crate) fn literal(&mut self) -> Result<Literal<'t>, ReadError> {
+        let start = self.at;
+        let bytes = &self.text.as_bytes()[..self.end];
+        let (mut digits, mut written, mut exponent) = (0u64, 0u32, 0i32);
+        let (mut marks, mut any, mut long) = (0, false, false);
+        while let Some(&byte) = bytes.get(self.at) {
+            match byte {
+                b'0'..=b'9' => {
+                    any = true;
+                    if written < 19 {
+                        digits = digits * 10 + u64::from(byte - b'0');
+                        written += u32::from(digits > 0);
+                    } else {
+                        long = true;
+                    }
+                    exponent -= i32::from(marks > 0);
+                }
+                b'.' | b',' => marks += 1,
+                _ => break,
+            }
+            self.at += 1;
+        }
+        let text = &self.text[start..self.at];
+        if !any {
+            self.at = start;
+            return Err(self.unexpected("a number"));
+        }
+        if marks > 1 {
+            return Err(two_marks(text, start..self.at));
+        }
+        if let Some(b'e' | b'E') = bytes.get(self.at) {
+            let mut ahead = Cursor { at: self.at + 1, ..*self };
+            if let Some(power) = ahead.signed_digits() {
+                self.at = ahead.at;
+                exponent = exponent.saturating_add(power);
+            }
+        }
+        Ok(Literal { negative: false, digits, exponent, long: long.then_some(text) })
+    }
+
+    /// Digits after an optional sign, held within ±99 999.
+    pub(crate) fn signed_digits(&mut self) -> Option<i32> {
+        let start = self.at;
+        let negative = self.peek().is_some_and(|c| matches!(c, '-' | '−'));
+        if negative || self.peek() == Some('+') {
+            self.bump();
+        }
+        let first = self.at;
+        let mut n = 0i32;
+        while let Some(digit) = self.peek().and_then(|c| c.to_digit(10)) {
+            n = (n * 10 + digit as i32).min(99_999);
+            self.bump();
+        }
+        if self.at == first {
+            self.at = start;
+            return None;
+        }
+        Some(if negative { -n } else { n })
+    }
+
+    /// Superscript digits after an optional superscript sign, held within ±99 999.
+    pub(crate) fn superscript_digits(&mut self) -> Option<i32> {
+        let start = self.at;
+        let negative = self.peek() == Some('⁻');
+        if negative || self.peek() == Some('⁺') {
+            self.bump();
+        }
+        let first = self.at;
+        let mut n = 0i32;
+        while let Some(digit) = self.peek().and_then(superscript_digit) {
+            n = (n * 10 + digit).min(99_999);
+            self.bump();
+        }
+        if self.at == first {
+            self.at = start;
+            return None;
+        }
+        Some(if negative { -n } else { n })
+    }
+
+    /// `^` or `**`, if one stands here.
+    pub(crate) fn eat_caret(&mut self) -> bool {
+        if self.rest().starts_with("**") {
+            self.at += 2;
+            return true;
+        }
+        self.eat('^')
+    }
+
+    /// The letters of a unit symbol, if one stands here: `mm`, `g0`, `g's`, `°`.
+    pub(crate) fn symbol(&mut self) -> Option<&'t str> {
+        let rest = self.rest();
+        let first = rest.chars().next()?;
+        let len = if is_lone_symbol(first) {
+            first.len_utf8()
+        } else {
+            let letters = rest.find(|c: char| !(c.is_alphabetic() || c == '_')).unwrap_or(rest.len());
+            let next = &rest.as_bytes()[letters..];
+            let tail = match (&rest[..letters], next) {
+                ("g", [b'0', ..]) => 1,
+                ("g", [b'\'', b's', ..]) => 2,
+                _ => 0,
+            };
+            letters + tail
+        };
+        if len == 0 {
+            return None;
+        }
+        self.at += len;
+        Some(&rest[..len])
+    }
+}
+
+/// The characters that multiply two factors.
+pub(crate) fn is_product(c: char) -> bool {
+    matches!(c, '*' | '·' | '⋅' | '∙' | '×')
+}
+
+/// The characters that divide.
+pub(crate) fn is_quotient(c: char) -> bool {
+    matches!(c, '/' | '⁄' | '∕' | '÷')
+}
+
+/// Whether a unit symbol can start with this character.
+pub(crate) fn starts_symbol(c: char) -> bool {
+    c.is_alphabetic() || c == '_' || is_lone_symbol(c)
+}
+
+fn is_lone_symbol(c: char) -> bool {
+    matches!(c, '°' | 'º' | '%' | '‰' | '\'' | '′' | '"' | '″')
+}
+
+pub(crate) fn superscript_digit(c: char) -> Option<i32> {
+    "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().zip(0..).find_map(|(digit, n)| (digit == c).then_some(n))
+}
+
+/// Control characters, those without width, and those that turn the direction of the text.
+fn is_invisible(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e0fff}')
+}
+
+fn two_marks(text: &str, span: Range<usize>) -> ReadError {
+    let is_mark = |c| matches!(c, '.' | ',');
+    let first = text.find(is_mark).unwrap_or(0);
+    let last = text.rfind(is_mark).unwrap_or(0);
+    let bare = |part: &str| part.replace(['.', ','], "");
+    let kept = |at: usize| format!("{}.{}", bare(&text[..at]), bare(&text[at + 1..]));
+    let same = text.contains('.') != text.contains(',');
+    let readings = if same { [bare(text), kept(first)] } else { [kept(last), kept(first)] };
+    ReadError::TwoMarks { text: text.into(), readings, span }
+}
+
+/// A number as written: `±digits × 10^exponent`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Literal<'t> {
+    pub(crate) negative: bool,
+    digits: u64,
+    exponent: i32,
+    /// The digits and mark as written, where there are more than `digits` can hold.
+    long: Option<&'t str>,
+}
+
+impl Literal<'_> {
+    pub(crate) fn negated(self) -> Self {
+        Self { negative: !self.negative, ..self }
+    }
+
+    pub(crate) fn shifted(self, ten: i32) -> Self {
+        Self { exponent: self.exponent.saturating_add(ten), ..self }
+    }
+
+    /// Its value times `mantissa × 10^ten`, rounded once. Zero or infinite where it is beyond `f64`.
+    pub(crate) fn value(self, mantissa: f64, ten: i16) -> f64 {
+        let exponent = self.exponent.saturating_add(ten.into());
+        let size = match self.long {
+            None => decimal::join(self.digits, mantissa, exponent),
+            Some(text) => {
+                let digits = text.replace(['.', ','], "");
+                let number = format!("{digits}e{exponent}").parse::<f64>();
+                mantissa * number.expect("digits and a decimal exponent are a number")
+            }
+        };
+        if self.negative { -size } else { size }
+    }
+
+    pub(crate) fn is_zero(self) -> bool {
+        self.digits == 0
+    }
+
+    /// One unit in its last place, times `mantissa × 10^ten`.
+    pub(crate) fn last_place(self, mantissa: f64, ten: i16) -> f64 {
+        decimal::join(1, mantissa, self.exponent.saturating_add(ten.into()))
+    }
+}

@@ -1,0 +1,109 @@
+//! Values of an expression while it is computed.
+
+use super::scan::Literal;
+use crate::{Kind, Unit, scale::Scale};
+
+/// A value on the way: `number` of a unit made of `symbols`.
+pub(super) struct Value<'t> {
+    pub(super) number: f64,
+    /// The number as written, as long as nothing but units came to it.
+    pub(super) literal: Option<Literal<'t>>,
+    pub(super) scale: Scale,
+    /// The symbols of the unit with their powers, in the order in which they came.
+    pub(super) symbols: Vec<(&'static str, i8)>,
+    /// A number was written, not a unit alone.
+    pub(super) written: bool,
+    /// A unit was written, even if it cancelled out.
+    pub(super) has_unit: bool,
+}
+
+impl<'t> Value<'t> {
+    pub(super) fn number(number: f64) -> Self {
+        Value {
+            number,
+            literal: None,
+            scale: Scale::ONE,
+            symbols: Vec::new(),
+            written: true,
+            has_unit: false,
+        }
+    }
+
+    pub(super) fn times(self, other: &Value<'t>) -> Value<'t> {
+        // A literal stays one while it meets units alone.
+        let literal = match (self.written, other.written) {
+            (true, false) => self.literal,
+            (false, true) => other.literal,
+            _ => None,
+        };
+        let mut symbols = self.symbols;
+        other.symbols.iter().for_each(|&(symbol, n)| merge(&mut symbols, symbol, n));
+        Value {
+            number: self.number * other.number,
+            literal,
+            scale: self.scale.times(other.scale),
+            symbols,
+            written: self.written || other.written,
+            has_unit: self.has_unit || other.has_unit,
+        }
+    }
+
+    pub(super) fn over(self, other: &Value<'t>) -> Value<'t> {
+        let literal = if other.written { None } else { self.literal };
+        let mut symbols = self.symbols;
+        other.symbols.iter().for_each(|&(symbol, n)| merge(&mut symbols, symbol, n.saturating_neg()));
+        Value {
+            number: self.number / other.number,
+            literal,
+            scale: self.scale.over(other.scale),
+            symbols,
+            written: self.written || other.written,
+            has_unit: self.has_unit || other.has_unit,
+        }
+    }
+
+    pub(super) fn negated(self) -> Value<'t> {
+        let literal = self.literal.map(Literal::negated);
+        Value { number: -self.number, literal, ..self }
+    }
+}
+
+fn merge(symbols: &mut Vec<(&'static str, i8)>, symbol: &'static str, n: i8) {
+    match symbols.iter_mut().find(|(other, _)| *other == symbol) {
+        Some((_, power)) => *power = power.saturating_add(n),
+        None => symbols.push((symbol, n)),
+    }
+    symbols.retain(|&(_, power)| power != 0);
+}
+
+/// `N*m^2/(rad*s)`.
+pub(super) fn compose(symbols: &[(&str, i8)]) -> String {
+    let product = |sign: i8| {
+        let parts: Vec<_> = symbols
+            .iter()
+            .filter(|(_, n)| n.signum() == sign)
+            .map(|(symbol, n)| match n.unsigned_abs() {
+                1 => (*symbol).to_owned(),
+                n => format!("{symbol}^{n}"),
+            })
+            .collect();
+        (parts.len(), parts.join("*"))
+    };
+    let (above, below) = (product(1), product(-1));
+    match (above, below) {
+        ((_, above), (0, _)) => above,
+        ((0, _), (1, below)) => format!("1/{below}"),
+        ((0, _), (_, below)) => format!("1/({below})"),
+        ((_, above), (1, below)) => format!("{above}/{below}"),
+        ((_, above), (_, below)) => format!("{above}/({below})"),
+    }
+}
+
+/// What a value is, for a person: `a length`, `a quantity in m²·kg`.
+pub(super) fn named(scale: Scale) -> String {
+    match Kind::of(&Unit::new(scale, "".into())) {
+        Kind::Other => format!("a quantity in {}", scale.dim),
+        Kind::Ratio => "a number without a unit".into(),
+        kind => kind.name().into(),
+    }
+}

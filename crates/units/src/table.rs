@@ -1,0 +1,234 @@
+//! The units there are: one row a unit.
+
+use std::{borrow::Cow, f64::consts::TAU, sync::LazyLock};
+
+use crate::{Dim, Scale, Sense};
+
+/// A unit symbol as a person may write it, prefix included.
+pub(crate) struct Symbol {
+    pub(crate) text: Cow<'static, str>,
+    pub(crate) scale: Scale,
+}
+
+/// The symbol written exactly so. Case matters: `mN` is no `MN`.
+pub(crate) fn lookup(text: &str) -> Option<&'static Symbol> {
+    let symbols = &*SYMBOLS;
+    symbols.binary_search_by(|symbol| (*symbol.text).cmp(text)).ok().map(|at| &symbols[at])
+}
+
+/// Up to three symbols that `text` may have been meant as: first those that differ in case alone.
+pub(crate) fn nearest(text: &str) -> Vec<&'static str> {
+    let length = text.chars().count();
+    if length > 12 {
+        return Vec::new();
+    }
+    let folded = text.to_lowercase();
+    let mut found: Vec<_> = SYMBOLS
+        .iter()
+        .filter_map(|symbol| {
+            let rank = if symbol.text.to_lowercase() == folded {
+                0
+            } else if length > 1 && distance(text, &symbol.text) == 1 {
+                1
+            } else {
+                return None;
+            };
+            let prefixed = matches!(symbol.text, Cow::Owned(_));
+            Some((rank, prefixed, &*symbol.text))
+        })
+        .collect();
+    found.sort_unstable();
+    found.into_iter().map(|(_, _, text)| text).take(3).collect()
+}
+
+/// Every symbol, prefixes included, sorted.
+#[cfg(test)]
+pub(crate) fn all() -> &'static [Symbol] {
+    &SYMBOLS
+}
+
+struct Row {
+    /// The first is the usual one; the prefixes go with each.
+    symbols: &'static [&'static str],
+    prefixes: &'static [&'static str],
+    scale: Scale,
+}
+
+const fn row(
+    symbols: &'static [&'static str],
+    prefixes: &'static [&'static str],
+    mantissa: f64,
+    ten: i16,
+    dim: Dim,
+) -> Row {
+    Row { symbols, prefixes, scale: Scale { mantissa, ten, dim, sense: Sense::Plain } }
+}
+
+/// A unit of energy or power: what it makes is no torque.
+const fn work(
+    symbols: &'static [&'static str],
+    prefixes: &'static [&'static str],
+    mantissa: f64,
+    ten: i16,
+    dim: Dim,
+) -> Row {
+    Row { symbols, prefixes, scale: Scale { mantissa, ten, dim, sense: Sense::Energy } }
+}
+
+const PREFIXES: [(&str, i16); 13] = [
+    ("p", -12),
+    ("n", -9),
+    ("µ", -6), // U+00B5, on keyboards
+    ("μ", -6), // U+03BC, the Greek letter
+    ("u", -6),
+    ("m", -3),
+    ("c", -2),
+    ("d", -1),
+    ("da", 1),
+    ("h", 2),
+    ("k", 3),
+    ("M", 6),
+    ("G", 9),
+];
+
+const SI: &[&str] = &["p", "n", "µ", "μ", "u", "m", "c", "d", "da", "h", "k", "M", "G"];
+const SMALL: &[&str] = &["p", "n", "µ", "μ", "u", "m"];
+const MICRO: &[&str] = &["µ", "μ", "u"];
+const NONE: &[&str] = &[];
+
+const VELOCITY: Dim = Dim::new(1, 0, -1, 0);
+const ACCELERATION: Dim = Dim::new(1, 0, -2, 0);
+const FORCE: Dim = Dim::new(1, 1, -2, 0);
+const ENERGY: Dim = Dim::new(2, 1, -2, 0);
+const POWER: Dim = Dim::new(2, 1, -3, 0);
+const STRESS: Dim = Dim::new(-1, 1, -2, 0);
+const SPEED: Dim = Dim::new(0, 0, -1, 1);
+const VOLUME: Dim = Dim::new(3, 0, 0, 0);
+const VISCOSITY: Dim = Dim::new(-1, 1, -1, 0);
+const DIFFUSIVITY: Dim = Dim::new(2, 0, -1, 0);
+
+/// The pound-force, exactly 0.453 592 37 kg × 9.806 65 m/s².
+const LBF: f64 = 4.4482216152605;
+
+/// Exact factors are by definition (SI brochure; international yard and pound agreement of 1959; standard gravity of
+/// the 3rd CGPM, 1901); derived ones are written as their definition.
+static ROWS: &[Row] = &[
+    // Length
+    row(&["m"], SI, 1.0, 0, Dim::LENGTH),
+    row(&["in"], MICRO, 254.0, -4, Dim::LENGTH),
+    row(&["inch", "inches", "pol", "polegada", "polegadas"], NONE, 254.0, -4, Dim::LENGTH),
+    row(&["ft", "foot", "feet"], NONE, 3048.0, -4, Dim::LENGTH),
+    row(&["yd"], NONE, 9144.0, -4, Dim::LENGTH),
+    row(&["mi"], NONE, 1609344.0, -3, Dim::LENGTH),
+    row(&["mil", "mils", "thou"], NONE, 254.0, -7, Dim::LENGTH),
+    row(&["micron"], NONE, 1.0, -6, Dim::LENGTH),
+    // Mass
+    row(&["g"], SI, 1.0, -3, Dim::MASS),
+    row(&["t"], &["k", "M"], 1.0, 3, Dim::MASS),
+    row(&["tonne", "tonnes"], NONE, 1.0, 3, Dim::MASS),
+    row(&["lb", "lbm", "lbs"], NONE, 45359237.0, -8, Dim::MASS),
+    row(&["oz"], NONE, 28349523125.0, -12, Dim::MASS),
+    row(&["slug", "slugs"], NONE, LBF / 0.3048, 0, Dim::MASS),
+    row(&["slinch"], NONE, LBF / 0.0254, 0, Dim::MASS),
+    // Time
+    row(&["s"], SMALL, 1.0, 0, Dim::TIME),
+    row(&["sec"], NONE, 1.0, 0, Dim::TIME),
+    row(&["min"], NONE, 60.0, 0, Dim::TIME),
+    row(&["h", "hr"], NONE, 3600.0, 0, Dim::TIME),
+    row(&["day", "days"], NONE, 86400.0, 0, Dim::TIME),
+    // Angle
+    row(&["rad"], SMALL, 1.0, 0, Dim::ANGLE),
+    row(&["deg", "°", "º", "degree", "degrees", "grau", "graus"], NONE, TAU / 360.0, 0, Dim::ANGLE),
+    row(&["arcmin", "'", "′"], NONE, TAU / 21600.0, 0, Dim::ANGLE),
+    row(&["arcsec", "\"", "″"], NONE, TAU / 1296000.0, 0, Dim::ANGLE),
+    row(&["rev", "revs", "r", "rot", "turn", "turns", "cycle", "cycles"], NONE, TAU, 0, Dim::ANGLE),
+    // Speed of rotation and frequency: a cycle is 2π rad
+    row(&["rpm", "cpm"], NONE, TAU / 60.0, 0, SPEED),
+    row(&["rps", "cps"], NONE, TAU, 0, SPEED),
+    row(&["Hz"], &["µ", "μ", "u", "m", "k", "M", "G"], TAU, 0, SPEED),
+    // Velocity and acceleration
+    row(&["mph"], NONE, 44704.0, -5, VELOCITY),
+    row(&["g0", "gn", "gs", "g's"], NONE, 980665.0, -5, ACCELERATION),
+    row(&["Gal"], &["m"], 1.0, -2, ACCELERATION),
+    // Force
+    row(&["N"], SI, 1.0, 0, FORCE),
+    row(&["dyn"], NONE, 1.0, -5, FORCE),
+    row(&["gf"], &["k"], 980665.0, -8, FORCE),
+    row(&["kp"], NONE, 980665.0, -5, FORCE),
+    row(&["tf"], NONE, 980665.0, -2, FORCE),
+    row(&["lbf"], &["k"], 44482216152605.0, -13, FORCE),
+    row(&["kip", "kips"], NONE, 44482216152605.0, -10, FORCE),
+    row(&["ozf"], NONE, LBF / 16.0, 0, FORCE),
+    // Torque, as it is often written
+    row(&["Nm"], &["µ", "μ", "u", "m", "c", "k", "M"], 1.0, 0, ENERGY),
+    row(&["Nmm"], &["k"], 1.0, -3, ENERGY),
+    // Energy and power
+    work(&["J"], SI, 1.0, 0, ENERGY),
+    work(&["erg"], NONE, 1.0, -7, ENERGY),
+    work(&["cal"], &["k", "M"], 4184.0, -3, ENERGY),
+    work(&["Wh"], &["m", "k", "M", "G"], 3600.0, 0, ENERGY),
+    work(&["Btu", "BTU"], NONE, 105505585262.0, -8, ENERGY),
+    work(&["W"], SI, 1.0, 0, POWER),
+    work(&["hp"], NONE, 550.0 * 0.3048 * LBF, 0, POWER),
+    work(&["cv", "CV", "PS"], NONE, 73549875.0, -5, POWER),
+    // Stress and pressure
+    row(&["Pa"], SI, 1.0, 0, STRESS),
+    row(&["bar"], &["µ", "μ", "u", "m", "d", "k", "M"], 1.0, 5, STRESS),
+    row(&["atm"], NONE, 101325.0, 0, STRESS),
+    row(&["mmHg"], NONE, 133322387415.0, -9, STRESS),
+    row(&["psi"], &["k", "M"], LBF / 6.4516, 4, STRESS),
+    row(&["ksi"], NONE, LBF / 6.4516, 7, STRESS),
+    row(&["Msi"], NONE, LBF / 6.4516, 10, STRESS),
+    row(&["psf"], NONE, LBF / (0.3048 * 0.3048), 0, STRESS),
+    // Volume and viscosity
+    row(&["L", "l"], &["µ", "μ", "u", "m", "c", "d", "h"], 1.0, -3, VOLUME),
+    row(&["P"], &["m", "c"], 1.0, -1, VISCOSITY),
+    row(&["St"], &["m", "c"], 1.0, -4, DIFFUSIVITY),
+    // Pure numbers
+    row(&["%"], NONE, 1.0, -2, Dim::NONE),
+    row(&["‰", "permil"], NONE, 1.0, -3, Dim::NONE),
+    row(&["ppm"], NONE, 1.0, -6, Dim::NONE),
+    Row {
+        symbols: &["dB"],
+        prefixes: NONE,
+        scale: Scale { mantissa: 1.0, ten: 0, dim: Dim::NONE, sense: Sense::Level },
+    },
+];
+
+/// Every row with each of its prefixes, sorted by text; built once, some 500 symbols.
+static SYMBOLS: LazyLock<Vec<Symbol>> = LazyLock::new(|| {
+    let mut symbols = Vec::new();
+    for row in ROWS {
+        for &text in row.symbols {
+            symbols.push(Symbol { text: Cow::Borrowed(text), scale: row.scale });
+            for (prefix, ten) in PREFIXES.iter().filter(|(prefix, _)| row.prefixes.contains(prefix)) {
+                let scale = Scale { ten: row.scale.ten + ten, ..row.scale };
+                symbols.push(Symbol { text: Cow::Owned(format!("{prefix}{text}")), scale });
+            }
+        }
+    }
+    symbols.sort_unstable_by(|a, b| a.text.cmp(&b.text));
+    symbols
+});
+
+/// How many letters must be put in, left out, changed or swapped with the next.
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for i in 0..=a.len() {
+        for j in 0..=b.len() {
+            rows[i][j] = if i == 0 || j == 0 {
+                i + j
+            } else {
+                let change = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+                let best = change.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
+                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                    best.min(rows[i - 2][j - 2] + 1)
+                } else {
+                    best
+                }
+            };
+        }
+    }
+    rows[a.len()][b.len()]
+}

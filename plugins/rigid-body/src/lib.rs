@@ -1,0 +1,1 @@
+//! Analyses: rigid-body.
