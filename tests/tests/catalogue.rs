@@ -1,23 +1,127 @@
 //! Every published case of every analysis.
 
-use dalembert_core::{cases, registry, Stop, printer, Locale};
+use dalembert_core::{
+    Language, Locale, Solution, Stop,
+    cases::{self, Outcome},
+    printer, registry,
+};
 use dalembert_plugins as _;
 
 #[test]
-fn show() {
+fn every_printed_answer_is_ours_or_is_disputed() {
+    let mut differing = Vec::new();
     for entry in registry() {
-        println!("== {}", entry.about.id);
+        let id = entry.about.id;
+        let cases = cases::cases(entry).unwrap_or_else(|err| panic!("{id}: {err}"));
+        for case in &cases {
+            let verdicts = case.verify(entry).unwrap_or_else(|err| panic!("{id}, {}: {err}", case.name));
+            for verdict in verdicts.iter().filter(|verdict| verdict.outcome == Outcome::Differing) {
+                let (answer, printed, ours, why) = (&verdict.answer, &verdict.printed, &verdict.ours, &verdict.why);
+                differing.push(format!("{id}, {}: {answer} is printed {printed}, ours is {ours}; {why}", case.name));
+            }
+        }
+    }
+    assert!(differing.is_empty(), "{}", differing.join("\n"));
+}
+
+/// The printed answers of the course documents, which the catalogue must hold: analysis and how many at least.
+#[test]
+fn the_course_documents_are_in_the_catalogue() {
+    let sources = [
+        ("virtual-work/virtual-power", "Riul", 6),
+        ("balancing/two-plane", "Riul", 8),
+        ("rigid-body/spinning-disc-on-arm", "Riul", 1),
+        ("rigid-body/rod-on-shaft", "Riul", 1),
+        ("vibration/frequency-response-identification", "list 06", 3),
+        ("vibration/rotating-unbalance", "list 07", 4),
+        ("vibration/shaft-clearance", "list 08", 1),
+        ("vibration/beam-and-springs", "list 08", 3),
+    ];
+    for (id, source, least) in sources {
+        let entry = dalembert_core::find(id).unwrap_or_else(|| panic!("{id} is not registered"));
+        let cases = cases::cases(entry).unwrap();
+        let printed: usize = cases.iter().filter(|case| case.source.contains(source)).map(|case| case.expect.len()).sum();
+        assert!(printed >= least, "{id} holds {printed} printed answers of {source}; the document has {least}");
+    }
+}
+
+#[test]
+fn every_solution_is_sound() {
+    for_every_solution(|name, solution| {
+        assert!(solution.defects.is_empty(), "{name}: {:?}", solution.defects);
+        for check in &solution.checks {
+            assert!(check.passed, "{name}: {} ({:e})", check.what.english(), check.residual);
+        }
+        assert!(!solution.checks.is_empty(), "{name}: no answer is found in a second way");
+        assert!(!solution.steps.is_empty(), "{name}: nothing is worked");
+        assert!(!solution.answers.is_empty(), "{name}: nothing is answered");
+    });
+}
+
+#[test]
+fn every_worked_solution_is_written_down() {
+    let mut all = String::new();
+    for_every_solution(|name, solution| {
+        all += &format!("== {name}\n");
+        for language in [Language::English, Language::Portuguese] {
+            let locale = match language {
+                Language::English => Locale::english(),
+                Language::Portuguese => Locale::portuguese(),
+            };
+            for step in &solution.steps {
+                let written = printer::step(solution, step, &locale);
+                assert!(!written.why.is_empty(), "{name}: {} has no reason", written.symbol);
+                if language == Language::English {
+                    all += &format!(
+                        "{} [{}]\n    {} = {}\n        = {}\n        = {}\n",
+                        written.why, written.source, written.symbol, written.formula, written.substitution, written.result
+                    );
+                }
+            }
+        }
+        for answer in &solution.answers {
+            all += &format!("{}: {}\n", answer.name, answer.shown(&Locale::english()));
+        }
+    });
+    insta::assert_snapshot!("sheets", all);
+}
+
+#[test]
+fn a_solve_is_a_pure_function() {
+    for entry in registry() {
         for case in cases::cases(entry).unwrap() {
-            let record = case.record(entry).unwrap();
-            let s = entry.solve(&record, &Stop::new()).unwrap();
-            for locale in [Locale::english(), { let mut l = Locale::portuguese(); l.style.ascii = true; l }] {
-            for step in &s.steps {
-                let w = printer::step(&s, step, &locale);
-                println!("{} [{}]\n   {} = {}\n      = {}\n      = {}", w.why, w.source, w.symbol, w.formula, w.substitution, w.result);
-            }}
-            for a in &s.answers { println!("{}: {}", a.label, a.shown(&Locale::english())); }
-            println!("{:?} {:?} {:?}", s.checks, s.warnings, s.defects);
-            for v in case.verify(entry).unwrap() { println!("{v:?}"); }
+            let Ok(record) = case.record(entry) else { continue };
+            let stop = Stop::new();
+            assert_eq!(entry.solve(&record, &stop), entry.solve(&record, &stop), "{}, {}", entry.about.id, case.name);
+        }
+    }
+}
+
+#[test]
+fn every_analysis_is_well_described() {
+    let mut ids: Vec<&str> = registry().iter().map(|entry| entry.about.id).collect();
+    for entry in registry() {
+        let id = entry.about.id;
+        let (family, name) = id.split_once('/').unwrap_or_else(|| panic!("{id}: an id is family/name"));
+        let kebab = |text: &str| text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
+        assert!(kebab(family) && kebab(name), "{id}: an id is in kebab case");
+        assert!(!entry.about.title.is_empty() && entry.about.summary.ends_with('.'), "{id}");
+        assert!(!entry.about.sources.is_empty(), "{id} names no source");
+    }
+    ids.dedup();
+    assert_eq!(ids.len(), registry().len(), "two analyses have the same id");
+}
+
+fn for_every_solution(mut look: impl FnMut(&str, &Solution)) {
+    for entry in registry() {
+        for case in cases::cases(entry).unwrap_or_else(|err| panic!("{}: {err}", entry.about.id)) {
+            if case.refused.is_some() {
+                continue;
+            }
+            let name = format!("{}, {}", entry.about.id, case.name);
+            let record = case.record(entry).unwrap_or_else(|err| panic!("{name}: {err}"));
+            let solution = entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {err}"));
+            look(&name, &solution);
         }
     }
 }

@@ -9,7 +9,7 @@ use std::{
 };
 
 use crate::{
-    Field, FieldError, Inputs, Plain, Record, Sheet, Shape, Solution, Source, Text, Trail, Worksheet,
+    Field, FieldError, Inputs, Plain, Record, Shape, Sheet, Solution, Source, Text, Trail, Worksheet,
     input::Lift,
 };
 
@@ -67,8 +67,10 @@ pub struct Entry {
     pub about: &'static About,
     shape: fn() -> Shape,
     solve: fn(&Record, &Stop) -> Result<Solution, SolveError>,
-    prepare: fn(&Record, &[&str], &[&str]) -> Result<Box<dyn Evaluate>, SolveError>,
+    prepare: Prepare,
 }
+
+type Prepare = fn(&Record, vary: &[&str], wanted: &[&str]) -> Result<Box<dyn Evaluate>, SolveError>;
 
 /// The plain reading of a problem, ready to be repeated with other inputs.
 pub trait Evaluate: Send {
@@ -129,7 +131,12 @@ impl Entry {
     }
 
     /// Prepares the plain reading: `vary` are paths of quantities, `wanted` names of answers that are numbers.
-    pub fn prepare(&self, record: &Record, vary: &[&str], wanted: &[&str]) -> Result<Box<dyn Evaluate>, SolveError> {
+    pub fn prepare(
+        &self,
+        record: &Record,
+        vary: &[&str],
+        wanted: &[&str],
+    ) -> Result<Box<dyn Evaluate>, SolveError> {
         (self.prepare)(record, vary, wanted)
     }
 }
@@ -199,7 +206,11 @@ impl Stop {
 fn solve<A: Analysis>(record: &Record, stop: &Stop) -> Result<Solution, SolveError> {
     let problem = A::read_record(record).map_err(SolveError::Fields)?;
     let sheet = Sheet::new(stop);
-    let given = problem.given(Lift { sheet: &sheet, value: Some(&crate::Value::Group(record.clone())), trail: &Trail::TOP });
+    let given = problem.given(Lift {
+        sheet: &sheet,
+        value: Some(&crate::Value::Group(record.clone())),
+        trail: &Trail::TOP,
+    });
     problem.solve(&given, &sheet)?;
     drop(given);
     Ok(sheet.into_solution()?)
@@ -211,10 +222,15 @@ struct Prepared<A> {
     wanted: Vec<(usize, &'static str)>,
 }
 
-fn prepare<A: Analysis>(record: &Record, vary: &[&str], wanted: &[&str]) -> Result<Box<dyn Evaluate>, SolveError> {
+fn prepare<A: Analysis>(
+    record: &Record,
+    vary: &[&str],
+    wanted: &[&str],
+) -> Result<Box<dyn Evaluate>, SolveError> {
     let mut problem = A::read_record(record).map_err(SolveError::Fields)?;
     let shape = A::SHAPE;
-    let unknown = |path: &str, why: &'static str| SolveError::Fields(vec![FieldError::new(path, Text::from(why))]);
+    let unknown =
+        |path: &str, why: &'static str| SolveError::Fields(vec![FieldError::new(path, Text::from(why))]);
     let mut slots = Vec::new();
     for path in vary {
         let slot = crate::path::indices(&shape, path).map_err(|err| SolveError::Fields(vec![err]))?;
@@ -244,7 +260,9 @@ impl<A: Analysis> Evaluate for Prepared<A> {
     fn sweep(&mut self, points: &[f64], answers: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
         let columns = self.vary.len().max(1);
         let plain = Plain::new(stop);
-        for (n, (point, row)) in points.chunks(columns).zip(answers.chunks_mut(self.wanted.len().max(1))).enumerate() {
+        for (n, (point, row)) in
+            points.chunks(columns).zip(answers.chunks_mut(self.wanted.len().max(1))).enumerate()
+        {
             if n % 1024 == 0 {
                 stop.check()?;
             }

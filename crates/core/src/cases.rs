@@ -92,10 +92,15 @@ pub enum Outcome {
 pub fn cases(entry: &Entry) -> Result<Vec<Case>, String> {
     let text = entry.about.cases;
     let words = |errors: Vec<FileError>| {
-        errors.iter().map(|err| format!("{}{}", line_of(text, err), err.why.english())).collect::<Vec<_>>().join("; ")
+        errors
+            .iter()
+            .map(|err| format!("{}{}", line_of(text, err), err.why.english()))
+            .collect::<Vec<_>>()
+            .join("; ")
     };
     let document = file::document(text).map_err(words)?;
-    let list = document.as_table().get("case").and_then(Item::as_array_of_tables).ok_or("there is no [[case]]")?;
+    let list =
+        document.as_table().get("case").and_then(Item::as_array_of_tables).ok_or("there is no [[case]]")?;
     list.iter().map(|table| case(entry, table)).collect()
 }
 
@@ -129,7 +134,9 @@ impl Case {
                 why: String::new(),
             }]),
             (_, Err(err)) => Err(err),
-            (None, Ok(solution)) => Ok(self.expect.iter().map(|expected| verdict(expected, &solution)).collect()),
+            (None, Ok(solution)) => {
+                Ok(self.expect.iter().map(|expected| verdict(expected, &solution)).collect())
+            }
         }
     }
 }
@@ -180,7 +187,9 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
         return Err(format!("{name}: {}", err.why.english()));
     }
     let mut expect = Vec::new();
-    for (answer, item) in table.get("expect").and_then(Item::as_table_like).into_iter().flat_map(TableLike::iter) {
+    for (answer, item) in
+        table.get("expect").and_then(Item::as_table_like).into_iter().flat_map(TableLike::iter)
+    {
         expect.push(expected(answer, item).map_err(|why| format!("{name}: {answer}: {why}"))?);
     }
     let refused = text("refused");
@@ -223,7 +232,9 @@ fn verdict(expected: &Expected, solution: &Solution) -> Verdict {
     };
     let (outcome, why) = match (&expected.how, near) {
         (Hold::Disputed(why), Some(false)) => (Outcome::Disputed, why.clone()),
-        (Hold::Disputed(_), Some(true)) => (Outcome::Differing, "this dispute is stale: the printed value is ours".into()),
+        (Hold::Disputed(_), Some(true)) => {
+            (Outcome::Differing, "this dispute is stale: the printed value is ours".into())
+        }
         (Hold::Within(_, why), Some(true)) => (Outcome::Agreed, why.clone()),
         (_, Some(true)) => (Outcome::Agreed, String::new()),
         (_, None) => (Outcome::Differing, "the printed value cannot be compared with ours".into()),
@@ -268,7 +279,10 @@ fn compare_vector(si: [f64; 3], dim: Dim, expected: &Expected) -> (String, Optio
         return (ours, None);
     }
     let size = printed.si.iter().fold(0.0f64, |size, x| size.max(x.abs()));
-    let near = si.iter().zip(printed.si).all(|(a, b)| (a - b).abs() <= tolerance(expected, size, printed.last_place));
+    let near = si
+        .iter()
+        .zip(printed.si)
+        .all(|(a, b)| (a - b).abs() <= tolerance(expected, size, printed.last_place));
     (ours, Some(near))
 }
 

@@ -6,7 +6,7 @@
 use dalembert_units::{self as units, Style};
 
 use crate::{
-    Field, FieldError, Limit, Locale, Measure, Record, Shape, Text, Value,
+    Field, FieldError, Limit, Measure, Record, Shape, Text, Value,
     path::{Segment, segments, unknown},
     table,
 };
@@ -126,7 +126,9 @@ impl Draft {
 
     fn blank_fields(fields: &[Field]) -> Draft {
         let blank = |field: &Field| match field.default {
-            Some(text) => written(&field.shape, text, field.name).unwrap_or_else(|_| Draft::blank(&field.shape)),
+            Some(text) => {
+                written(&field.shape, text, field.name).unwrap_or_else(|_| Draft::blank(&field.shape))
+            }
             None => Draft::blank(&field.shape),
         };
         Draft::Group(fields.iter().map(blank).collect())
@@ -159,7 +161,8 @@ fn written(shape: &Shape, text: &str, path: &str) -> Result<Draft, FieldError> {
     match shape {
         Shape::OneOf(variants) => {
             let at = variants().iter().position(|variant| variant.name == text.trim());
-            let at = at.ok_or_else(|| unknown(path, text.trim(), variants().iter().map(|variant| variant.name)))?;
+            let at =
+                at.ok_or_else(|| unknown(path, text.trim(), variants().iter().map(|variant| variant.name)))?;
             Ok(Draft::alternative(shape, at))
         }
         Shape::Optional(_) if text.trim().is_empty() => Ok(Draft::Absent),
@@ -187,7 +190,9 @@ fn step(shape: &Shape, segment: &Segment, path: &str) -> Result<(usize, Shape), 
             Ok((at, Shape::Group(variants[at].fields)))
         }
         (Shape::Rows { item, .. }, Segment::Row(row)) => Ok((*row, *item())),
-        (Shape::Rows { .. }, Segment::Name(_)) => Err(FieldError::new(path, "is a list; name a row, as in masses[1]")),
+        (Shape::Rows { .. }, Segment::Name(_)) => {
+            Err(FieldError::new(path, "is a list; name a row, as in masses[1]"))
+        }
         _ => Err(FieldError::new(path, "there is no such field")),
     }
 }
@@ -198,7 +203,8 @@ fn present(shape: Shape) -> Shape {
 }
 
 fn no_row(path: &str, rows: usize) -> FieldError {
-    let why = Text::new("there are {rows} rows; the next is {next}").with("rows", rows).with("next", rows + 1);
+    let why =
+        Text::new("there are {rows} rows; the next is {next}").with("rows", rows).with("next", rows + 1);
     FieldError::new(path, why)
 }
 
@@ -215,7 +221,9 @@ fn of_value(value: &Value) -> Draft {
 fn read(draft: &Draft, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> Value {
     match (shape, draft) {
         (Shape::Optional(_), Draft::Absent) => Value::Absent,
-        (Shape::Optional(inner), Draft::Leaf(text)) if inner().is_leaf() && text.trim().is_empty() => Value::Absent,
+        (Shape::Optional(inner), Draft::Leaf(text)) if inner().is_leaf() && text.trim().is_empty() => {
+            Value::Absent
+        }
         (Shape::Optional(inner), _) => read(draft, inner(), path, errors),
         (Shape::Group(fields), Draft::Group(drafts)) => {
             const MISSING: &Draft = &Draft::Leaf(String::new());
@@ -226,10 +234,12 @@ fn read(draft: &Draft, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) 
             Value::Group(Record { fields, values: values.collect() })
         }
         (Shape::OneOf(variants), Draft::OneOf(variant, fields)) => match variants().get(*variant) {
-            Some(chosen) => match read(fields, &Shape::Group(chosen.fields), &join(path, chosen.name), errors) {
-                Value::Group(fields) => Value::OneOf { variant: *variant, fields },
-                _ => Value::Absent,
-            },
+            Some(chosen) => {
+                match read(fields, &Shape::Group(chosen.fields), &join(path, chosen.name), errors) {
+                    Value::Group(fields) => Value::OneOf { variant: *variant, fields },
+                    _ => Value::Absent,
+                }
+            }
             None => {
                 errors.push(FieldError::new(path, "one of the alternatives is needed here"));
                 Value::Absent
@@ -241,7 +251,9 @@ fn read(draft: &Draft, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) 
                 errors.push(FieldError::new(path, why.with("min", min).with("have", drafts.len())));
             }
             let rows = drafts.iter().enumerate();
-            Value::Rows(rows.map(|(n, row)| read(row, item(), &format!("{path}[{}]", n + 1), errors)).collect())
+            Value::Rows(
+                rows.map(|(n, row)| read(row, item(), &format!("{path}[{}]", n + 1), errors)).collect(),
+            )
         }
         (shape, Draft::Leaf(text)) if shape.is_leaf() => leaf(text, shape, path, errors),
         _ => {
@@ -274,10 +286,12 @@ fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> 
             },
             Err(err) => fail(reading(&err), err.span()),
         },
-        Shape::Vector(measure, len) => match units::read_vector(text, &measure.own_unit(), measure.kind(), *len) {
-            Ok(vector) => Value::Vector(vector),
-            Err(err) => fail(reading(&err), err.span()),
-        },
+        Shape::Vector(measure, len) => {
+            match units::read_vector(text, &measure.own_unit(), measure.kind(), *len) {
+                Ok(vector) => Value::Vector(vector),
+                Err(err) => fail(reading(&err), err.span()),
+            }
+        }
         Shape::Text => Value::Text(text.trim().to_owned()),
         Shape::Flag => match text.trim().to_lowercase().as_str() {
             "yes" | "y" | "true" | "on" | "sim" | "s" => Value::Flag(true),
@@ -287,13 +301,16 @@ fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> 
         Shape::Count { min, max } => match units::read_count(text) {
             Ok(count) if (*min..=*max).contains(&count) => Value::Count(count),
             Ok(count) => {
-                let why = Text::new("{count} is outside the limits; write a whole number from {min} to {max}");
+                let why =
+                    Text::new("{count} is outside the limits; write a whole number from {min} to {max}");
                 fail(why.with("count", count).with("min", min).with("max", max), None)
             }
             Err(err) => fail(reading(&err), err.span()),
         },
         // Which row it is can only be said when all rows are read.
-        Shape::Reference(_) if text.trim().is_empty() => fail("the name of a row is needed here".into(), None),
+        Shape::Reference(_) if text.trim().is_empty() => {
+            fail("the name of a row is needed here".into(), None)
+        }
         Shape::Reference(_) => Value::Reference { name: text.trim().to_owned(), row: usize::MAX },
         Shape::Table(columns) => match table::read(text, columns()) {
             Ok(table) => Value::Table(table),
@@ -318,22 +335,15 @@ fn reading(err: &units::ReadError) -> Text {
 fn outside(measure: &Measure, si: f64, text: &str) -> Option<Text> {
     let own = measure.own_unit();
     let value = own.value(si);
-    let shown = |limit: f64| units::write_quantity(own.si(limit), &own, Locale::english().style);
+    let limit =
+        |why: &'static str, limit: f64| Text::new(why).with_quantity("limit", own.si(limit), measure.unit);
     let why = match (measure.min, measure.max) {
         (Limit::Excluding(0.0), _) if value <= 0.0 => Text::new("must be above zero; you wrote {text}"),
         (Limit::Including(0.0), _) if value < 0.0 => Text::new("must not be below zero; you wrote {text}"),
-        (Limit::Excluding(min), _) if value <= min => {
-            Text::new("must be above {limit}; you wrote {text}").with("limit", shown(min))
-        }
-        (Limit::Including(min), _) if value < min => {
-            Text::new("must be {limit} or more; you wrote {text}").with("limit", shown(min))
-        }
-        (_, Limit::Excluding(max)) if value >= max => {
-            Text::new("must be below {limit}; you wrote {text}").with("limit", shown(max))
-        }
-        (_, Limit::Including(max)) if value > max => {
-            Text::new("must be {limit} or less; you wrote {text}").with("limit", shown(max))
-        }
+        (Limit::Excluding(min), _) if value <= min => limit("must be above {limit}; you wrote {text}", min),
+        (Limit::Including(min), _) if value < min => limit("must be {limit} or more; you wrote {text}", min),
+        (_, Limit::Excluding(max)) if value >= max => limit("must be below {limit}; you wrote {text}", max),
+        (_, Limit::Including(max)) if value > max => limit("must be {limit} or less; you wrote {text}", max),
         _ => return None,
     };
     Some(why.with("text", text.trim()))

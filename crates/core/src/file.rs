@@ -51,13 +51,19 @@ pub fn parse(text: &str) -> Result<Problem, Vec<FileError>> {
     if let Some(format) = root.get("format").and_then(Item::as_integer)
         && format > FORMAT
     {
-        let why = Text::new("this file is of format {found}; this program reads formats up to {known}: update it");
-        errors.push(FileError { why: why.with("found", format).with("known", FORMAT), span: span(root, "format") });
+        let why =
+            Text::new("this file is of format {found}; this program reads formats up to {known}: update it");
+        errors.push(FileError {
+            why: why.with("found", format).with("known", FORMAT),
+            span: span(root, "format"),
+        });
         return Err(errors);
     }
     let entry = match root.get("analysis").map(|item| (item, item.as_str())) {
         Some((_, Some(id))) => find(id).ok_or_else(|| unknown_analysis(id)),
-        Some((_, None)) => Err(Text::new("the analysis must be a text such as \"vibration/rotating-unbalance\"")),
+        Some((_, None)) => {
+            Err(Text::new("the analysis must be a text such as \"vibration/rotating-unbalance\""))
+        }
         None => Err(Text::new("the analysis is not named; write analysis = \"family/name\" at the top")),
     };
     let entry = match entry {
@@ -133,15 +139,17 @@ pub fn locate(text: &str, error: &FieldError) -> Option<Range<usize>> {
 
 /// The TOML document of a text, or where it is not TOML.
 pub(crate) fn document(text: &str) -> Result<Document<&str>, Vec<FileError>> {
-    Document::parse(text).map_err(|err| {
-        vec![FileError { why: Text::new(err.message().to_owned()), span: err.span() }]
-    })
+    Document::parse(text)
+        .map_err(|err| vec![FileError { why: Text::new(err.message().to_owned()), span: err.span() }])
 }
 
 /// What an item of a file says, in the shape of the inputs.
 pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, errors: &mut Vec<FileError>) -> Draft {
     let mut fail = |why: Text, span: Option<Range<usize>>| {
-        errors.push(FileError { why: Text::new("{path}: {why}").with("path", path).with_text("why", why), span });
+        errors.push(FileError {
+            why: Text::new("{path}: {why}").with("path", path).with_text("why", why),
+            span,
+        });
         Draft::blank(shape)
     };
     match shape {
@@ -177,7 +185,10 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, errors: &mut Vec<
                 Some(at) => match fields {
                     Some(fields) => {
                         let group = Shape::Group(variants()[at].fields);
-                        Draft::OneOf(at, Box::new(draft_of(fields, &group, &format!("{path}.{name}"), errors)))
+                        Draft::OneOf(
+                            at,
+                            Box::new(draft_of(fields, &group, &format!("{path}.{name}"), errors)),
+                        )
                     }
                     None => Draft::alternative(shape, at),
                 },
@@ -193,7 +204,9 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, errors: &mut Vec<
                 },
             };
             let rows = rows.iter().enumerate();
-            Draft::Rows(rows.map(|(n, row)| draft_of(row, inner(), &format!("{path}[{}]", n + 1), errors)).collect())
+            Draft::Rows(
+                rows.map(|(n, row)| draft_of(row, inner(), &format!("{path}[{}]", n + 1), errors)).collect(),
+            )
         }
         Shape::Table(_) | Shape::Vector(..) => match item.as_value() {
             Some(Toml::Array(rows)) => Draft::Leaf(array_text(rows, matches!(shape, Shape::Vector(..)))),
@@ -211,7 +224,9 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, errors: &mut Vec<
 
 fn unknown_analysis(id: &str) -> Text {
     match path::nearest(id, registry().iter().map(|entry| entry.about.id)) {
-        Some(near) => Text::new("there is no analysis `{id}`; did you mean `{near}`?").with("id", id).with("near", near),
+        Some(near) => {
+            Text::new("there is no analysis `{id}`; did you mean `{near}`?").with("id", id).with("near", near)
+        }
         None => Text::new("there is no analysis `{id}`; see `dalembert list`").with("id", id),
     }
 }

@@ -2,13 +2,7 @@
 
 use std::fmt;
 
-use dalembert_units::{self as units, Unit};
-use nalgebra::Vector3;
-
-use crate::{
-    Field, Record, Shape, Text, Value, Worksheet,
-    worksheet::{Given, Trail},
-};
+use crate::{Record, Shape, Text, Value, Worksheet, worksheet::Trail};
 
 /// A struct or enum that a form can fill. Derived.
 pub trait Inputs: Sized + Send + 'static {
@@ -81,7 +75,11 @@ impl fmt::Display for FieldError {
 /// What the derive calls.
 #[doc(hidden)]
 pub mod derive_support {
-    use super::*;
+    use dalembert_units::{self as units, Unit};
+    use nalgebra::Vector3;
+
+    use super::{FieldError, Inputs, Lift, Reference};
+    use crate::{Field, Record, Shape, Value, Worksheet, worksheet::Given};
 
     pub use crate::worksheet::Trail;
     pub use dalembert_units::Kind;
@@ -96,7 +94,9 @@ pub mod derive_support {
     pub fn field(value: &Value, at: usize) -> &Value {
         const ABSENT: &Value = &Value::Absent;
         match value {
-            Value::Group(record) | Value::OneOf { fields: record, .. } => record.values.get(at).unwrap_or(ABSENT),
+            Value::Group(record) | Value::OneOf { fields: record, .. } => {
+                record.values.get(at).unwrap_or(ABSENT)
+            }
             _ => ABSENT,
         }
     }
@@ -151,7 +151,6 @@ pub mod derive_support {
         mismatch(trail, "one of the alternatives is needed here", errors)
     }
 
-    #[expect(clippy::option_option, reason = "the outer is whether it could be read, the inner whether it is there")]
     pub fn optional<T>(
         value: &Value,
         errors: &mut Errors,
@@ -167,7 +166,8 @@ pub mod derive_support {
         mut read: impl FnMut(&Value, &Trail<'_>, &mut Errors) -> Option<T>,
     ) -> Option<Vec<T>> {
         let Value::Rows(rows) = value else { return mismatch(trail, "a list is needed here", errors) };
-        let all: Vec<T> = rows.iter().enumerate().filter_map(|(n, row)| read(row, &trail.row(n), errors)).collect();
+        let all: Vec<T> =
+            rows.iter().enumerate().filter_map(|(n, row)| read(row, &trail.row(n), errors)).collect();
         (all.len() == rows.len()).then_some(all)
     }
 
@@ -183,7 +183,12 @@ pub mod derive_support {
         }
     }
 
-    fn input<'t>(field: &'static Field, measure: &crate::Measure, unit: Option<&'t Unit>, trail: &'t Trail<'t>) -> Given<'t> {
+    fn input<'t>(
+        field: &'static Field,
+        measure: &crate::Measure,
+        unit: Option<&'t Unit>,
+        trail: &'t Trail<'t>,
+    ) -> Given<'t> {
         Given { symbol: field.symbol, unit: unit.ok_or(measure.unit), trail }
     }
 

@@ -21,20 +21,25 @@ pub(crate) fn segments(path: &str) -> Result<Vec<Segment>, FieldError> {
         }
         parts.push(Segment::Name(name.to_owned()));
         while let Some(tail) = rest.strip_prefix('[') {
-            let row = tail.split_once(']').and_then(|(row, tail)| Some((row.trim().parse::<usize>().ok()?, tail)));
+            let row =
+                tail.split_once(']').and_then(|(row, tail)| Some((row.trim().parse::<usize>().ok()?, tail)));
             match row {
                 Some((row @ 1.., tail)) => {
                     parts.push(Segment::Row(row - 1));
                     rest = tail;
                 }
                 _ => {
-                    let why = Text::new("`{row}` is not a row; rows count from 1, as in masses[1]").with("row", rest);
+                    let why = Text::new("`{row}` is not a row; rows count from 1, as in masses[1]")
+                        .with("row", rest);
                     return Err(FieldError::new(path, why));
                 }
             }
         }
         if !rest.is_empty() {
-            return Err(FieldError::new(path, Text::new("`{rest}` was not expected here").with("rest", rest)));
+            return Err(FieldError::new(
+                path,
+                Text::new("`{rest}` was not expected here").with("rest", rest),
+            ));
         }
     }
     Ok(parts)
@@ -57,9 +62,10 @@ pub(crate) fn indices(shape: &Shape, path: &str) -> Result<Vec<usize>, FieldErro
             }
             (Shape::OneOf(variants), Segment::Name(name)) => {
                 let variants = variants();
-                let at = variants.iter().position(|variant| variant.name == name).ok_or_else(|| {
-                    unknown(path, &name, variants.iter().map(|variant| variant.name))
-                })?;
+                let at = variants
+                    .iter()
+                    .position(|variant| variant.name == name)
+                    .ok_or_else(|| unknown(path, &name, variants.iter().map(|variant| variant.name)))?;
                 indices.push(at);
                 shape = Shape::Group(variants[at].fields);
             }
@@ -89,8 +95,12 @@ fn position(fields: &[Field], name: &str, path: &str) -> Result<usize, FieldErro
 pub(crate) fn unknown<'k>(path: &str, name: &str, known: impl Iterator<Item = &'k str>) -> FieldError {
     let known: Vec<&str> = known.collect();
     let why = match nearest(name, known.iter().copied()) {
-        Some(near) => Text::new("there is no `{name}`; did you mean `{near}`?").with("name", name).with("near", near),
-        None => Text::new("there is no `{name}`; write one of {known}").with("name", name).with("known", known.join(", ")),
+        Some(near) => {
+            Text::new("there is no `{name}`; did you mean `{near}`?").with("name", name).with("near", near)
+        }
+        None => Text::new("there is no `{name}`; write one of {known}")
+            .with("name", name)
+            .with("known", known.join(", ")),
     };
     FieldError::new(path, why)
 }

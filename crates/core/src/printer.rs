@@ -83,11 +83,13 @@ fn set_text(set: &IntervalSet, unit: &units::Unit, locale: &Locale) -> String {
         return Text::new("no value").render(locale);
     }
     let shown = |si: f64| units::write_quantity(si, unit, locale.style);
-    let sign = |strict: &'static str, (ascii, unicode): (&'static str, &'static str), bound: Bound<f64>| match bound {
-        Bound::Excluded(_) => strict,
-        _ if locale.style.ascii => ascii,
-        _ => unicode,
-    };
+    let sign =
+        |strict: &'static str, (ascii, unicode): (&'static str, &'static str), bound: Bound<f64>| match bound
+        {
+            Bound::Excluded(_) => strict,
+            _ if locale.style.ascii => ascii,
+            _ => unicode,
+        };
     let part = |interval: Interval| {
         // Lengths, stiffnesses and speeds begin at zero: that end is no limit.
         let lower = match interval.lower {
@@ -182,10 +184,6 @@ impl Writer<'_> {
         self.solution.trace.node(id).number
     }
 
-    fn is_vector(&self, id: Id) -> bool {
-        matches!(self.value(id), Number::Vector(_))
-    }
-
     fn times(&self) -> &'static str {
         match (self.values, self.style.ascii) {
             (false, _) => " ",
@@ -209,7 +207,13 @@ impl Writer<'_> {
                 (true, false) => "",
                 (true, true) => self.minus(),
                 (false, false) => " + ",
-                (false, true) => if self.style.ascii { " - " } else { " − " },
+                (false, true) => {
+                    if self.style.ascii {
+                        " - "
+                    } else {
+                        " − "
+                    }
+                }
             };
             text += &product;
         }
@@ -254,7 +258,8 @@ impl Writer<'_> {
         };
         let (over, under) = (arranged(over), arranged(under));
         let alone = over.len() == 1 && under.is_empty();
-        let top: Vec<String> = over.iter().map(|id| if alone { self.alone(*id) } else { self.factor(*id) }).collect();
+        let top: Vec<String> =
+            over.iter().map(|id| if alone { self.alone(*id) } else { self.factor(*id) }).collect();
         let bottom: Vec<String> = under.iter().map(|id| self.factor(*id)).collect();
         let top = if top.is_empty() { "1".to_owned() } else { top.join(self.times()) };
         let text = match &bottom[..] {
@@ -307,15 +312,17 @@ impl Writer<'_> {
                     (n, false) => format!("{}√", units::superscript(n.into())),
                     (n, true) => format!("root{n}"),
                 };
-                format!("{sign}{}", if self.style.ascii { format!("({})", self.expression(*of)) } else { self.base(*of) })
+                format!(
+                    "{sign}{}",
+                    if self.style.ascii { format!("({})", self.expression(*of)) } else { self.base(*of) }
+                )
             }
-            Op::Call(Function::Abs, of) => format!("|{}|", self.expression(*of)),
+            Op::Call(Function::Abs, of) | Op::Magnitude(of) => format!("|{}|", self.expression(*of)),
             Op::Call(name, of) => format!("{}{}", function(*name), self.argument(*of)),
             Op::Atan2(y, x) => format!("atan2({}, {})", self.expression(*y), self.expression(*x)),
             Op::Sum(all) if all.len() > LONGEST_SUM => self.sigma(all),
             Op::Dot(a, b) => format!("({} · {})", self.operand(*a), self.operand(*b)),
             Op::Cross(a, b) => format!("({} × {})", self.operand(*a), self.operand(*b)),
-            Op::Magnitude(of) => format!("|{}|", self.expression(*of)),
             Op::Component(of, axis) => self.component(*of, *axis),
             Op::Compose(parts) => self.compose(*parts),
             Op::Add(..) | Op::Sub(..) | Op::Neg(_) | Op::Sum(_) | Op::Mul(..) | Op::Div(..) => {
@@ -392,7 +399,9 @@ impl Writer<'_> {
         let bare = match self.op(id) {
             Op::Literal => true,
             Op::Given { .. } | Op::Step(_) => {
-                !self.values || (!self.is_negative(id) && self.unit_of(id).is_some_and(|unit| unit.pretty().is_empty()))
+                !self.values
+                    || (!self.is_negative(id)
+                        && self.unit_of(id).is_some_and(|unit| unit.pretty().is_empty()))
             }
             _ => false,
         };
@@ -402,7 +411,9 @@ impl Writer<'_> {
                 // 1.3×10⁻⁶ and symbols of several letters with a power need brackets.
                 if text.contains(['×', '*']) { format!("({text})") } else { text }
             }
+            // These bring brackets of their own.
             Op::Call(Function::Abs, _) | Op::Magnitude(_) => self.factor(id),
+            Op::Given { .. } | Op::Step(_) if self.is_negative(id) => self.factor(id),
             _ => format!("({})", self.expression(id)),
         }
     }
@@ -438,12 +449,19 @@ impl Writer<'_> {
                 continue;
             }
             let (product, negative) = self.signed_product(id, false);
-            let product = if self.tightness(id) == Tight::Sum { format!("({})", self.expression(id)) } else { product };
+            let product =
+                if self.tightness(id) == Tight::Sum { format!("({})", self.expression(id)) } else { product };
             text += match (text.is_empty(), negative) {
                 (true, false) => "",
                 (true, true) => self.minus(),
                 (false, false) => " + ",
-                (false, true) => if self.style.ascii { " - " } else { " − " },
+                (false, true) => {
+                    if self.style.ascii {
+                        " - "
+                    } else {
+                        " − "
+                    }
+                }
             };
             text += &format!("{product} {axis}");
         }
@@ -464,7 +482,9 @@ impl Writer<'_> {
         let sign = if self.style.ascii { "sum of" } else { "Σ" };
         let terms: Vec<String> = all.iter().map(|id| self.general(*id)).collect();
         match terms.split_first() {
-            Some((first, rest)) if !self.values && rest.iter().all(|term| term == first) => format!("{sign} {first}"),
+            Some((first, rest)) if !self.values && rest.iter().all(|term| term == first) => {
+                format!("{sign} {first}")
+            }
             _ if self.values => {
                 let all = self.bare(all.len() as f64);
                 format!("{sign}({all})")
@@ -478,7 +498,8 @@ impl Writer<'_> {
 
     /// A term with its innermost row replaced by the index of summation.
     fn general(&self, id: Id) -> String {
-        Writer { values: false, general: true, ..*self }.factor(id)
+        let writer = Writer { values: false, general: true, ..*self };
+        if self.tightness(id) == Tight::Sum { writer.factor(id) } else { writer.expression(id) }
     }
 
     /// The terms of every long sum below `id`, each with its value.

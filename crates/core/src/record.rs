@@ -83,7 +83,11 @@ impl Record {
     }
 }
 
-fn walk_record<'r>(record: &'r Record, prefix: &str, visit: &mut impl FnMut(&str, &'static Field, &'r Value)) {
+fn walk_record<'r>(
+    record: &'r Record,
+    prefix: &str,
+    visit: &mut impl FnMut(&str, &'static Field, &'r Value),
+) {
     for (field, value) in record.fields.iter().zip(&record.values) {
         let path = if prefix.is_empty() { field.name.to_owned() } else { format!("{prefix}.{}", field.name) };
         walk(field, &field.shape, value, &path, visit);

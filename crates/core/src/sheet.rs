@@ -67,7 +67,8 @@ impl<'a> Sheet<'a> {
 
     fn push(&self, number: Number, dim: Dim, op: Op) -> Id {
         let nodes = &mut self.solution.borrow_mut().trace.nodes;
-        let id = Id::try_from(nodes.len()).expect("a worked solution has fewer than four thousand million numbers");
+        let id = Id::try_from(nodes.len())
+            .expect("a worked solution has fewer than four thousand million numbers");
         nodes.push(Node { number, dim, op });
         id
     }
@@ -94,10 +95,22 @@ impl<'a> Sheet<'a> {
     }
 
     /// Records a step and the node that holds its result.
-    fn record(&self, symbol: Symbol, unit: Unit, formula: Option<Id>, number: Number, dim: Dim, why: Why) -> Id {
+    fn record(
+        &self,
+        symbol: Symbol,
+        unit: Unit,
+        formula: Option<Id>,
+        number: Number,
+        dim: Dim,
+        why: Why,
+    ) -> Id {
         if !unit.dim.agrees(dim) && number.size() != 0.0 {
             let formula = formula.map_or_else(String::new, |id| self.formula(id));
-            self.defect(format!("{} = {formula} is in {dim}, not in {}", printer::symbol(&symbol), unit.pretty()));
+            self.defect(format!(
+                "{} = {formula} is in {dim}, not in {}",
+                printer::symbol(&symbol),
+                unit.pretty()
+            ));
         }
         let step = self.solution.borrow().steps.len();
         let result = self.push(number, unit.dim, Op::Step(step));
@@ -140,7 +153,13 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         Vect::Node(self, self.push(Number::Vector(si.into()), unit.dim, op))
     }
 
-    fn step(self, symbol: impl Into<Symbol>, unit: &'static str, value: Term<'s>, why: impl Into<Why>) -> Term<'s> {
+    fn step(
+        self,
+        symbol: impl Into<Symbol>,
+        unit: &'static str,
+        value: Term<'s>,
+        why: impl Into<Why>,
+    ) -> Term<'s> {
         let id = value.on(self);
         let (number, dim) = self.node(id);
         let unit = self.unit(unit);
@@ -200,7 +219,14 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         self.solution.borrow_mut().answers.push(Answer { name, label, value, unit });
     }
 
-    fn answer_set(self, name: &'static str, label: &'static str, unit: &'static str, set: &IntervalSet, limits: Vec<Text>) {
+    fn answer_set(
+        self,
+        name: &'static str,
+        label: &'static str,
+        unit: &'static str,
+        set: &IntervalSet,
+        limits: Vec<Text>,
+    ) {
         let unit = self.unit(unit);
         let value = AnswerValue::Set(set.clone(), limits);
         self.solution.borrow_mut().answers.push(Answer { name, label, value, unit });
@@ -227,8 +253,11 @@ impl Sheet<'_> {
             Ok(unit) => unit.clone(),
             Err(text) => self.unit(text),
         };
-        let op =
-            Op::Given { symbol: input.trail.symbol(input.symbol), unit: unit.clone(), path: input.trail.path() };
+        let op = Op::Given {
+            symbol: input.trail.symbol(input.symbol),
+            unit: unit.clone(),
+            path: input.trail.path(),
+        };
         (unit, op)
     }
 
@@ -273,7 +302,12 @@ impl<'s> Term<'s> {
         if let Term::Node(sheet, _) = self { Some(sheet) } else { None }
     }
 
-    fn unary(self, value: f64, dim: impl FnOnce(&Sheet<'s>, Dim) -> Dim, op: impl FnOnce(Id) -> Op) -> Term<'s> {
+    fn unary(
+        self,
+        value: f64,
+        dim: impl FnOnce(&Sheet<'s>, Dim) -> Dim,
+        op: impl FnOnce(Id) -> Op,
+    ) -> Term<'s> {
         match self {
             Term::Literal(_) => Term::Literal(value),
             Term::Node(sheet, id) => {
@@ -571,7 +605,9 @@ impl<'s> Vector for Vect<'s> {
     fn sum(terms: impl IntoIterator<Item = Self>) -> Self {
         let terms: Vec<Self> = terms.into_iter().collect();
         let value: Vector3<f64> = Vector::sum(terms.iter().map(|term| term.value()));
-        let Some(sheet) = terms.iter().find_map(|term| term.sheet()) else { return Vect::Literal(value.into()) };
+        let Some(sheet) = terms.iter().find_map(|term| term.sheet()) else {
+            return Vect::Literal(value.into());
+        };
         if let [only] = terms[..] {
             return only;
         }

@@ -32,7 +32,9 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
         }
         match read_row(&cells, columns, &table.units) {
             Ok(row) => table.rows.push(row),
-            Err(why) => faults.push(Text::new("line {line}: {why}").with("line", n + 1).with_text("why", why)),
+            Err(why) => {
+                faults.push(Text::new("line {line}: {why}").with("line", n + 1).with_text("why", why));
+            }
         }
         if faults.len() >= MOST_FAULTS {
             faults.push("there are more faults; these are the first".into());
@@ -52,8 +54,11 @@ pub(crate) fn text(table: &Table) -> String {
     let heading: Vec<String> = table.units.iter().map(|unit| format!("[{}]", unit.ascii())).collect();
     let mut text = heading.join("; ");
     for row in &table.rows {
-        let cells: Vec<String> =
-            row.iter().zip(&table.units).map(|(si, unit)| units::write_number(unit.value(*si), style)).collect();
+        let cells: Vec<String> = row
+            .iter()
+            .zip(&table.units)
+            .map(|(si, unit)| units::write_number(unit.value(*si), style))
+            .collect();
         text.push('\n');
         text += &cells.join("; ");
     }
@@ -77,12 +82,15 @@ fn cells(line: &str, columns: usize) -> Vec<&str> {
 }
 
 fn is_heading(cells: &[&str]) -> bool {
-    cells.iter().all(|cell| !cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | '−')))
+    cells
+        .iter()
+        .all(|cell| !cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | '−')))
 }
 
 /// The units in brackets of a heading.
 fn read_heading(line: &str, columns: &'static [Field], found: &mut [Unit], faults: &mut Vec<Text>) {
-    let bracketed = line.split(['[', '(']).skip(1).filter_map(|rest| rest.split_once([']', ')']).map(|(unit, _)| unit));
+    let bracketed =
+        line.split(['[', '(']).skip(1).filter_map(|rest| rest.split_once([']', ')']).map(|(unit, _)| unit));
     for ((text, column), place) in bracketed.zip(columns).zip(found) {
         let own = own_unit(column);
         match units::unit(text) {
@@ -103,7 +111,9 @@ fn read_row(cells: &[&str], columns: &'static [Field], found: &[Unit]) -> Result
     }
     let cell = |((text, column), unit): ((&&str, &Field), &Unit)| {
         let kind = measure(column).map_or(Kind::Other, |measure| measure.kind());
-        units::read_quantity(text, unit, kind).map(|quantity| quantity.si).map_err(|err| Text::new(err.to_string()))
+        units::read_quantity(text, unit, kind)
+            .map(|quantity| quantity.si)
+            .map_err(|err| Text::new(err.to_string()))
     };
     cells.iter().zip(columns).zip(found).map(cell).collect()
 }

@@ -77,7 +77,7 @@ impl Text {
 
     /// The same sentence with `{name}` standing for a text as it is.
     #[must_use]
-    pub fn with(mut self, name: &'static str, value: impl ToString) -> Self {
+    pub fn with(mut self, name: &'static str, value: impl std::fmt::Display) -> Self {
         self.args.push((name, Arg::Verbatim(value.to_string())));
         self
     }
@@ -101,7 +101,8 @@ impl Text {
         if self.template.is_empty() {
             return String::new();
         }
-        let args: Vec<(&str, String)> = self.args.iter().map(|(name, arg)| (*name, arg.render(locale))).collect();
+        let args: Vec<(&str, String)> =
+            self.args.iter().map(|(name, arg)| (*name, arg.render(locale))).collect();
         let translated = match locale.language {
             Language::English => None,
             Language::Portuguese => portuguese(&self.template, &args),

@@ -150,7 +150,12 @@ impl Trace {
             | Op::Atan2(a, b)
             | Op::Dot(a, b)
             | Op::Cross(a, b) => vec![*a, *b],
-            Op::Neg(a) | Op::Power(a, _) | Op::Root(a, _) | Op::Call(_, a) | Op::Magnitude(a) | Op::Component(a, _) => {
+            Op::Neg(a)
+            | Op::Power(a, _)
+            | Op::Root(a, _)
+            | Op::Call(_, a)
+            | Op::Magnitude(a)
+            | Op::Component(a, _) => {
                 vec![*a]
             }
             Op::Sum(all) => all.clone(),

@@ -24,7 +24,13 @@ pub trait Worksheet: Copy {
     fn given_vector(self, input: Given<'_>, si: Vector3<f64>) -> Self::Vec;
 
     /// Writes `symbol = formula = substitution = result in unit` and goes on with the symbol.
-    fn step(self, symbol: impl Into<Symbol>, unit: &'static str, value: Self::Num, why: impl Into<Why>) -> Self::Num;
+    fn step(
+        self,
+        symbol: impl Into<Symbol>,
+        unit: &'static str,
+        value: Self::Num,
+        why: impl Into<Why>,
+    ) -> Self::Num;
     /// Writes a step whose result is a vector.
     fn step_vector(
         self,
@@ -47,7 +53,14 @@ pub trait Worksheet: Copy {
     /// Names an answer that is a vector.
     fn answer_vector(self, name: &'static str, label: &'static str, value: Self::Vec);
     /// Names an answer that is a set of numbers in SI, shown in `unit`; `limits` says what limits each end.
-    fn answer_set(self, name: &'static str, label: &'static str, unit: &'static str, set: &IntervalSet, limits: Vec<Text>);
+    fn answer_set(
+        self,
+        name: &'static str,
+        label: &'static str,
+        unit: &'static str,
+        set: &IntervalSet,
+        limits: Vec<Text>,
+    );
     /// Shows something beside the numbers. Only built when someone looks.
     fn show(self, exhibit: impl FnOnce() -> Exhibit);
     /// Warns of a valid but doubtful result.
@@ -201,11 +214,13 @@ impl<'t> Trail<'t> {
     pub const TOP: Trail<'static> = Trail { parent: None, part: Part::Top };
 
     /// The way to a field of what is here.
+    #[must_use]
     pub fn field(&'t self, name: &'static str) -> Trail<'t> {
         Trail { parent: Some(self), part: Part::Name(name) }
     }
 
     /// The way to a row, counted from 0, of what is here.
+    #[must_use]
     pub fn row(&'t self, row: usize) -> Trail<'t> {
         Trail { parent: Some(self), part: Part::Row(row + 1) }
     }

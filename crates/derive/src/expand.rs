@@ -32,7 +32,9 @@ impl Group {
     fn of(fields: &FieldsNamed) -> Result<Self> {
         let (mut described, mut names, mut all) = (Vec::new(), Vec::new(), Vec::new());
         for field in &fields.named {
-            let Some(ident) = &field.ident else { return Err(Error::new_spanned(field, "a field needs a name")) };
+            let Some(ident) = &field.ident else {
+                return Err(Error::new_spanned(field, "a field needs a name"));
+            };
             let (label, help) = documentation(&field.attrs);
             if label.is_empty() {
                 let why = "a field needs a line of documentation: it is the label in the form";
@@ -174,7 +176,8 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
     let visibility: &Visibility = &item.vis;
     let given_name = format_ident!("{name}Given");
     let plain = data.variants.iter().all(|variant| variant.fields.is_empty());
-    let (mut described, mut statics, mut reads, mut givens) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut described, mut statics, mut reads, mut givens) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut slots, mut given_variants) = (Vec::new(), Vec::new());
     for (at, variant) in data.variants.iter().enumerate() {
         let (label, help) = documentation(&variant.attrs);
@@ -182,11 +185,16 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
             let why = "an alternative needs a line of documentation: it is the label in the form";
             return Err(Error::new_spanned(variant, why));
         }
-        let empty = FieldsNamed { brace_token: syn::token::Brace::default(), named: syn::punctuated::Punctuated::new() };
+        let empty = FieldsNamed {
+            brace_token: syn::token::Brace::default(),
+            named: syn::punctuated::Punctuated::new(),
+        };
         let fields = match &variant.fields {
             Fields::Named(fields) => fields,
             Fields::Unit => &empty,
-            Fields::Unnamed(_) => return Err(Error::new_spanned(variant, "the inputs of an alternative have names")),
+            Fields::Unnamed(_) => {
+                return Err(Error::new_spanned(variant, "the inputs of an alternative have names"));
+            }
         };
         let group = Group::of(fields)?;
         let (ident, key) = (&variant.ident, kebab(&variant.ident.to_string()));

@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream as Tokens;
 use quote::quote;
 use syn::{
-    Attribute, Error, Expr, ExprLit, GenericArgument, Lit, Meta, PathArguments, Result, Type, punctuated::Punctuated,
-    spanned::Spanned,
+    Attribute, Error, Expr, ExprLit, GenericArgument, Lit, Meta, PathArguments, Result, Type,
+    punctuated::Punctuated, spanned::Spanned,
 };
 
 /// What the type of a field asks for.
@@ -22,7 +22,6 @@ pub(crate) enum Asks {
 }
 
 /// The arguments of `#[input(…)]`.
-
 pub(crate) struct Arguments {
     texts: Vec<String>,
     words: Vec<String>,
@@ -34,9 +33,14 @@ impl Asks {
     /// What a field of this type, with these arguments, asks for.
     pub(crate) fn of(ty: &Type, arguments: &Arguments) -> Result<Self> {
         let Type::Path(path) = ty else {
-            return Err(Error::new_spanned(ty, "this type cannot be an input; see the table in the docs of `Inputs`"));
+            return Err(Error::new_spanned(
+                ty,
+                "this type cannot be an input; see the table in the docs of `Inputs`",
+            ));
         };
-        let Some(last) = path.path.segments.last() else { return Err(Error::new_spanned(ty, "a type is needed")) };
+        let Some(last) = path.path.segments.last() else {
+            return Err(Error::new_spanned(ty, "a type is needed"));
+        };
         let inner = || match &last.arguments {
             PathArguments::AngleBracketed(args) => match args.args.first() {
                 Some(GenericArgument::Type(inner)) => Ok(inner.clone()),
@@ -218,7 +222,10 @@ impl Arguments {
                         let word = path.path.require_ident()?.to_string();
                         let known = ["positive", "nonnegative", "planar", "table"];
                         if !known.contains(&word.as_str()) {
-                            return Err(Error::new_spanned(&argument, format!("expected one of {}", known.join(", "))));
+                            return Err(Error::new_spanned(
+                                &argument,
+                                format!("expected one of {}", known.join(", ")),
+                            ));
                         }
                         found.words.push(word);
                     }
@@ -229,11 +236,16 @@ impl Arguments {
                         let name = left.path.require_ident()?.to_string();
                         let known = ["above", "below", "min", "max", "kind", "default", "rows"];
                         if !known.contains(&name.as_str()) {
-                            return Err(Error::new_spanned(&argument, format!("expected one of {}", known.join(", "))));
+                            return Err(Error::new_spanned(
+                                &argument,
+                                format!("expected one of {}", known.join(", ")),
+                            ));
                         }
                         found.values.push((name, (*assign.right).clone()));
                     }
-                    other => return Err(Error::new_spanned(other, "expected a text, a word or `name = value`")),
+                    other => {
+                        return Err(Error::new_spanned(other, "expected a text, a word or `name = value`"));
+                    }
                 }
             }
         }
@@ -285,8 +297,12 @@ impl Arguments {
                 return quote! { dalembert_core::Limit::Excluding(#limit) };
             }
             match word {
-                Some((excluding, _)) if self.has(excluding) => quote! { dalembert_core::Limit::Excluding(0.0) },
-                Some((_, including)) if self.has(including) => quote! { dalembert_core::Limit::Including(0.0) },
+                Some((excluding, _)) if self.has(excluding) => {
+                    quote! { dalembert_core::Limit::Excluding(0.0) }
+                }
+                Some((_, including)) if self.has(including) => {
+                    quote! { dalembert_core::Limit::Including(0.0) }
+                }
                 _ => quote! { dalembert_core::Limit::None },
             }
         };

@@ -1,0 +1,298 @@
+//! Every kind of input, nested three deep: from text to the struct, and back.
+
+use dalembert_core::{Draft, FieldError, Inputs, Record, Reference, Shape, Value, Worksheet, draft, file};
+use nalgebra::Vector3;
+
+/// A machine with everything a form can ask for.
+#[derive(Clone, Debug, PartialEq, Inputs)]
+struct Machine {
+    /// Name.
+    name: String,
+    /// Gravity.
+    #[input("g", "m/s^2", default = "9.81 m/s^2")]
+    gravity: f64,
+    /// Bodies.
+    #[input(min = 1)]
+    bodies: Vec<Body>,
+    /// Loads.
+    loads: Vec<Load>,
+    /// Support.
+    support: Spring,
+    /// Number of terms.
+    #[input(min = 1, max = 20, default = "3")]
+    terms: u32,
+    /// Friction included.
+    #[input(default = "no")]
+    friction: bool,
+    /// Largest amplitude.
+    #[input("X", "mm", kind = "Amplitude", positive)]
+    largest: Option<f64>,
+    /// Measured points.
+    #[input(table)]
+    points: Vec<Point>,
+}
+
+/// A body.
+#[derive(Clone, Debug, PartialEq, Inputs)]
+struct Body {
+    /// Name.
+    name: String,
+    /// Mass.
+    #[input("m", "kg", positive)]
+    mass: f64,
+    /// Mass centre.
+    #[input("r_G", "m", planar)]
+    centre: Vector3<f64>,
+}
+
+/// A load.
+#[derive(Clone, Debug, PartialEq, Inputs)]
+struct Load {
+    /// The body it acts on.
+    #[input(rows = "bodies")]
+    body: Reference,
+    /// Force.
+    #[input("F", "N")]
+    force: Vector3<f64>,
+    /// Sense.
+    sense: Sense,
+}
+
+/// A sense of rotation.
+#[derive(Clone, Debug, PartialEq, Inputs)]
+enum Sense {
+    /// Clockwise
+    Clockwise,
+    /// Counter-clockwise
+    CounterClockwise,
+}
+
+/// A spring, or springs of springs.
+#[derive(Clone, Debug, PartialEq, Inputs)]
+enum Spring {
+    /// Stiffness given
+    Stiffness {
+        /// Stiffness.
+        #[input("k", "N/m", positive)]
+        stiffness: f64,
+    },
+    /// Springs in series
+    Series {
+        /// Members.
+        #[input(min = 1)]
+        members: Vec<Spring>,
+    },
+    /// Springs in parallel
+    Parallel {
+        /// Members.
+        #[input(min = 1)]
+        members: Vec<Spring>,
+    },
+}
+
+/// A point.
+#[derive(Clone, Debug, PartialEq, Inputs)]
+struct Point {
+    /// Frequency.
+    #[input("f", "Hz")]
+    frequency: f64,
+    /// Amplitude.
+    #[input("X", "mm")]
+    amplitude: f64,
+}
+
+fn shape() -> Shape {
+    Machine::SHAPE
+}
+
+fn filled() -> Draft {
+    let mut draft = Draft::blank(&shape());
+    for (path, text) in [
+        ("name", "press"),
+        ("bodies[1].name", "ram"),
+        ("bodies[1].mass", "12 kg"),
+        ("bodies[1].centre", "(1; 2) m"),
+        ("bodies[2].name", "crank"),
+        ("bodies[2].mass", "3,5 kg"),
+        ("bodies[2].centre", "(10; 20) mm"),
+        ("loads[1].body", "crank"),
+        ("loads[1].force", "(1; 2; 3) kN"),
+        ("loads[1].sense", "counter-clockwise"),
+        ("support", "series"),
+        ("support.series.members[1].parallel.members[1].stiffness.stiffness", "2 kN/m"),
+        ("support.series.members[1].parallel.members[2].stiffness.stiffness", "3 kN/m"),
+        ("support.series.members[2].stiffness.stiffness", "1000"),
+        ("points", "f [Hz]; X [mm]\n1; 0,5\n2; 1,5"),
+    ] {
+        draft.set(&shape(), path, text).unwrap_or_else(|err| panic!("{path}: {err}"));
+    }
+    draft
+}
+
+fn read(draft: &Draft) -> Record {
+    draft.read(&shape()).unwrap_or_else(|errors| panic!("{errors:?}"))
+}
+
+fn errors_of(path: &str, text: &str) -> Vec<FieldError> {
+    let mut draft = filled();
+    draft.set(&shape(), path, text).unwrap();
+    draft.read(&shape()).err().unwrap_or_default()
+}
+
+#[test]
+fn a_draft_becomes_the_struct() {
+    let machine = Machine::read_record(&read(&filled())).unwrap();
+    assert_eq!(machine.gravity, 9.81);
+    assert_eq!(machine.bodies[1].mass, 3.5);
+    assert_eq!(machine.bodies[1].centre, Vector3::new(0.01, 0.02, 0.0));
+    assert_eq!(machine.loads[0].body, Reference(1));
+    assert_eq!(machine.loads[0].force, Vector3::new(1e3, 2e3, 3e3));
+    assert_eq!(machine.loads[0].sense, Sense::CounterClockwise);
+    assert_eq!((machine.terms, machine.friction, machine.largest), (3, false, None));
+    let given = |stiffness| Spring::Stiffness { stiffness };
+    let parallel = Spring::Parallel { members: vec![given(2e3), given(3e3)] };
+    assert_eq!(machine.support, Spring::Series { members: vec![parallel, given(1e3)] });
+    assert_eq!(machine.points[1].amplitude, 1.5e-3);
+    assert!((machine.points[0].frequency - std::f64::consts::TAU).abs() < 1e-15);
+}
+
+#[test]
+fn a_record_gives_its_texts_back() {
+    let record = read(&filled());
+    assert_eq!(read(&Draft::of_record(&record)).values, record.values);
+}
+
+#[test]
+fn a_quantity_anywhere_can_be_varied() {
+    let mut machine = Machine::read_record(&read(&filled())).unwrap();
+    *machine.slot(&[2, 1, 1]).unwrap() = 7.0;
+    assert_eq!(machine.bodies[1].mass, 7.0);
+    // support → series → members → second → stiffness given → stiffness
+    *machine.slot(&[4, 1, 0, 1, 0, 0]).unwrap() = 5.0;
+    let Spring::Series { members } = &machine.support else { panic!("the support is a series") };
+    assert_eq!(members[1], Spring::Stiffness { stiffness: 5.0 });
+    *machine.slot(&[3, 0, 1, 2]).unwrap() = -1.0;
+    assert_eq!(machine.loads[0].force.z, -1.0);
+    for nowhere in [&[0][..], &[2, 9, 1], &[4, 0, 0], &[99], &[]] {
+        assert!(machine.slot(nowhere).is_none(), "{nowhere:?}");
+    }
+}
+
+#[test]
+fn every_error_names_its_field() {
+    let mut draft = filled();
+    for (path, text) in
+        [("bodies[1].mass", "-3 kg"), ("loads[1].body", "crnk"), ("terms", "21"), ("friction", "maybe")]
+    {
+        draft.set(&shape(), path, text).unwrap();
+    }
+    let errors: Vec<String> = draft.read(&shape()).unwrap_err().iter().map(ToString::to_string).collect();
+    assert_eq!(
+        errors,
+        [
+            "bodies[1].mass: must be above zero; you wrote -3 kg",
+            "terms: 21 is outside the limits; write a whole number from 1 to 20",
+            "friction: `maybe` is neither yes nor no",
+            "loads[1].body: there is no `crnk`; did you mean `crank`?",
+        ]
+    );
+}
+
+#[test]
+fn whatever_is_typed_is_read_or_refused() {
+    let long = "9".repeat(10_000_000);
+    let texts = [
+        "",
+        " ",
+        "abc",
+        "3 furlong",
+        "1,2.3",
+        "1e400",
+        "nan",
+        "inf",
+        "\u{1b}[31m",
+        "3 kg\u{202e}",
+        "--",
+        &long,
+    ];
+    for path in
+        ["gravity", "bodies[1].mass", "bodies[1].centre", "loads[1].force", "terms", "friction", "points"]
+    {
+        // A row of two numbers is what a table asks for.
+        for text in texts.into_iter().filter(|text| path != "points" || *text != "1,2.3") {
+            let errors = errors_of(path, text);
+            assert!(!errors.is_empty(), "{path} takes {:?}", &text[..text.len().min(20)]);
+            assert!(errors.iter().all(|err| err.path == path), "{path}: {errors:?}");
+            assert!(
+                errors.iter().all(|err| err.to_string().len() < 2_000),
+                "{path}: the message is too long"
+            );
+        }
+    }
+    for (path, text) in [("bodies[1].mass", "3 N"), ("loads[1].force", "(1; 2; 3) kg"), ("gravity", "9.81 m")]
+    {
+        assert!(!errors_of(path, text).is_empty(), "{path} takes {text}");
+    }
+}
+
+#[test]
+fn an_optional_input_comes_and_goes() {
+    let mut draft = filled();
+    draft.set(&shape(), "largest", "3 mm").unwrap();
+    assert_eq!(Machine::read_record(&read(&draft)).unwrap().largest, Some(3e-3));
+    draft.set(&shape(), "largest", "").unwrap();
+    assert_eq!(*read(&draft).get("largest").unwrap(), Value::Absent);
+}
+
+#[test]
+fn paths_that_lead_nowhere_are_named() {
+    let mut draft = filled();
+    for (path, why) in [
+        ("bodys[1].mass", "did you mean `bodies`?"),
+        ("bodies[4].mass", "there are 2 rows; the next is 3"),
+        ("bodies[0].mass", "rows count from 1"),
+        ("bodies.mass", "name a row"),
+        ("support.spring.k", "there is no `spring`"),
+        ("bodies", "name one of them"),
+    ] {
+        let err = draft.set(&shape(), path, "1").unwrap_err().to_string();
+        assert!(err.contains(why), "{path}: {err}");
+    }
+}
+
+#[test]
+fn a_leaf_is_read_as_it_is_typed() {
+    let mass = Body::SHAPE.fields(None)[1].shape;
+    assert!(
+        matches!(draft::read_leaf("2 t", &mass, "mass").unwrap(), Value::Quantity(quantity) if quantity.si == 2e3)
+    );
+    assert!(draft::read_leaf("2 m", &mass, "mass").is_err());
+}
+
+#[test]
+fn text_that_is_no_problem_file_is_refused_with_its_place() {
+    for (text, why) in [
+        ("analysis = 3", "must be a text"),
+        ("title = \"x\"", "the analysis is not named"),
+        ("analysis = \"no/such\"", "there is no analysis `no/such`"),
+        ("analysis = \"a\"\nanalysis = \"b\"", "duplicate key"),
+        ("a = [[[[[[", ""),
+    ] {
+        let errors = file::parse(text).unwrap_err();
+        assert!(errors[0].why.english().contains(why), "{text}: {}", errors[0].why.english());
+    }
+    let deep = format!("a = {}{}", "[".repeat(100_000), "]".repeat(100_000));
+    assert!(file::parse(&deep).is_err());
+}
+
+/// The derive is generic over worksheets: this need only compile.
+#[expect(dead_code, reason = "a check of types")]
+fn lifted<W: Worksheet>(given: &MachineGiven<W>) -> W::Num {
+    match &given.support {
+        SpringGiven::Stiffness { stiffness } => *stiffness,
+        SpringGiven::Series { members } | SpringGiven::Parallel { members } => match &members[0] {
+            SpringGiven::Stiffness { stiffness } => *stiffness * given.bodies[0].mass,
+            _ => given.gravity,
+        },
+    }
+}

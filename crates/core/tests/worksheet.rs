@@ -1,0 +1,160 @@
+//! What a worked solution writes: signs, brackets, fractions, powers, vectors, sums, dimensions.
+
+use dalembert_core::{
+    Locale, Refusal, Sheet, Solution, Stop, Term, Trail, Vect, Worksheet, printer, worksheet::Given,
+};
+use dalembert_mechanics::{Real, Vector};
+use nalgebra::Vector3;
+
+/// Works on a sheet with `a = 3 m`, `b = −2 m`, `t = 4 s`, `θ = 30°` and two vectors.
+struct Bench<'s> {
+    sheet: &'s Sheet<'s>,
+    a: Term<'s>,
+    b: Term<'s>,
+    t: Term<'s>,
+    angle: Term<'s>,
+    force: Vect<'s>,
+    arm: Vect<'s>,
+}
+
+fn worked(work: impl for<'s> FnOnce(&Bench<'s>)) -> Solution {
+    let stop = Stop::new();
+    let sheet = Sheet::new(&stop);
+    let given = |symbol, unit, si| (&sheet).given(Given { symbol, unit: Err(unit), trail: &Trail::TOP }, si);
+    let vector =
+        |symbol, unit, si| (&sheet).given_vector(Given { symbol, unit: Err(unit), trail: &Trail::TOP }, si);
+    work(&Bench {
+        sheet: &sheet,
+        a: given("a", "m", 3.0),
+        b: given("b", "m", -2.0),
+        t: given("t", "s", 4.0),
+        angle: given("θ", "deg", 30f64.to_radians()),
+        force: vector("F", "N", Vector3::new(5.0, 0.0, -1.0)),
+        arm: vector("r", "m", Vector3::new(0.0, 2.0, 0.0)),
+    });
+    sheet.into_solution().unwrap()
+}
+
+/// `formula | substitution | result` of the last step.
+fn written(work: impl for<'s> FnOnce(&Bench<'s>)) -> String {
+    let solution = worked(work);
+    assert_eq!(solution.defects, Vec::<String>::new());
+    let step = printer::step(&solution, solution.steps.last().unwrap(), &Locale::english());
+    format!("{} | {} | {}", step.formula, step.substitution, step.result)
+}
+
+/// The formula of a length.
+fn length(formula: impl for<'s> Fn(&Bench<'s>) -> Term<'s>) -> String {
+    let formula = written(|bench| {
+        bench.sheet.step("x", "m", formula(bench), "why");
+    });
+    formula.split(" | ").next().unwrap().to_owned()
+}
+
+#[test]
+fn signs_and_brackets_are_those_of_a_textbook() {
+    assert_eq!(length(|s| s.a + s.b), "a + b");
+    assert_eq!(length(|s| s.a - s.b), "a − b");
+    assert_eq!(length(|s| -s.a), "−a");
+    assert_eq!(length(|s| -(-s.a)), "a");
+    assert_eq!(length(|s| s.a - -s.b), "a + b");
+    assert_eq!(length(|s| s.a - (s.b - s.a)), "a − b + a");
+    assert_eq!(length(|s| -(s.a + s.b)), "−a − b");
+    assert_eq!(length(|s| s.a * -2.0), "−2 a");
+    assert_eq!(length(|s| s.a * 2.0 + s.b * 3.0), "2 a + 3 b");
+    assert_eq!(length(|s| (s.a + s.b) * 2.0), "2 (a + b)");
+    assert_eq!(length(|s| s.a * s.b / s.a), "a b / a");
+    assert_eq!(length(|s| s.a / (s.b / s.a)), "a a / b");
+    assert_eq!(length(|s| s.a.powi(2) / (s.b * 2.0)), "a² / (2 b)");
+    assert_eq!(length(|s| s.a.powi(3) / (s.a + s.b).powi(2)), "a³ / (a + b)²");
+    assert_eq!(length(|s| (s.a * s.b).abs().sqrt()), "√|a b|");
+    assert_eq!(length(|s| (s.a.powi(2) + s.b.powi(2)).sqrt()), "√(a² + b²)");
+    assert_eq!(length(|s| s.a * s.angle.sin()), "a sin θ");
+    assert_eq!(length(|s| s.a * (s.angle * 2.0).cos()), "a cos(2 θ)");
+    assert_eq!(length(|s| s.a * s.a.powi(-1) * s.b), "a a⁻¹ b");
+    assert_eq!(length(|s| Term::from(1.0) * s.a), "a");
+    assert_eq!(length(|s| s.a.powi(4).root(4)), "⁴√(a⁴)");
+    assert_eq!(length(|s| s.a * std::f64::consts::PI), "π a");
+    assert_eq!(length(|s| (s.a / s.b).powi(2) * s.a), "(a / b)² a");
+}
+
+#[test]
+fn values_stand_in_the_units_they_were_typed_in() {
+    assert_eq!(
+        written(|s| {
+            s.sheet.step("v", "m/s", (s.a - s.b.powi(2) / s.a) / s.t, "why");
+        }),
+        "(a − b² / a) / t | (3 m − (−2 m)² / 3 m) / 4 s | 0.41667 m/s"
+    );
+    assert_eq!(
+        written(|s| {
+            s.sheet.step("x", "mm", s.b * 3.0 * s.angle.sin(), "why");
+        }),
+        "3 b sin θ | 3 × (−2 m) × sin(30°) | −3000 mm"
+    );
+}
+
+#[test]
+fn vectors_are_written_as_vectors() {
+    assert_eq!(
+        written(|s| {
+            s.sheet.step_vector("M", "N*m", s.arm.cross(s.force), "why");
+        }),
+        "r × F | (2 j) m × (5 i − 1 k) N | (−2 i − 10 k) N·m"
+    );
+    assert_eq!(
+        written(|s| {
+            s.sheet.step("W", "J", s.force.dot(s.arm + s.arm), "why");
+        }),
+        "F · (r + r) | (5 i − 1 k) N · ((2 j) m + (2 j) m) | 0 J"
+    );
+    assert_eq!(
+        written(|s| {
+            s.sheet.step_vector("p", "m", Vect::from_components(s.a, Term::from(0.0), -s.b), "why");
+        }),
+        "(a i − b k) | (3 m i − (−2 m) k) | (3 i + 2 k) m"
+    );
+}
+
+#[test]
+fn a_long_sum_is_written_with_sigma_and_its_terms() {
+    let solution = worked(|s| {
+        let x = |n| s.sheet.step(("x", n), "m", s.a * n as f64, "why");
+        let terms: Vec<Term<'_>> = (1..=5).map(x).map(|x| x * 2.0).collect();
+        s.sheet.step("S", "m", Term::sum(terms), "why");
+    });
+    let step = printer::step(&solution, solution.steps.last().unwrap(), &Locale::english());
+    assert_eq!(step.formula, "Σ 2 xᵢ");
+    assert_eq!(step.result, "90 m");
+    let terms: Vec<_> = step.terms.iter().map(|(term, value)| format!("{term} = {value}")).collect();
+    assert_eq!(terms, ["2 x₁ = 6 m", "2 x₂ = 12 m", "2 x₃ = 18 m", "2 x₄ = 24 m", "2 x₅ = 30 m"]);
+}
+
+#[test]
+fn dimensions_are_followed() {
+    fn defects(step: impl for<'s> Fn(&Bench<'s>) -> (&'static str, &'static str, Term<'s>)) -> String {
+        let work = |bench: &Bench<'_>| {
+            let (symbol, unit, value) = step(bench);
+            bench.sheet.step(symbol, unit, value, "why");
+        };
+        worked(work).defects.join("; ")
+    }
+    assert_eq!(defects(|s| ("x", "m", s.a / s.t)), "x = a / t is in m·s⁻¹, not in m");
+    assert_eq!(defects(|s| ("x", "m", s.a + s.t)), "a is in m, t is in s");
+    assert!(defects(|s| ("x", "1", s.a.sin())).contains("sin of a number in m"));
+    assert!(defects(|s| ("x", "m", s.a.sqrt())).contains("root of order 2"));
+    // The angle is a dimension of what is typed, not of what is computed: v = ω r.
+    assert_eq!(defects(|s| ("v", "m/s", s.a * s.angle / s.t)), "");
+    // Zero has every dimension.
+    assert_eq!(defects(|s| ("x", "m", s.a + 0.0)), "");
+}
+
+#[test]
+fn a_number_beyond_the_finite_is_a_refusal() {
+    let stop = Stop::new();
+    let sheet = Sheet::new(&stop);
+    let a = (&sheet).given(Given { symbol: "a", unit: Err("m"), trail: &Trail::TOP }, 1e200);
+    (&sheet).step("x", "m^2", a.powi(2), "why");
+    let Err(Refusal::NoAnswer(why)) = sheet.into_solution() else { panic!("infinity is no answer") };
+    assert_eq!(why.english(), "these inputs lead to a number that cannot be represented: x");
+}

@@ -1,0 +1,587 @@
+//! Drives a program through a pseudo-terminal, as a person at a terminal does, and looks at what it leaves behind.
+//!
+//! ```no_run
+//! use dalembert_tests::pty::Launch;
+//!
+//! let mut pty = Launch::new("/usr/bin/dalembert").size(24, 80).env("LANG", "C").start();
+//! pty.expect("dalembert");
+//! pty.types(":quit<enter>");
+//! assert_eq!(pty.exit_code(), Some(0));
+//! assert_eq!(pty.leftovers(), [""; 0]);
+//! ```
+//!
+//! The terminal is mute: it answers no question of the program, as a serial line does not. Programs run with a home
+//! folder of their own, which is removed in the end.
+
+use std::{
+    collections::BTreeMap,
+    ffi::OsString,
+    fs::{self, File},
+    io::{Read, Write},
+    path::{Path, PathBuf},
+    sync::{
+        Arc, Mutex, MutexGuard, PoisonError,
+        atomic::{AtomicBool, Ordering::SeqCst},
+    },
+    thread::{self, JoinHandle},
+    time::{Duration, Instant},
+};
+
+use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
+pub use rustix::process::Signal;
+use rustix::{
+    process::{Pid, kill_process, kill_process_group},
+    termios::{Termios, tcgetattr},
+};
+
+/// How long [`Pty::expect`] and [`Pty::exit_code`] wait. Long enough for a machine that is busy with a build.
+pub const PATIENCE: Duration = Duration::from_secs(10);
+
+/// How to start a program.
+#[derive(Clone, Debug)]
+pub struct Launch {
+    program: PathBuf,
+    rows: u16,
+    columns: u16,
+    environment: BTreeMap<OsString, Option<OsString>>,
+    front: Front,
+}
+
+/// What stands between the terminal and the program.
+#[derive(Clone, Debug)]
+enum Front {
+    Nothing,
+    Shell,
+    Script(String),
+}
+
+impl Launch {
+    /// The program in 24 rows of 80 columns, `TERM=xterm-256color`, a UTF-8 locale and no word about colours.
+    pub fn new(program: impl Into<PathBuf>) -> Self {
+        let launch = Self {
+            program: program.into(),
+            rows: 24,
+            columns: 80,
+            environment: BTreeMap::new(),
+            front: Front::Nothing,
+        };
+        let launch = ["LC_ALL", "LC_CTYPE", "COLORTERM", "NO_COLOR", "DALEMBERT_GUARDED", "XDG_STATE_HOME", "ENV"]
+            .into_iter()
+            .fold(launch, Self::without);
+        launch.env("TERM", "xterm-256color").env("LANG", "en_US.UTF-8").env("RUST_BACKTRACE", "0")
+    }
+
+    /// Another size.
+    #[must_use]
+    pub fn size(mut self, rows: u16, columns: u16) -> Self {
+        (self.rows, self.columns) = (rows, columns);
+        self
+    }
+
+    /// With a variable of the environment.
+    #[must_use]
+    pub fn env(mut self, name: &str, value: &str) -> Self {
+        self.environment.insert(name.into(), Some(value.into()));
+        self
+    }
+
+    /// Without a variable of the environment.
+    #[must_use]
+    pub fn without(mut self, name: &str) -> Self {
+        self.environment.insert(name.into(), None);
+        self
+    }
+
+    /// Under an interactive shell with job control, as a person starts it; its prompt is `PTY$ `.
+    #[must_use]
+    pub fn under_shell(mut self) -> Self {
+        self.front = Front::Shell;
+        self
+    }
+
+    /// As a command of a shell script, such as `trap '' HUP; $PROGRAM`.
+    #[must_use]
+    pub fn in_script(mut self, script: &str) -> Self {
+        self.front = Front::Script(script.to_owned());
+        self
+    }
+
+    /// Starts it.
+    pub fn start(self) -> Pty {
+        Pty::start(self)
+    }
+}
+
+/// A program at its pseudo-terminal. It is killed, with its children, when this is dropped.
+pub struct Pty {
+    master: Option<Box<dyn MasterPty + Send>>,
+    writer: Option<Box<dyn Write + Send>>,
+    child: Box<dyn Child + Send + Sync>,
+    reader: Option<JoinHandle<()>>,
+    seen: Arc<Seen>,
+    /// The program's side, to read its modes and to wake the reader.
+    line: File,
+    before: Before,
+    home: tempfile::TempDir,
+}
+
+/// What the terminal was before the program had it.
+struct Before {
+    termios: Termios,
+    modes: Vec<String>,
+}
+
+/// What came from the program.
+struct Seen {
+    output: Mutex<Output>,
+    /// The reader takes nothing: a stopped line, a wedged multiplexer.
+    paused: AtomicBool,
+    closing: AtomicBool,
+}
+
+struct Output {
+    parser: vt100::Parser,
+    raw: Vec<u8>,
+    last: Instant,
+}
+
+impl Pty {
+    fn start(launch: Launch) -> Self {
+        let size = PtySize { rows: launch.rows, cols: launch.columns, pixel_width: 0, pixel_height: 0 };
+        let pair = native_pty_system().openpty(size).expect("a pseudo-terminal");
+        let home = tempfile::tempdir().expect("a home folder");
+        let mut command = CommandBuilder::new(match launch.front {
+            Front::Nothing => launch.program.as_os_str(),
+            Front::Shell | Front::Script(_) => "bash".as_ref(),
+        });
+        match &launch.front {
+            Front::Nothing => {}
+            Front::Shell => command.args(["--norc", "--noprofile", "-i"]),
+            Front::Script(script) => command.args(["--norc", "--noprofile", "-c", script]),
+        }
+        command.cwd(home.path());
+        command.env("HOME", home.path());
+        command.env("PROGRAM", &launch.program);
+        command.env("PS1", "PTY$ ");
+        command.env("HISTFILE", "");
+        for (name, value) in &launch.environment {
+            match value {
+                Some(value) => command.env(name, value),
+                None => command.env_remove(name),
+            }
+        }
+        let name = pair.master.tty_name().expect("the line has a name");
+        let line = File::options().read(true).write(true).open(name).expect("the line can be opened");
+        let termios = tcgetattr(&line).expect("the line has modes");
+        let seen = Arc::new(Seen {
+            output: Mutex::new(Output {
+                parser: vt100::Parser::new(launch.rows, launch.columns, 0),
+                raw: Vec::new(),
+                last: Instant::now(),
+            }),
+            paused: AtomicBool::new(false),
+            closing: AtomicBool::new(false),
+        });
+        let source = pair.master.try_clone_reader().expect("a reader");
+        let reader = thread::spawn({
+            let seen = seen.clone();
+            move || seen.read_from(source)
+        });
+        let child = pair.slave.spawn_command(command).expect("the program starts");
+        let mut pty = Self {
+            writer: Some(pair.master.take_writer().expect("a writer")),
+            master: Some(pair.master),
+            child,
+            reader: Some(reader),
+            seen,
+            line,
+            before: Before { termios, modes: Vec::new() },
+            home,
+        };
+        if matches!(launch.front, Front::Shell) {
+            pty.expect("PTY$");
+            pty.idle(Duration::from_millis(80));
+            // What the shell's own line editor sets is no fault of the program.
+            pty.before = Before { termios: pty.termios(), modes: pty.modes() };
+            pty.types("$PROGRAM<enter>");
+        }
+        pty
+    }
+
+    /// Types text; names in angle brackets are keys: `<enter> <tab> <s-tab> <esc> <space> <bs> <del> <ins> <up>
+    /// <down> <left> <right> <home> <end> <pgup> <pgdn> <f1>`…`<f12>`, with `c-`, `s-`, `a-` for Ctrl, Shift, Alt
+    /// (`<c-c>`, `<a-x>`, `<c-right>`), and `<lt>` for `<` itself.
+    pub fn types(&mut self, text: &str) {
+        self.send(&bytes_of(text));
+    }
+
+    /// Sends bytes as they are.
+    pub fn send(&mut self, bytes: &[u8]) {
+        let writer = self.writer.as_mut().expect("the terminal is there");
+        writer.write_all(bytes).and_then(|()| writer.flush()).expect("the line takes bytes");
+    }
+
+    /// Pastes text, bracketed as the program asked for.
+    pub fn paste(&mut self, text: &str) {
+        self.send(&[b"\x1b[200~", text.as_bytes(), b"\x1b[201~"].concat());
+    }
+
+    /// The screen as text, without the blanks at the end of lines.
+    pub fn screen(&self) -> String {
+        self.seen.output().parser.screen().contents()
+    }
+
+    /// Whether the text is on the screen, now or within `patience`.
+    pub fn sees(&self, text: &str, patience: Duration) -> bool {
+        let end = Instant::now() + patience;
+        while !self.screen().contains(text) {
+            if Instant::now() > end {
+                return false;
+            }
+            thread::sleep(Duration::from_millis(5));
+        }
+        true
+    }
+
+    /// Waits until the text is on the screen; panics with the screen if it never is.
+    #[track_caller]
+    pub fn expect(&self, text: &str) {
+        assert!(self.sees(text, PATIENCE), "`{text}` is not on the screen:\n{}", self.screen());
+    }
+
+    /// Waits until nothing came for this long, at most [`PATIENCE`].
+    pub fn idle(&self, silence: Duration) {
+        let end = Instant::now() + PATIENCE;
+        while self.seen.output().last.elapsed() < silence && Instant::now() < end {
+            thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    /// Every byte that came so far.
+    pub fn raw(&self) -> Vec<u8> {
+        self.seen.output().raw.clone()
+    }
+
+    /// The home folder of the program.
+    pub fn home(&self) -> &Path {
+        self.home.path()
+    }
+
+    /// How many bytes came so far.
+    pub fn count(&self) -> usize {
+        self.seen.output().raw.len()
+    }
+
+    /// The window has another size.
+    pub fn resize(&mut self, rows: u16, columns: u16) {
+        self.seen.output().parser.screen_mut().set_size(rows.max(1), columns.max(1));
+        let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
+        self.master.as_ref().expect("the terminal is there").resize(size).expect("any size will do");
+    }
+
+    /// The terminal takes no more bytes, or takes them again.
+    pub fn pause(&self, paused: bool) {
+        self.seen.paused.store(paused, SeqCst);
+    }
+
+    /// The window is closed: its side of the line is gone.
+    pub fn hang_up(&mut self) {
+        self.seen.closing.store(true, SeqCst);
+        self.pause(false);
+        // The reader waits for a byte; the line carries one from here as well as from the program.
+        let _ = self.line.write_all(b" ");
+        if let Some(reader) = self.reader.take() {
+            reader.join().expect("the reader does not panic");
+        }
+        self.writer = None;
+        self.master = None;
+    }
+
+    /// The processes of the program, each the child of the one before: with a guard in front, the guard and the
+    /// program proper.
+    pub fn processes(&self) -> Vec<i32> {
+        let leader = self.master.as_ref().and_then(|master| master.process_group_leader());
+        let mut chain: Vec<i32> = leader.into_iter().collect();
+        while let Some(child) = chain.last().and_then(|&process| children(process).first().copied()) {
+            chain.push(child);
+        }
+        chain
+    }
+
+    /// Sends a signal to one of [`processes`](Self::processes), counted from the first, or from the last if negative.
+    pub fn signal(&self, which: isize, signal: Signal) {
+        let processes = self.processes();
+        let at = if which < 0 { processes.len().checked_add_signed(which) } else { Some(which.unsigned_abs()) };
+        let process = at.and_then(|at| processes.get(at)).expect("the program has this process");
+        let _ = kill_process(pid(*process), signal);
+    }
+
+    /// Sends a signal to the whole process group in the foreground.
+    pub fn signal_group(&self, signal: Signal) {
+        let leader = self.master.as_ref().and_then(|master| master.process_group_leader());
+        let _ = kill_process_group(pid(leader.expect("there is a foreground group")), signal);
+    }
+
+    /// Whether the started process still runs.
+    pub fn runs(&mut self) -> bool {
+        self.child.try_wait().is_ok_and(|status| status.is_none())
+    }
+
+    /// Waits for the started process and its exit code; `None` if it does not end within [`PATIENCE`], or ended by a
+    /// signal.
+    pub fn exit_code(&mut self) -> Option<u32> {
+        let end = Instant::now() + PATIENCE;
+        while Instant::now() < end {
+            if let Ok(Some(status)) = self.child.try_wait() {
+                // Its last bytes are still on the line.
+                self.idle(Duration::from_millis(50));
+                return status.signal().is_none().then(|| status.exit_code());
+            }
+            thread::sleep(Duration::from_millis(5));
+        }
+        None
+    }
+
+    /// What the program left changed: modes of the line, of the screen, of the mouse; nothing if it was clean.
+    pub fn leftovers(&self) -> Vec<String> {
+        let now = self.termios();
+        let was = &self.before.termios;
+        let mut left = self.modes();
+        left.retain(|mode| !self.before.modes.contains(mode));
+        for (name, now, was) in [
+            ("input modes", now.input_modes.bits(), was.input_modes.bits()),
+            ("output modes", now.output_modes.bits(), was.output_modes.bits()),
+            ("control modes", now.control_modes.bits(), was.control_modes.bits()),
+            ("local modes", now.local_modes.bits(), was.local_modes.bits()),
+        ] {
+            if now != was {
+                left.push(format!("{name}: {was:#x} became {now:#x}"));
+            }
+        }
+        left
+    }
+
+    /// The private modes (`CSI ? … h`) that are on, and the cursor if it is hidden.
+    fn modes(&self) -> Vec<String> {
+        let modes = private_modes(&self.seen.output().raw);
+        let on = modes.into_iter().filter_map(|(mode, on)| match mode {
+            25 => (!on).then(|| "hidden cursor".to_owned()),
+            _ => on.then(|| format!("mode {mode}")),
+        });
+        on.collect()
+    }
+
+    fn termios(&self) -> Termios {
+        tcgetattr(&self.line).expect("the line has modes")
+    }
+}
+
+impl Drop for Pty {
+    fn drop(&mut self) {
+        let mut all = self.processes();
+        all.extend(self.child.process_id().map(|process| process as i32));
+        if self.master.is_some() {
+            self.hang_up();
+        }
+        for process in all {
+            // A number from /proc a moment ago; whoever has ended is no concern.
+            let _ = kill_process(pid(process), Signal::KILL);
+        }
+        let _ = self.child.wait();
+    }
+}
+
+impl Seen {
+    fn output(&self) -> MutexGuard<'_, Output> {
+        self.output.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn read_from(&self, mut source: Box<dyn Read + Send>) {
+        let mut buffer = vec![0; 64 * 1024];
+        while let Ok(count @ 1..) = source.read(&mut buffer) {
+            if self.closing.load(SeqCst) {
+                return;
+            }
+            let mut output = self.output();
+            output.parser.process(&buffer[..count]);
+            output.raw.extend_from_slice(&buffer[..count]);
+            output.last = Instant::now();
+            drop(output);
+            while self.paused.load(SeqCst) {
+                thread::sleep(Duration::from_millis(5));
+            }
+        }
+    }
+}
+
+/// State and processor seconds of a process, from `/proc`; `None` when it is gone or a zombie.
+pub fn alive(process: i32) -> Option<f64> {
+    /// `USER_HZ`, the same on every Linux.
+    const TICKS: f64 = 100.0;
+    let stat = fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
+    // The name, in parentheses, may hold anything.
+    let fields: Vec<&str> = stat.rsplit_once(')')?.1.split_whitespace().collect();
+    let ticks: f64 = fields.get(11)?.parse::<f64>().ok()? + fields.get(12)?.parse::<f64>().ok()?;
+    (*fields.first()? != "Z").then_some(ticks / TICKS)
+}
+
+/// The program under test: `DALEMBERT_BIN`, or `dalembert` beside the tests, which is built if it is not there.
+pub fn program() -> PathBuf {
+    if let Some(path) = std::env::var_os("DALEMBERT_BIN") {
+        return path.into();
+    }
+    built("dalembert", &["--package", "dalembert"])
+}
+
+/// The smallest program on the terminal's lifecycle, built if it is not there.
+pub fn lifecycle() -> PathBuf {
+    built("examples/lifecycle", &["--package", "dalembert-tui", "--example", "lifecycle"])
+}
+
+fn built(name: &str, arguments: &[&str]) -> PathBuf {
+    // target/<profile>/deps/<test>
+    let test = std::env::current_exe().expect("a test has a path");
+    let folder = test.parent().and_then(Path::parent).expect("tests are built in target/<profile>/deps");
+    let path = folder.join(name);
+    static BUILDING: Mutex<()> = Mutex::new(());
+    let _one = BUILDING.lock().unwrap_or_else(PoisonError::into_inner);
+    if !path.exists() {
+        let profile = if folder.ends_with("debug") { "dev" } else { "release" };
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let status = std::process::Command::new(cargo)
+            .args(["build", "--quiet", "--profile", profile])
+            .args(arguments)
+            .env("CARGO_TARGET_DIR", folder.parent().expect("the profile's folder lies in target"))
+            .status();
+        assert!(status.is_ok_and(|status| status.success()) && path.exists(), "`{}` cannot be built", path.display());
+    }
+    path
+}
+
+/// The bytes an xterm sends for text with names of keys; see [`Pty::types`].
+fn bytes_of(text: &str) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut rest = text;
+    while let Some((plain, after)) = rest.split_once('<') {
+        let (name, after) = after.split_once('>').expect("the name of a key ends with `>`; write <lt> for `<`");
+        bytes.extend_from_slice(plain.as_bytes());
+        bytes.extend(key(name));
+        rest = after;
+    }
+    bytes.extend_from_slice(rest.as_bytes());
+    bytes
+}
+
+fn key(name: &str) -> Vec<u8> {
+    let (mut modifiers, mut base) = (0, name);
+    while let Some((modifier, rest)) = base.split_once('-').filter(|(modifier, rest)| modifier.len() == 1 && !rest.is_empty()) {
+        modifiers |= match modifier {
+            "s" => 1,
+            "a" => 2,
+            "c" => 4,
+            _ => panic!("`{name}` is no key"),
+        };
+        base = rest;
+    }
+    let letter = |last: char| match modifiers {
+        0 => format!("\x1b[{last}"),
+        _ => format!("\x1b[1;{}{last}", modifiers + 1),
+    };
+    let number = |code: u8| match modifiers {
+        0 => format!("\x1b[{code}~"),
+        _ => format!("\x1b[{code};{}~", modifiers + 1),
+    };
+    let sequence = match base {
+        "lt" => "<".to_owned(),
+        "enter" => "\r".to_owned(),
+        "tab" if modifiers == 1 => "\x1b[Z".to_owned(),
+        "tab" => "\t".to_owned(),
+        "esc" => "\x1b".to_owned(),
+        "space" if modifiers == 4 => "\0".to_owned(),
+        "space" => " ".to_owned(),
+        "bs" => "\x7f".to_owned(),
+        "up" => letter('A'),
+        "down" => letter('B'),
+        "right" => letter('C'),
+        "left" => letter('D'),
+        "home" => letter('H'),
+        "end" => letter('F'),
+        "ins" => number(2),
+        "del" => number(3),
+        "pgup" => number(5),
+        "pgdn" => number(6),
+        _ if base.len() > 1 && base.starts_with('f') => match base[1..].parse() {
+            Ok(n @ 1..=4_u8) if modifiers == 0 => format!("\x1bO{}", char::from(b'P' + n - 1)),
+            Ok(n @ 1..=4) => letter(char::from(b'P' + n - 1)),
+            Ok(n @ 5..=12) => number([15, 17, 18, 19, 20, 21, 23, 24][usize::from(n) - 5]),
+            _ => panic!("`{name}` is no key"),
+        },
+        _ => {
+            let mut characters = base.chars();
+            let (Some(character), None) = (characters.next(), characters.next()) else { panic!("`{name}` is no key") };
+            let plain = match modifiers & 4 {
+                0 => character.to_string(),
+                _ => char::from(character.to_ascii_uppercase() as u8 & 0x1F).to_string(),
+            };
+            if modifiers & 2 == 0 { plain } else { format!("\x1b{plain}") }
+        }
+    };
+    sequence.into_bytes()
+}
+
+/// The last word on every private mode in a stream of bytes.
+fn private_modes(raw: &[u8]) -> BTreeMap<u16, bool> {
+    let mut modes = BTreeMap::new();
+    for part in String::from_utf8_lossy(raw).split("\x1b[?").skip(1) {
+        let end = part.find(|c: char| !c.is_ascii_digit() && c != ';').unwrap_or(part.len());
+        let on = match part[end..].chars().next() {
+            Some('h') => true,
+            Some('l') => false,
+            _ => continue,
+        };
+        modes.extend(part[..end].split(';').filter_map(|mode| Some((mode.parse().ok()?, on))));
+    }
+    modes
+}
+
+fn children(process: i32) -> Vec<i32> {
+    let listed = fs::read_to_string(format!("/proc/{process}/task/{process}/children")).unwrap_or_default();
+    listed.split_whitespace().filter_map(|child| child.parse().ok()).collect()
+}
+
+fn pid(process: i32) -> Pid {
+    Pid::from_raw(process).expect("a process has a positive number")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_written_as_an_xterm_sends_them() {
+        for (text, bytes) in [
+            ("a<lt>b", &b"a<b"[..]),
+            ("<down><enter>", b"\x1b[B\r"),
+            ("<c-c><s-tab><f1><f12>", b"\x03\x1b[Z\x1bOP\x1b[24~"),
+            ("<c-right><s-f5><a-x><c-s-up>", b"\x1b[1;5C\x1b[15;2~\x1bx\x1b[1;6A"),
+            ("<c-->", b"\x0d"),
+        ] {
+            assert_eq!(bytes_of(text), bytes, "{text}");
+        }
+    }
+
+    #[test]
+    fn the_last_word_on_a_mode_counts() {
+        let modes = private_modes(b"\x1b[?1049h\x1b[?25l text \x1b[?1000;1006h\x1b[?1049l\x1b[?2026$p");
+        assert_eq!(modes.into_iter().collect::<Vec<_>>(), [(25, false), (1000, true), (1006, true), (1049, false)]);
+    }
+
+    #[test]
+    fn a_program_that_leaves_modes_on_is_found_out() {
+        let mut pty = Launch::new("unused").in_script("printf '\\033[?1049h\\033[?25l'; stty -echo; exit 3").start();
+        assert_eq!(pty.exit_code(), Some(3));
+        let left = pty.leftovers();
+        assert_eq!(left.len(), 3, "{left:?}");
+        assert!(left[0] == "hidden cursor" && left[1] == "mode 1049" && left[2].starts_with("local modes"), "{left:?}");
+    }
+}

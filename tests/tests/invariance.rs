@@ -1,0 +1,198 @@
+//! What must not change an answer: other base units, other units of an input, the reading of the solve.
+
+use dalembert_core::{
+    AnswerValue, Entry, Number, Record, Shape, Solution, SolveError, Stop, Value, cases, registry,
+};
+use dalembert_plugins as _;
+use dalembert_units::{self as units, Dim};
+
+const LENGTH: f64 = 1.7;
+const MASS: f64 = 0.6;
+const TIME: f64 = 2.3;
+
+/// Nature has no preferred units: a problem written in other base units has the same answers.
+#[test]
+fn every_answer_scales_with_its_dimension() {
+    for_every_problem(|name, entry, record, here| {
+        let there = entry.solve(&scaled(record), &Stop::new()).unwrap_or_else(|err| panic!("{name} scaled: {err}"));
+        assert_eq!(here.answers.len(), there.answers.len(), "{name}");
+        for (a, b) in here.answers.iter().zip(&there.answers) {
+            let (want, got) = (numbers(&a.value), numbers(&b.value));
+            assert_eq!(want.len(), got.len(), "{name}: {}", a.name);
+            let size = want.iter().fold(0.0f64, |size, x| size.max(x.abs()));
+            for (want, got) in want.iter().zip(got) {
+                let want = want * scale(a.dim());
+                assert!(
+                    (got - want).abs() <= 1e-8 * size * scale(a.dim()) + f64::MIN_POSITIVE,
+                    "{name}: {} is {got} and not {want} in other base units",
+                    a.name
+                );
+            }
+        }
+    });
+}
+
+/// The unit that an input is typed in changes how it is shown, never what is found.
+#[test]
+fn the_unit_of_an_input_does_not_change_the_answers() {
+    for_every_problem(|name, entry, record, here| {
+        let mut paths = Vec::new();
+        record.leaves(&mut |path, field, value| {
+            if let Value::Quantity(_) = value {
+                paths.push((path.to_owned(), field));
+            }
+        });
+        for (path, field) in paths {
+            let Some(measure) = measure(&field.shape) else { continue };
+            for unit in measure.kind().units() {
+                let mut draft = dalembert_core::Draft::of_record(record);
+                let mut typed = None;
+                record.leaves(&mut |here, _, value| {
+                    if let (true, Value::Quantity(quantity)) = (here == path, value) {
+                        typed = Some(quantity.si);
+                    }
+                });
+                let unit = units::unit(unit).unwrap_or_else(|err| panic!("{name}: {err}"));
+                let style = units::Style { digits: 17, ascii: true, ..units::Style::default() };
+                let text = units::write_quantity(typed.expect("the path is there"), &unit, style);
+                draft.set(&entry.shape(), &path, &text).unwrap_or_else(|err| panic!("{name}: {err}"));
+                let record = draft.read(&entry.shape()).unwrap_or_else(|err| panic!("{name}: {text}: {err:?}"));
+                let there = entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {text}: {err}"));
+                for (a, b) in here.answers.iter().zip(&there.answers) {
+                    let (want, got) = (numbers(&a.value), numbers(&b.value));
+                    let size = want.iter().fold(0.0f64, |size, x| size.max(x.abs()));
+                    assert_eq!(want.len(), got.len(), "{name}: {} with {path} = {text}", a.name);
+                    for (want, got) in want.iter().zip(got) {
+                        let off = (got - want).abs();
+                        assert!(off <= 1e-7 * size, "{name}: {} is {got}, not {want}, with {path} = {text}", a.name);
+                    }
+                }
+            }
+        }
+    });
+}
+
+/// The plain reading gives the numbers of the worked solution, bit for bit.
+#[test]
+fn the_plain_reading_is_the_worked_reading() {
+    for_every_problem(|name, entry, record, worked| {
+        let wanted: Vec<&str> =
+            worked.answers.iter().filter(|answer| answer.si().is_some()).map(|answer| answer.name).collect();
+        let mut plain = entry.prepare(record, &[], &wanted).unwrap_or_else(|err| panic!("{name}: {err}"));
+        let mut found = vec![0.0; wanted.len()];
+        plain.sweep(&[0.0], &mut found, &Stop::new()).unwrap();
+        for (name_of, got) in wanted.iter().zip(found) {
+            let want = worked.answer(name_of).and_then(dalembert_core::Answer::si).unwrap();
+            assert_eq!(want.to_bits(), got.to_bits(), "{name}: {name_of} is {want} worked and {got} plain");
+        }
+    });
+}
+
+/// Whatever finite numbers are typed, a solve answers or refuses; it neither panics nor answers NaN or infinity.
+#[test]
+fn extreme_values_are_answered_or_refused() {
+    for_every_problem(|name, entry, record, _| {
+        let mut leaves = 0;
+        record.leaves(&mut |_, _, value| leaves += usize::from(matches!(value, Value::Quantity(_))));
+        for extreme in [0.0, 1e-300, 1e-12, 1e12, 1e150, 1e300, -1.0, -1e12] {
+            for which in 0..leaves {
+                let mut wild = record.clone();
+                let mut seen = 0;
+                replace(&mut wild, &mut |quantity| {
+                    if seen == which {
+                        quantity.si = extreme;
+                    }
+                    seen += 1;
+                });
+                check_finite(&format!("{name}: leaf {which} is {extreme:e}"), &entry.solve(&wild, &Stop::new()));
+            }
+        }
+    });
+}
+
+fn check_finite(name: &str, solved: &Result<Solution, SolveError>) {
+    if let Ok(solution) = solved {
+        for answer in &solution.answers {
+            assert!(numbers(&answer.value).iter().all(|x| x.is_finite()), "{name}: {} is not finite", answer.name);
+        }
+    }
+}
+
+fn numbers(value: &AnswerValue) -> Vec<f64> {
+    match value {
+        AnswerValue::Number(Number::Scalar(x), _) => vec![*x],
+        AnswerValue::Number(Number::Vector(v), _) => v.to_vec(),
+        AnswerValue::Set(set, _) => set
+            .intervals()
+            .flat_map(|interval| [interval.lower, interval.upper])
+            .filter_map(|bound| match bound {
+                std::ops::Bound::Included(x) | std::ops::Bound::Excluded(x) => Some(x),
+                std::ops::Bound::Unbounded => None,
+            })
+            .collect(),
+    }
+}
+
+fn scale(dim: Dim) -> f64 {
+    LENGTH.powi(dim.length.into()) * MASS.powi(dim.mass.into()) * TIME.powi(dim.time.into())
+}
+
+fn scaled(record: &Record) -> Record {
+    let mut record = record.clone();
+    scale_record(&mut record);
+    record
+}
+
+fn scale_record(record: &mut Record) {
+    record.values.iter_mut().for_each(scale_value);
+}
+
+fn scale_value(value: &mut Value) {
+    match value {
+        Value::Quantity(quantity) => quantity.si *= scale(quantity.unit.dim),
+        Value::Vector(vector) => vector.si.iter_mut().for_each(|x| *x *= scale(vector.unit.dim)),
+        Value::Group(record) | Value::OneOf { fields: record, .. } => scale_record(record),
+        Value::Rows(rows) => rows.iter_mut().for_each(scale_value),
+        Value::Table(table) => {
+            for row in &mut table.rows {
+                row.iter_mut().zip(&table.units).for_each(|(x, unit)| *x *= scale(unit.dim));
+            }
+        }
+        _ => {}
+    }
+}
+
+fn replace(record: &mut Record, change: &mut impl FnMut(&mut units::Quantity)) {
+    fn value(value_here: &mut Value, change: &mut impl FnMut(&mut units::Quantity)) {
+        match value_here {
+            Value::Quantity(quantity) => change(quantity),
+            Value::Group(record) | Value::OneOf { fields: record, .. } => replace(record, change),
+            Value::Rows(rows) => rows.iter_mut().for_each(|row| value(row, change)),
+            _ => {}
+        }
+    }
+    record.values.iter_mut().for_each(|here| value(here, change));
+}
+
+fn measure(shape: &Shape) -> Option<dalembert_core::Measure> {
+    match shape {
+        Shape::Quantity(measure) => Some(*measure),
+        Shape::Optional(inner) => measure(inner()),
+        Shape::Rows { item, .. } => measure(item()),
+        _ => None,
+    }
+}
+
+fn for_every_problem(mut look: impl FnMut(&str, &'static Entry, &Record, &Solution)) {
+    for entry in registry() {
+        for case in cases::cases(entry).unwrap_or_else(|err| panic!("{}: {err}", entry.about.id)) {
+            if case.refused.is_some() {
+                continue;
+            }
+            let name = format!("{}, {}", entry.about.id, case.name);
+            let record = case.record(entry).unwrap_or_else(|err| panic!("{name}: {err}"));
+            let solution = entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {err}"));
+            look(&name, entry, &record, &solution);
+        }
+    }
+}

@@ -1,0 +1,239 @@
+//! English and Brazilian Portuguese are both complete.
+//!
+//! Sentences are found in two ways: in the descriptions of every analysis and the solutions of every case, and
+//! as literals in the sources that become a `Text`.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    fs,
+    path::{Path, PathBuf},
+};
+
+use dalembert_core::{Exhibit, Field, Shape, Stop, Text, cases, exhibit::Cell, registry, text};
+use dalembert_plugins as _;
+
+#[test]
+fn every_sentence_has_its_portuguese() {
+    let mut sentences = Sentences::default();
+    for entry in registry() {
+        let of = entry.family();
+        sentences.add(of, entry.about.title);
+        sentences.add(of, entry.about.summary);
+        sentences.fields(of, entry.fields(), &mut BTreeSet::new());
+        for case in cases::cases(entry).unwrap() {
+            let Ok(record) = case.record(entry) else { continue };
+            if let Ok(solution) = entry.solve(&record, &Stop::new()) {
+                sentences.solution(of, &solution);
+            }
+        }
+    }
+    let sources: Vec<(String, String)> = source_files().into_iter().map(|path| (crate_of(&path), read(&path))).collect();
+    for (of, source) in &sources {
+        for literal in literals(source) {
+            sentences.add(of, &literal);
+        }
+    }
+    let missing: Vec<String> = sentences
+        .0
+        .iter()
+        .filter(|(sentence, _)| !text::is_translated(sentence))
+        .map(|(sentence, of)| format!("[{of}] {} = {sentence}", text::key(sentence)))
+        .collect();
+    assert!(missing.is_empty(), "{} sentences have no Portuguese:\n{}", missing.len(), missing.join("\n"));
+}
+
+#[test]
+fn the_translations_are_well_formed_and_use_the_same_arguments() {
+    let faults = text::translation_faults();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    let mut used: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for path in source_files() {
+        for literal in literals(&read(&path)) {
+            used.insert(text::key(&literal), arguments(&literal, "{", "}"));
+        }
+    }
+    for path in translation_files() {
+        for line in read(&path).lines() {
+            let Some((key, sentence)) = line.split_once(" = ") else { continue };
+            if let Some(wanted) = used.get(key) {
+                let have = arguments(sentence, "{ $", " }");
+                assert_eq!(&have, wanted, "{}: {key} has other arguments than the English", path.display());
+            }
+        }
+    }
+}
+
+/// Every sentence, and where it is used.
+#[derive(Default)]
+struct Sentences(BTreeMap<String, String>);
+
+impl Sentences {
+    fn add(&mut self, of: &str, sentence: &str) {
+        // Symbols, units and numbers are the same in every language.
+        if sentence.split(|c: char| !c.is_alphabetic()).any(|word| word.chars().filter(char::is_ascii_alphabetic).count() > 2) {
+            self.0.entry(sentence.to_owned()).or_insert_with(|| of.to_owned());
+        }
+    }
+
+    fn text(&mut self, of: &str, text: &Text) {
+        self.add(of, &text.template);
+        for (_, arg) in &text.args {
+            if let dalembert_core::Arg::Text(text) = arg {
+                self.text(of, text);
+            }
+        }
+    }
+
+    fn fields(&mut self, of: &str, fields: &[Field], seen: &mut BTreeSet<usize>) {
+        for field in fields {
+            self.add(of, field.label);
+            self.add(of, field.help);
+            self.shape(of, &field.shape, seen);
+        }
+    }
+
+    fn shape(&mut self, of: &str, shape: &Shape, seen: &mut BTreeSet<usize>) {
+        match shape {
+            Shape::Group(fields) | Shape::Table(fields) => self.once(of, fields(), seen),
+            Shape::Optional(inner) => self.shape(of, inner(), seen),
+            Shape::Rows { item, .. } => self.shape(of, item(), seen),
+            Shape::OneOf(variants) => {
+                for variant in variants() {
+                    self.add(of, variant.label);
+                    self.add(of, variant.help);
+                    self.once(of, (variant.fields)(), seen);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// A type may contain itself: its fields are visited once.
+    fn once(&mut self, of: &str, fields: &'static [Field], seen: &mut BTreeSet<usize>) {
+        if !fields.is_empty() && seen.insert(fields.as_ptr() as usize) {
+            self.fields(of, fields, seen);
+        }
+    }
+
+    fn solution(&mut self, of: &str, solution: &dalembert_core::Solution) {
+        solution.steps.iter().for_each(|step| self.text(of, &step.why));
+        solution.answers.iter().for_each(|answer| self.add(of, answer.label));
+        solution.checks.iter().for_each(|check| self.text(of, &check.what));
+        solution.warnings.iter().for_each(|warning| self.text(of, warning));
+        for answer in &solution.answers {
+            if let dalembert_core::AnswerValue::Set(_, limits) = &answer.value {
+                limits.iter().for_each(|limit| self.text(of, limit));
+            }
+        }
+        for exhibit in &solution.exhibits {
+            match exhibit {
+                Exhibit::Plot(plot) => {
+                    let texts = [&plot.title, &plot.x.label, &plot.y.label].into_iter();
+                    let series = plot.series.iter().map(|series| &series.label);
+                    let marks = plot.marks.iter().map(|mark| &mark.label);
+                    let bands = plot.bands.iter().map(|band| &band.label);
+                    let levels = plot.levels.iter().map(|level| &level.label);
+                    texts.chain(series).chain(marks).chain(bands).chain(levels).for_each(|text| self.text(of, text));
+                }
+                Exhibit::Table(table) => {
+                    self.text(of, &table.title);
+                    table.columns.iter().for_each(|column| self.text(of, &column.heading));
+                    for cell in table.rows.iter().flatten().chain(&table.foot) {
+                        if let Cell::Text(text) = cell {
+                            self.text(of, text);
+                        }
+                    }
+                }
+                Exhibit::Drawing(drawing) => {
+                    self.text(of, &drawing.title);
+                    for shape in &drawing.shapes {
+                        if let dalembert_core::DrawnShape::Label(_, text) = shape {
+                            self.text(of, text);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The literals of a source that become a [`Text`]: those behind `Text::new(`, `Text::from(`, `because(`, `because_of(`.
+fn literals(source: &str) -> BTreeSet<String> {
+    let code = source.split("#[cfg(test)]").next().unwrap_or_default();
+    let mut found = BTreeSet::new();
+    for mark in ["Text::new(", "Text::from(", "Refusal::because("] {
+        for rest in code.split(mark).skip(1) {
+            if let Some(literal) = rest.trim_start().strip_prefix('"') {
+                found.insert(unescaped(literal));
+            }
+        }
+    }
+    found.remove("");
+    found
+}
+
+/// A string literal up to its closing quote, its escapes and line joins undone.
+fn unescaped(literal: &str) -> String {
+    let mut text = String::new();
+    let mut chars = literal.chars();
+    while let Some(c) = chars.next() {
+        match c {
+            '"' => break,
+            '\\' => match chars.next() {
+                Some('n') => text.push('\n'),
+                Some('\n') => {
+                    let rest = chars.as_str().trim_start();
+                    chars = rest.chars();
+                }
+                Some(other) => text.push(other),
+                None => break,
+            },
+            c => text.push(c),
+        }
+    }
+    text
+}
+
+fn arguments(sentence: &str, open: &str, close: &str) -> BTreeSet<String> {
+    let parts = sentence.split(open).skip(1).filter_map(|rest| rest.split_once(close));
+    parts.map(|(name, _)| name.trim().to_owned()).collect()
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn source_files() -> Vec<PathBuf> {
+    files("rs").into_iter().filter(|path| path.components().any(|part| part.as_os_str() == "src")).collect()
+}
+
+fn translation_files() -> Vec<PathBuf> {
+    files("ftl")
+}
+
+/// The files with an ending below crates/ and plugins/.
+fn files(ending: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut folders = vec![root().join("crates"), root().join("plugins")];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|have| have == ending) {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+fn crate_of(path: &Path) -> String {
+    let parts: Vec<_> = path.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
+    parts.iter().position(|part| part == "src").map_or_else(String::new, |at| parts[at - 1].clone())
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap()
+}
