@@ -222,7 +222,7 @@ fn verdict(expected: &Expected, solution: &Solution) -> Verdict {
         None => ("no such answer".to_owned(), None),
         Some(answer) => match &answer.value {
             AnswerValue::Number(Number::Scalar(si), _) => compare_scalar(*si, answer.dim(), expected),
-            AnswerValue::Number(Number::Vector(si), _) => compare_vector(*si, answer.dim(), expected),
+            AnswerValue::Number(Number::Vector(si), _) => compare_vector(*si, &answer.unit, expected),
             AnswerValue::Set(..) => {
                 let ours = answer.shown(&Locale::english().digits(6));
                 let near = compare_set(&answer.shown(&Locale::english()), &expected.printed, expected);
@@ -269,15 +269,12 @@ fn compare_scalar(si: f64, dim: Dim, expected: &Expected) -> (String, Option<boo
     (ours, Some(off <= tolerance(expected, printed.si, printed.last_place)))
 }
 
-fn compare_vector(si: [f64; 3], dim: Dim, expected: &Expected) -> (String, Option<bool>) {
-    let printed = match units::read_vector(&expected.printed, &units::Unit::ONE, units::Kind::Other, 3) {
+fn compare_vector(si: [f64; 3], unit: &units::Unit, expected: &Expected) -> (String, Option<bool>) {
+    let printed = match units::read_vector(&expected.printed, unit, units::Kind::of(unit), 3) {
         Ok(printed) => printed,
         Err(err) => return (err.to_string(), None),
     };
     let ours = units::write_components(&si, &printed.unit, Locale::english().digits(6).style);
-    if !printed.unit.dim.agrees(dim) {
-        return (ours, None);
-    }
     let size = printed.si.iter().fold(0.0f64, |size, x| size.max(x.abs()));
     let near = si
         .iter()

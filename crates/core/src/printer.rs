@@ -41,7 +41,7 @@ pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
         step.formula.map_or_else(String::new, |id| writer(true).expression(id)),
         Vec::new(),
     );
-    let result = number(solution.trace.node(step.result).number, &step.unit, locale.style);
+    let result = number(solution.trace.cleaned(step.result), &step.unit, locale.style);
     if let Some(id) = step.formula {
         writer(false).long_sums(id, &step.unit, &mut terms);
     }
@@ -72,7 +72,7 @@ pub fn substitution(solution: &Solution, id: Id, locale: &Locale) -> String {
 /// An answer in words and numbers.
 pub fn answer(answer: &Answer, locale: &Locale) -> String {
     match &answer.value {
-        AnswerValue::Number(value, _) => number(*value, &answer.unit, locale.style),
+        AnswerValue::Number(value, _) => number(value.cleaned(answer.noise), &answer.unit, locale.style),
         AnswerValue::Set(set, _) => set_text(set, &answer.unit, locale),
     }
 }
@@ -119,6 +119,10 @@ pub fn symbol(symbol: &Symbol) -> String {
 /// A symbol in the characters of a style.
 pub fn symbol_in(symbol: &Symbol, style: Style) -> String {
     let mut text = symbol.base.to_owned();
+    if !symbol.of.is_empty() {
+        text.push('_');
+        text += symbol.of;
+    }
     for (n, row) in symbol.rows.iter().take_while(|row| **row != 0).enumerate() {
         if n > 0 {
             text.push(',');
@@ -202,6 +206,11 @@ impl Writer<'_> {
         self.addends(id, false, &mut addends);
         let mut text = String::new();
         for (id, negative) in addends {
+            // A negative value needs no brackets where nothing stands before it.
+            if text.is_empty() && !negative && self.is_negative(id) && self.unit_of(id).is_some() {
+                text = self.named(id);
+                continue;
+            }
             let (product, negative) = self.signed_product(id, negative);
             text += match (text.is_empty(), negative) {
                 (true, false) => "",
@@ -357,7 +366,7 @@ impl Writer<'_> {
         if value == PI {
             pi.into()
         } else if value == TAU {
-            format!("2{}{pi}", self.times().trim_end_matches(' '))
+            if self.style.ascii { "2 pi".into() } else { "2π".into() }
         } else {
             // The numbers of a formula are exact: as many digits as it takes.
             units::write_number(value, Style { digits: 12, ..self.style })
@@ -372,7 +381,7 @@ impl Writer<'_> {
             _ => unreachable!("only inputs and steps have names"),
         };
         if self.values {
-            return number(self.value(id), unit, self.style);
+            return number(self.solution.trace.cleaned(id), unit, self.style);
         }
         let mut symbol = *symbol;
         if self.general
@@ -392,7 +401,7 @@ impl Writer<'_> {
     }
 
     fn is_negative(&self, id: Id) -> bool {
-        self.values && matches!(self.value(id), Number::Scalar(value) if value < 0.0)
+        self.values && matches!(self.solution.trace.cleaned(id), Number::Scalar(value) if value < 0.0)
     }
 
     fn base(&self, id: Id) -> String {
@@ -510,7 +519,7 @@ impl Writer<'_> {
             for id in all {
                 let node = self.solution.trace.node(*id);
                 let unit = if node.dim.agrees(unit.dim) { unit.clone() } else { si_unit(node.dim) };
-                out.push((self.expression(*id), number(node.number, &unit, self.style)));
+                out.push((self.expression(*id), number(self.solution.trace.cleaned(*id), &unit, self.style)));
             }
             return;
         }

@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 use crate::{
     Answer, Check, Exhibit, Locale, Refusal, Solution, Step, Stop, Symbol, Text, Why, Worksheet, printer,
     solution::AnswerValue,
-    trace::{Function, Id, Node, Number, Op},
+    trace::{Function, Id, Node, Number, Op, ROUNDING},
     worksheet::Given,
 };
 
@@ -66,10 +66,15 @@ impl<'a> Sheet<'a> {
     }
 
     fn push(&self, number: Number, dim: Dim, op: Op) -> Id {
+        let scale = self.solution.borrow().trace.scale_of(&op, number);
+        self.push_scaled(number, dim, op, scale)
+    }
+
+    fn push_scaled(&self, number: Number, dim: Dim, op: Op, scale: f64) -> Id {
         let nodes = &mut self.solution.borrow_mut().trace.nodes;
         let id = Id::try_from(nodes.len())
             .expect("a worked solution has fewer than four thousand million numbers");
-        nodes.push(Node { number, dim, op });
+        nodes.push(Node { number, dim, op, scale });
         id
     }
 
@@ -113,7 +118,8 @@ impl<'a> Sheet<'a> {
             ));
         }
         let step = self.solution.borrow().steps.len();
-        let result = self.push(number, unit.dim, Op::Step(step));
+        let scale = formula.map_or(number.size(), |id| self.solution.borrow().trace.node(id).scale);
+        let result = self.push_scaled(number, unit.dim, Op::Step(step), scale);
         let step = Step { symbol, unit, formula, result, why: why.reason, cite: why.cite };
         self.solution.borrow_mut().steps.push(step);
         result
@@ -209,14 +215,16 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         let id = value.on(self);
         let Some(unit) = self.named(name, id) else { return };
         let value = AnswerValue::Number(self.node(id).0, id);
-        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit });
+        let noise = ROUNDING * self.solution.borrow().trace.node(id).scale;
+        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise });
     }
 
     fn answer_vector(self, name: &'static str, label: &'static str, value: Vect<'s>) {
         let id = value.on(self);
         let Some(unit) = self.named(name, id) else { return };
         let value = AnswerValue::Number(self.node(id).0, id);
-        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit });
+        let noise = ROUNDING * self.solution.borrow().trace.node(id).scale;
+        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise });
     }
 
     fn answer_set(
@@ -229,7 +237,7 @@ impl<'s> Worksheet for &'s Sheet<'s> {
     ) {
         let unit = self.unit(unit);
         let value = AnswerValue::Set(set.clone(), limits);
-        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit });
+        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise: 0.0 });
     }
 
     fn show(self, exhibit: impl FnOnce() -> Exhibit) {

@@ -38,6 +38,8 @@ pub struct Answer {
     pub value: AnswerValue,
     /// The unit it is shown in.
     pub unit: Unit,
+    /// What of it is rounding alone, in SI: smaller numbers are shown as zero.
+    pub noise: f64,
 }
 
 /// What an answer may be.

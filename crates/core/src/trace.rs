@@ -21,7 +21,12 @@ pub struct Node {
     pub dim: Dim,
     /// What made it.
     pub op: Op,
+    /// The size of what was added up to make it: what its rounding is measured against.
+    pub scale: f64,
 }
+
+/// What is left of terms that cancel, as a share of their size, is rounding.
+pub const ROUNDING: f64 = 1e-14;
 
 /// A number or a vector, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,11 +106,13 @@ pub enum Function {
     Abs,
 }
 
-/// How a formula writes a quantity: a symbol, and the rows it belongs to, counted from 1 (`m₁`).
+/// How a formula writes a quantity: a symbol, what it belongs to (`r_A`), and its rows, counted from 1 (`m₁`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Symbol {
-    /// The symbol without its row.
+    /// The symbol without its index.
     pub base: &'static str,
+    /// The part of the problem it belongs to; may be empty.
+    pub of: &'static str,
     /// The rows, outermost first; 0 where there are no more.
     pub rows: [u16; 3],
 }
@@ -123,7 +130,7 @@ impl Symbol {
 
 impl From<&'static str> for Symbol {
     fn from(base: &'static str) -> Self {
-        Self { base, rows: [0; 3] }
+        Self { base, of: "", rows: [0; 3] }
     }
 }
 
@@ -137,6 +144,30 @@ impl Trace {
     /// The node at `id`.
     pub fn node(&self, id: Id) -> &Node {
         &self.nodes[id as usize]
+    }
+
+    /// The number at `id`, with what is rounding alone taken as zero.
+    pub fn cleaned(&self, id: Id) -> Number {
+        let node = self.node(id);
+        node.number.cleaned(ROUNDING * node.scale)
+    }
+
+    /// The size of what an operation adds up.
+    pub(crate) fn scale_of(&self, op: &Op, number: Number) -> f64 {
+        let (scale, size) = (|id: Id| self.node(id).scale, |id: Id| self.node(id).number.size());
+        let scale = match *op {
+            Op::Add(a, b) | Op::Sub(a, b) => scale(a).max(scale(b)),
+            Op::Mul(a, b) | Op::Dot(a, b) | Op::Cross(a, b) => scale(a) * scale(b),
+            Op::Div(a, b) => scale(a) / size(b),
+            Op::Neg(a) | Op::Magnitude(a) | Op::Component(a, _) | Op::Call(Function::Abs, a) => scale(a),
+            Op::Power(a, n) if n > 0 => scale(a).powi(n.into()),
+            Op::Root(a, n) => scale(a).powf(1.0 / f64::from(n)),
+            Op::Call(Function::Sin | Function::Cos, _) => 1.0,
+            Op::Sum(ref all) => all.iter().map(|id| scale(*id)).fold(0.0, f64::max),
+            Op::Compose(all) => all.into_iter().map(scale).fold(0.0, f64::max),
+            _ => 0.0,
+        };
+        if scale.is_finite() { scale.max(number.size()) } else { number.size() }
     }
 
     /// The nodes that `id` was made from.
@@ -165,6 +196,16 @@ impl Trace {
 }
 
 impl Number {
+    /// The same number with components no larger than `noise` taken as zero.
+    #[must_use]
+    pub fn cleaned(self, noise: f64) -> Number {
+        let clean = |x: f64| if x.abs() <= noise { 0.0 } else { x };
+        match self {
+            Number::Scalar(x) => Number::Scalar(clean(x)),
+            Number::Vector(v) => Number::Vector(v.map(clean)),
+        }
+    }
+
     /// Whether every component is finite.
     pub fn is_finite(self) -> bool {
         match self {

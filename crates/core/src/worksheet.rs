@@ -48,6 +48,10 @@ pub trait Worksheet: Copy {
     fn check_zero(self, what: impl Into<Text>, residual: Self::Num, scale: f64);
     /// Holds two ways to the same vector together, to within 10⁻⁹ of the longer.
     fn check_vector(self, what: impl Into<Text>, left: Self::Vec, right: Self::Vec);
+    /// Runs `checks`, which only check: the plain reading leaves them out.
+    fn verify(self, checks: impl FnOnce()) {
+        checks();
+    }
     /// Names an answer. `value` must be the result of a step or found.
     fn answer(self, name: &'static str, label: &'static str, value: Self::Num);
     /// Names an answer that is a vector.
@@ -103,8 +107,8 @@ pub struct Trail<'t> {
 pub enum Part {
     /// The problem itself.
     Top,
-    /// A field or an alternative, by name.
-    Name(&'static str),
+    /// A field or an alternative, by name, and the index of symbols inside it; may be empty.
+    Name(&'static str, &'static str),
     /// A row, counted from 1.
     Row(usize),
 }
@@ -188,6 +192,8 @@ impl Worksheet for &Plain<'_> {
     #[inline]
     fn check_vector(self, _: impl Into<Text>, _: Vector3<f64>, _: Vector3<f64>) {}
     #[inline]
+    fn verify(self, _: impl FnOnce()) {}
+    #[inline]
     fn answer(self, name: &'static str, _: &'static str, value: f64) {
         let at = self.count.get();
         if let Some(cell) = self.answers.get(at) {
@@ -216,7 +222,13 @@ impl<'t> Trail<'t> {
     /// The way to a field of what is here.
     #[must_use]
     pub fn field(&'t self, name: &'static str) -> Trail<'t> {
-        Trail { parent: Some(self), part: Part::Name(name) }
+        Trail { parent: Some(self), part: Part::Name(name, "") }
+    }
+
+    /// The way to a field whose symbols carry an index: `r_A` of the correction in plane A.
+    #[must_use]
+    pub fn field_of(&'t self, name: &'static str, of: &'static str) -> Trail<'t> {
+        Trail { parent: Some(self), part: Part::Name(name, of) }
     }
 
     /// The way to a row, counted from 0, of what is here.
@@ -230,8 +242,8 @@ impl<'t> Trail<'t> {
         let mut path = self.parent.map_or_else(String::new, Trail::path);
         match self.part {
             Part::Top => {}
-            Part::Name(name) if path.is_empty() => path.push_str(name),
-            Part::Name(name) => {
+            Part::Name(name, _) if path.is_empty() => path.push_str(name),
+            Part::Name(name, _) => {
                 path.push('.');
                 path.push_str(name);
             }
@@ -240,10 +252,14 @@ impl<'t> Trail<'t> {
         path
     }
 
-    /// `base` with the rows on the way as its indices.
+    /// `base` with the parts and rows on the way as its indices.
     pub fn symbol(&self, base: &'static str) -> Symbol {
         let symbol = self.parent.map_or_else(|| Symbol::from(base), |parent| parent.symbol(base));
-        if let Part::Row(row) = self.part { symbol.row(row) } else { symbol }
+        match self.part {
+            Part::Row(row) => symbol.row(row),
+            Part::Name(_, of) if !of.is_empty() => Symbol { of, ..symbol },
+            _ => symbol,
+        }
     }
 }
 

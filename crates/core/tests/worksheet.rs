@@ -158,3 +158,13 @@ fn a_number_beyond_the_finite_is_a_refusal() {
     let Err(Refusal::NoAnswer(why)) = sheet.into_solution() else { panic!("infinity is no answer") };
     assert_eq!(why.english(), "these inputs lead to a number that cannot be represented: x");
 }
+
+#[test]
+fn a_negative_value_has_brackets_only_where_something_stands_before_it() {
+    assert_eq!(
+        written(|s| {
+            s.sheet.step("φ", "deg", s.b.atan2(s.a - s.b), "why");
+        }),
+        "atan2(b, a − b) | atan2(−2 m, 3 m − (−2 m)) | −21.801°"
+    );
+}

@@ -26,11 +26,14 @@ struct Group {
     described: Vec<Tokens>,
     names: Vec<Ident>,
     asks: Vec<Asks>,
+    /// The symbols; of a nested struct or enum, the index of the symbols inside.
+    symbols: Vec<String>,
 }
 
 impl Group {
     fn of(fields: &FieldsNamed) -> Result<Self> {
-        let (mut described, mut names, mut all) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut described, mut names, mut all, mut symbols) =
+            (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for field in &fields.named {
             let Some(ident) = &field.ident else {
                 return Err(Error::new_spanned(field, "a field needs a name"));
@@ -51,8 +54,9 @@ impl Group {
             });
             names.push(ident.clone());
             all.push(asks);
+            symbols.push(symbol.to_owned());
         }
-        Ok(Self { described, names, asks: all })
+        Ok(Self { described, names, asks: all, symbols })
     }
 
     /// Fields of the lifted struct.
@@ -88,12 +92,13 @@ impl Group {
         let lifted = self.names.iter().zip(&self.asks).enumerate().filter(|(_, (_, asks))| asks.is_lifted());
         lifted
             .map(|(at, (name, asks))| {
+                let of = if asks.is_nested() { &self.symbols[at] } else { "" };
                 let (text, at, given) = (name.to_string(), Literal::usize_unsuffixed(at), asks.given());
                 quote! {
                     #name: {
                         let this = #name;
                         let field = &fields[#at];
-                        let trail = lift.trail.field(#text);
+                        let trail = lift.trail.field_of(#text, #of);
                         let lift = dalembert_core::Lift {
                             sheet: lift.sheet,
                             value: lift.value.map(|value| support::field(value, #at)),
@@ -268,7 +273,7 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
                 }
 
                 #[inline]
-                fn given<W: dalembert_core::Worksheet>(&self, lift: dalembert_core::Lift<'_, W>) -> Self::Given<W> {
+                fn given<W: dalembert_core::Worksheet>(&self, lift: dalembert_core::Lift<'_, W>) -> #given_type {
                     #given_body
                 }
 

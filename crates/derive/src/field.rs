@@ -71,6 +71,15 @@ impl Asks {
         }
     }
 
+    /// Whether its symbols are those of another type.
+    pub(crate) fn is_nested(&self) -> bool {
+        match self {
+            Asks::Nested(_) => true,
+            Asks::Optional(inner) | Asks::Rows(inner) => inner.is_nested(),
+            _ => false,
+        }
+    }
+
     /// A `Shape`.
     pub(crate) fn shape(&self, arguments: &Arguments) -> Result<Tokens> {
         Ok(match self {

@@ -17,7 +17,7 @@ use proc_macro::TokenStream;
 /// | `Option<T>` | an input that may be left out |
 /// | `Vec<T>` | rows: add, remove, reorder; `#[input(min = 1)]` asks for at least one |
 /// | `Vec<T>` with `#[input(table)]` | a table with columns, typed or pasted |
-/// | another type that derives `Inputs` | its fields in place (struct), or a choice among its alternatives (enum) |
+/// | another type that derives `Inputs` | its fields in place (struct), or a choice among its alternatives (enum); `#[input("A")]` gives the symbols inside an index: `r_A` |
 ///
 /// Arguments of a quantity: `positive`, `nonnegative`, `above = x`, `below = x`, `min = x`, `max = x` (in the unit
 /// of the field), `kind = "Amplitude"` where the unit does not tell the kind, `default = "9.81 m/s^2"`.

@@ -90,176 +90,180 @@ const fn row(
 }
 
 /// In the order of [`Kind`], which decides what a dimension usually is: torque before energy, length before amplitude.
-#[expect(clippy::enum_glob_use, reason = "one row for each of its variants")]
 static ROWS: [Row; 30] = {
-    use Kind::*;
     const fn d(length: i8, mass: i8, time: i8, angle: i8) -> Dim {
         Dim::new(length, mass, time, angle)
     }
     [
         row(
-            Length,
+            Kind::Length,
             Dim::LENGTH,
             "a length",
             &["m", "mm", "cm", "µm", "km", "in", "ft"],
             &["µm", "mm", "m", "km"],
         ),
-        row(Mass, Dim::MASS, "a mass", &["kg", "g", "t", "lb", "slug"], &["g", "kg", "t"]),
-        row(Time, Dim::TIME, "a time", &["s", "ms", "µs", "min", "h"], &["µs", "ms", "s"]),
-        row(Angle, Dim::ANGLE, "an angle", &["rad", "deg", "mrad", "rev"], &["deg"]),
+        row(Kind::Mass, Dim::MASS, "a mass", &["kg", "g", "t", "lb", "slug"], &["g", "kg", "t"]),
+        row(Kind::Time, Dim::TIME, "a time", &["s", "ms", "µs", "min", "h"], &["µs", "ms", "s"]),
+        row(Kind::Angle, Dim::ANGLE, "an angle", &["rad", "deg", "mrad", "rev"], &["deg"]),
         row(
-            AngularVelocity,
+            Kind::AngularVelocity,
             d(0, 0, -1, 1),
             "an angular velocity",
             &["rad/s", "rpm", "Hz", "rev/s", "deg/s"],
             &["rad/s"],
         ),
         row(
-            AngularAcceleration,
+            Kind::AngularAcceleration,
             d(0, 0, -2, 1),
             "an angular acceleration",
             &["rad/s^2", "rpm/s", "rev/s^2", "deg/s^2"],
             &["rad/s^2"],
         ),
         row(
-            Velocity,
+            Kind::Velocity,
             d(1, 0, -1, 0),
             "a velocity",
             &["m/s", "mm/s", "km/h", "in/s", "ft/s"],
             &["mm/s", "m/s"],
         ),
         row(
-            Acceleration,
+            Kind::Acceleration,
             d(1, 0, -2, 0),
             "an acceleration",
             &["m/s^2", "g0", "mm/s^2", "in/s^2", "ft/s^2"],
             &["m/s^2"],
         ),
-        row(Force, d(1, 1, -2, 0), "a force", &["N", "kN", "MN", "kgf", "tf", "lbf"], &["N", "kN", "MN"]),
         row(
-            Torque,
+            Kind::Force,
+            d(1, 1, -2, 0),
+            "a force",
+            &["N", "kN", "MN", "kgf", "tf", "lbf"],
+            &["N", "kN", "MN"],
+        ),
+        row(
+            Kind::Torque,
             d(2, 1, -2, 0),
             "a torque",
             &["N*m", "kN*m", "N*mm", "kgf*m", "lbf*in", "lbf*ft"],
             &["N*m", "kN*m", "MN*m"],
         ),
         row(
-            Energy,
+            Kind::Energy,
             d(2, 1, -2, 0),
             "an energy",
             &["J", "kJ", "MJ", "Wh", "kWh", "cal", "kcal"],
             &["J", "kJ", "MJ"],
         ),
-        row(Power, d(2, 1, -3, 0), "a power", &["W", "kW", "MW", "hp", "cv"], &["W", "kW", "MW"]),
+        row(Kind::Power, d(2, 1, -3, 0), "a power", &["W", "kW", "MW", "hp", "cv"], &["W", "kW", "MW"]),
         row(
-            Stiffness,
+            Kind::Stiffness,
             d(0, 1, -2, 0),
             "a stiffness",
             &["N/m", "kN/m", "MN/m", "N/mm", "kgf/mm", "lbf/in"],
             &["N/m", "kN/m", "MN/m"],
         ),
         row(
-            TorsionalStiffness,
+            Kind::TorsionalStiffness,
             d(2, 1, -2, -1),
             "a torsional stiffness",
             &["N*m/rad", "kN*m/rad", "N*m/deg", "lbf*in/rad"],
             &["N*m/rad", "kN*m/rad", "MN*m/rad"],
         ),
         row(
-            Damping,
+            Kind::Damping,
             d(0, 1, -1, 0),
             "a damping coefficient",
             &["N*s/m", "kN*s/m", "N*s/mm", "lbf*s/in"],
             &["N*s/m", "kN*s/m", "MN*s/m"],
         ),
         row(
-            TorsionalDamping,
+            Kind::TorsionalDamping,
             d(2, 1, -1, -1),
             "a torsional damping coefficient",
             &["N*m*s/rad", "kN*m*s/rad", "lbf*in*s/rad"],
             &["N*m*s/rad", "kN*m*s/rad"],
         ),
         row(
-            Stress,
+            Kind::Stress,
             d(-1, 1, -2, 0),
             "a stress",
             &["Pa", "kPa", "MPa", "GPa", "kN/mm^2", "kgf/cm^2", "bar", "psi"],
             &["Pa", "kPa", "MPa", "GPa"],
         ),
         row(
-            Area,
+            Kind::Area,
             d(2, 0, 0, 0),
             "an area",
             &["m^2", "mm^2", "cm^2", "in^2", "ft^2"],
             &["mm^2", "cm^2", "m^2"],
         ),
         row(
-            Volume,
+            Kind::Volume,
             d(3, 0, 0, 0),
             "a volume",
             &["m^3", "mm^3", "cm^3", "L", "in^3", "ft^3"],
             &["mm^3", "cm^3", "m^3"],
         ),
         row(
-            SecondMoment,
+            Kind::SecondMoment,
             d(4, 0, 0, 0),
             "a second moment of area",
             &["m^4", "mm^4", "cm^4", "in^4"],
             &["mm^4", "cm^4", "m^4"],
         ),
         row(
-            Density,
+            Kind::Density,
             d(-3, 1, 0, 0),
             "a density",
             &["kg/m^3", "g/cm^3", "t/m^3", "lb/in^3", "lb/ft^3"],
             &["kg/m^3"],
         ),
         row(
-            LinearDensity,
+            Kind::LinearDensity,
             d(-1, 1, 0, 0),
             "a mass per length",
             &["kg/m", "g/mm", "lb/ft", "lb/in"],
             &["kg/m"],
         ),
         row(
-            MomentOfInertia,
+            Kind::MomentOfInertia,
             d(2, 1, 0, 0),
             "a moment of inertia",
             &["kg*m^2", "g*m^2", "kg*cm^2", "kg*mm^2", "lb*in^2", "lb*ft^2"],
             &["kg*mm^2", "kg*cm^2", "kg*m^2"],
         ),
         row(
-            Unbalance,
+            Kind::Unbalance,
             d(1, 1, 0, 0),
             "an unbalance",
             &["kg*m", "kg*mm", "g*mm", "g*cm", "oz*in"],
             &["g*mm", "kg*mm", "kg*m"],
         ),
         row(
-            Compliance,
+            Kind::Compliance,
             d(0, -1, 2, 0),
             "a compliance",
             &["m/N", "mm/N", "µm/N", "mm/kN", "in/lbf"],
             &["µm/N", "mm/N", "m/N"],
         ),
         row(
-            FlexuralRigidity,
+            Kind::FlexuralRigidity,
             d(3, 1, -2, 0),
             "a flexural rigidity",
             &["N*m^2", "kN*m^2", "N*mm^2", "lbf*in^2"],
             &["N*m^2", "kN*m^2", "MN*m^2"],
         ),
-        row(Momentum, d(1, 1, -1, 0), "a momentum", &["kg*m/s", "N*s", "lbf*s"], &["kg*m/s"]),
+        row(Kind::Momentum, d(1, 1, -1, 0), "a momentum", &["kg*m/s", "N*s", "lbf*s"], &["kg*m/s"]),
         row(
-            AngularMomentum,
+            Kind::AngularMomentum,
             d(2, 1, -1, 0),
             "an angular momentum",
             &["kg*m^2/s", "N*m*s", "lbf*in*s"],
             &["kg*m^2/s"],
         ),
-        row(Ratio, Dim::NONE, "a ratio", &["1", "%", "dB"], &["1"]),
+        row(Kind::Ratio, Dim::NONE, "a ratio", &["1", "%", "dB"], &["1"]),
         row(
-            Amplitude,
+            Kind::Amplitude,
             Dim::LENGTH,
             "an amplitude",
             &["m", "mm", "µm", "mm pp", "µm pp", "mm rms", "mil pp", "in"],
@@ -278,9 +282,14 @@ impl Kind {
             Sense::Peak | Sense::PeakToPeak | Sense::Rms => return Kind::Amplitude,
             Sense::Plain | Sense::Level => {}
         }
+        Kind::of_dim(unit.dim)
+    }
+
+    /// The usual kind of a dimension: m²·kg·s⁻² is a torque, s⁻¹ an angular velocity.
+    pub fn of_dim(dim: Dim) -> Kind {
         ROWS.iter()
-            .find(|row| row.dim == unit.dim)
-            .or_else(|| ROWS.iter().find(|row| row.dim.agrees(unit.dim) && unit.dim.angle == 0))
+            .find(|row| row.dim == dim)
+            .or_else(|| ROWS.iter().find(|row| row.dim.agrees(dim) && dim.angle == 0))
             .map_or(Kind::Other, |row| row.kind)
     }
 
@@ -306,5 +315,32 @@ impl Kind {
 
     fn row(self) -> Option<&'static Row> {
         ROWS.get(self as usize)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::unit;
+
+    #[test]
+    fn rows_are_in_the_order_of_the_kinds() {
+        for (n, row) in ROWS.iter().enumerate() {
+            assert_eq!(row.kind as usize, n, "{}", row.name);
+            assert_eq!(row.kind.name(), row.name);
+        }
+        assert_eq!(Kind::Other as usize, ROWS.len());
+        assert_eq!(Kind::Other.dim(), None);
+        assert!(Kind::Other.units().is_empty());
+    }
+
+    #[test]
+    fn units_start_with_si_and_ladders_rise() {
+        for row in &ROWS {
+            assert!((3..=8).contains(&row.units.len()), "{}", row.name);
+            assert_eq!(unit(row.units[0]).unwrap().factor, 1.0, "{}", row.name);
+            let factors: Vec<_> = row.ladder.iter().map(|text| unit(text).unwrap().factor).collect();
+            assert!(factors.is_sorted() && !factors.is_empty(), "{}", row.name);
+        }
     }
 }

@@ -26,7 +26,7 @@ const LIMIT: usize = 200;
 /// Reads a quantity of a given kind; `bare` is the unit of a number written alone.
 ///
 /// Numbers take `.` or `,` as the decimal mark, `e-6` or `×10⁻⁶`, and arithmetic with `+ - * / ^ ( )`,
-/// `pi` and `sqrt`. Products and quotients of units are as in [`unit`]. A missing angle is accepted
+/// `pi` and `sqrt`. Products and quotients of units are as in [`unit()`]. A missing angle is accepted
 /// (N·m/rad for N·m, 1/s for rad/s); for [`Kind::Other`] and [`Kind::Amplitude`] the dimension is that of `bare`.
 ///
 /// # Errors
@@ -38,8 +38,8 @@ const LIMIT: usize = 200;
 /// let rpm = unit("rpm")?;
 /// let speed = read_quantity("2*pi*50 rad/s", &rpm, Kind::AngularVelocity)?;
 /// assert_eq!(speed.si, std::f64::consts::TAU * 50.0);
-/// let mass = read_quantity("1000", &rpm, Kind::AngularVelocity)?;
-/// assert!((mass.si - 104.719755).abs() < 1e-6);
+/// let speed = read_quantity("1000", &rpm, Kind::AngularVelocity)?;
+/// assert!((speed.si - 104.719755).abs() < 1e-6);
 /// # Ok::<(), dalembert_units::ReadError>(())
 /// ```
 pub fn read_quantity(text: &str, bare: &Unit, kind: Kind) -> Result<Quantity, ReadError> {
@@ -47,7 +47,7 @@ pub fn read_quantity(text: &str, bare: &Unit, kind: Kind) -> Result<Quantity, Re
     if range.is_empty() {
         return Err(empty(bare));
     }
-    let reading = read(text, range.clone())?;
+    let reading = read(text, range.clone(), bare)?;
     kinds::check(&reading, text, range.clone(), bare, kind)?;
     finish(&reading, bare, &text[range.clone()], range)
 }
@@ -61,7 +61,7 @@ pub fn read_any(text: &str) -> Result<Quantity, ReadError> {
     if range.is_empty() {
         return Err(empty(&Unit::ONE));
     }
-    finish(&read(text, range.clone())?, &Unit::ONE, &text[range.clone()], range)
+    finish(&read(text, range.clone(), &Unit::ONE)?, &Unit::ONE, &text[range.clone()], range)
 }
 
 /// Reads a whole number, zero or more, of at most 19 digits.
@@ -95,19 +95,20 @@ enum Amount<'t> {
 
 /// Most texts are a literal and a unit; what is not goes to the arithmetic, which reads those too and
 /// has the errors.
-fn read(text: &str, range: Range<usize>) -> Result<Reading<'_>, ReadError> {
+fn read<'t>(text: &'t str, range: Range<usize>, bare: &Unit) -> Result<Reading<'t>, ReadError> {
     let (range, suffix) = units::split_suffix(text, range);
     let cursor = Cursor::new(text, range);
     let mut reading = match literal_and_unit(cursor) {
         Some(reading) => reading,
-        None => expression::evaluate(cursor)?,
+        None => expression::evaluate(cursor).map_err(ReadError::suggesting)?,
     };
     if suffix != Sense::Plain {
-        let unit = reading.unit.unwrap_or(Unit::ONE);
-        if unit.sense == Sense::Level {
-            return Err(ReadError::Alone { symbol: "dB".into(), example: "20 dB", span: 0..text.len() });
-        }
-        reading.unit = Some(units::with_suffix(unit, suffix));
+        let unit = match reading.unit {
+            Some(unit) => unit,
+            // `3 rms` in a field of `mm pp` is 3 mm rms.
+            None => unit(&bare.text[units::split_suffix(&bare.text, 0..bare.text.len()).0])?,
+        };
+        reading.unit = Some(units::with_suffix(unit, suffix)?);
     }
     Ok(reading)
 }

@@ -22,13 +22,12 @@ pub(crate) fn nearest(text: &str) -> Vec<&'static str> {
     if length > 12 {
         return Vec::new();
     }
-    let folded = text.to_lowercase();
     let mut found: Vec<_> = SYMBOLS
         .iter()
         .filter_map(|symbol| {
-            let rank = if symbol.text.to_lowercase() == folded {
+            let rank = if differ_in_case(text, &symbol.text) {
                 0
-            } else if length > 1 && distance(text, &symbol.text) == 1 {
+            } else if length > 1 && is_one_step(text, &symbol.text) {
                 1
             } else {
                 return None;
@@ -211,24 +210,24 @@ static SYMBOLS: LazyLock<Vec<Symbol>> = LazyLock::new(|| {
     symbols
 });
 
-/// How many letters must be put in, left out, changed or swapped with the next.
-fn distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
-    for i in 0..=a.len() {
-        for j in 0..=b.len() {
-            rows[i][j] = if i == 0 || j == 0 {
-                i + j
-            } else {
-                let change = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
-                let best = change.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
-                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                    best.min(rows[i - 2][j - 2] + 1)
-                } else {
-                    best
-                }
-            };
-        }
+/// Whether one letter put in, left out, changed, or swapped with the next makes one text the other.
+fn is_one_step(a: &str, b: &str) -> bool {
+    fn equal((x, y): &(char, char)) -> bool {
+        x == y
     }
-    rows[a.len()][b.len()]
+    let head: usize = a.chars().zip(b.chars()).take_while(equal).map(|(x, _)| x.len_utf8()).sum();
+    let (a, b) = (&a[head..], &b[head..]);
+    let tail: usize = a.chars().rev().zip(b.chars().rev()).take_while(equal).map(|(x, _)| x.len_utf8()).sum();
+    let (a, b) = (&a[..a.len() - tail], &b[..b.len() - tail]);
+    match (a.chars().count(), b.chars().count()) {
+        (2, 2) => a.chars().eq(b.chars().rev()),
+        (m, n) => m.max(n) == 1,
+    }
 }
+
+fn differ_in_case(a: &str, b: &str) -> bool {
+    a.chars().flat_map(char::to_lowercase).eq(b.chars().flat_map(char::to_lowercase))
+}
+
+#[cfg(test)]
+mod tests;

@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 use crate::{
     Kind, Sense, Unit, decimal,
     read::{
-        scan::{Cursor, is_product, is_quotient},
+        scan::{Cursor, is_product, is_quotient, takes_digit},
         units::power,
     },
     unit,
@@ -154,7 +154,7 @@ pub(crate) fn unit_text(unit: &Unit, ascii: bool) -> String {
             out.push(c);
             after_factor = c != '(';
         }
-        match power(&mut cursor, after_factor && c != '1' && c != ')') {
+        match power(&mut cursor, takes_digit(c)) {
             Ok(1) | Err(_) => {}
             Ok(n) if ascii => out.extend(["^", &n.to_string()]),
             Ok(n) => out += &superscript(n.into()),

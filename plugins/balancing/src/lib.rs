@@ -1,1 +1,6 @@
-//! Analyses: balancing.
+//! Analyses of balancing.
+
+mod sources;
+pub mod two_plane;
+
+dalembert_core::messages!("../locales/pt-BR.ftl");

@@ -2,6 +2,8 @@
 
 use std::{fmt, ops::Range};
 
+use crate::{Dim, Kind, Sense, Unit, table};
+
 /// Why a text could not be read. `span` is in bytes of the text typed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ReadError {
@@ -114,7 +116,7 @@ pub enum ReadError {
         span: Range<usize>,
     },
     /// An exponent that is no whole number, or too large.
-    #[error("`{text}` is no exponent of a unit: write a whole number from -{limit} to {limit}")]
+    #[error("`{text}` is no exponent of a unit: write a whole number other than 0 from -{limit} to {limit}")]
     Exponent {
         /// What was written.
         text: String,
@@ -143,31 +145,33 @@ pub enum ReadError {
     #[error("the square root of {dim} is not a unit: write a root of an even power, such as sqrt(4 m^2)")]
     UnevenRoot {
         /// The dimension under the root.
-        dim: crate::Dim,
+        dim: Dim,
         /// Where it is.
         span: Range<usize>,
     },
     /// A sum of different things.
     #[error(
-        "{left} and {right} cannot be added: give both the same kind of unit, or write brackets as in `(2 + 3) mm`"
+        "{} and {} cannot be added: give both the same kind of unit, or write brackets as in `(2 + 3) mm`",
+        in_words(*left),
+        in_words(*right)
     )]
     Sum {
-        /// What the left side is.
-        left: String,
-        /// What the right side is.
-        right: String,
+        /// The dimension of the left side.
+        left: Dim,
+        /// The dimension of the right side.
+        right: Dim,
         /// Where it is.
         span: Range<usize>,
     },
-    /// A level or an amplitude suffix within a larger expression.
-    #[error("`{symbol}` must stand after a plain number: write a single value, for example {example}")]
+    /// A level or an amplitude suffix within a larger expression, or without its unit.
+    #[error("`{symbol}` must stand after {after}: write a single value, for example {example}")]
     Alone {
-        /// The unit.
+        /// The unit or suffix.
         symbol: String,
+        /// What it stands after.
+        after: &'static str,
         /// What could be written.
         example: &'static str,
-        /// Where it is.
-        span: Range<usize>,
     },
     /// Another kind of quantity than the one asked for.
     #[error(transparent)]
@@ -206,16 +210,22 @@ pub enum ReadError {
 
 /// Another kind of quantity than the one asked for.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("`{text}` is {found}; {expected} is expected, for example in {example}{}", hinted(hint.as_ref()))]
+#[error(
+    "`{text}` is {}; {} is expected, for example in {}{}",
+    found(unit),
+    expected(*kind, bare),
+    example(*kind, bare),
+    hinted(hint.as_ref())
+)]
 pub struct WrongKind {
     /// What was written.
     pub text: String,
-    /// What it is.
-    pub found: String,
-    /// What is wanted.
-    pub expected: String,
-    /// A unit that fits.
-    pub example: String,
+    /// The unit it was written in.
+    pub unit: Unit,
+    /// The kind that is wanted.
+    pub kind: Kind,
+    /// The unit of a number written alone.
+    pub bare: Unit,
     /// What was probably meant.
     pub hint: Option<Hint>,
     /// Where it is.
@@ -270,10 +280,20 @@ impl fmt::Display for Hint {
 }
 
 impl ReadError {
+    /// Names the units that an unknown one may have been meant as: a search that only a message needs.
+    pub(super) fn suggesting(self) -> Self {
+        match self {
+            Self::UnknownUnit { symbol, span, .. } => {
+                Self::UnknownUnit { nearest: table::nearest(&symbol), symbol, span }
+            }
+            other => other,
+        }
+    }
+
     /// The bytes of the text typed that are at fault; `None` when it is the whole of it.
     pub fn span(&self) -> Option<Range<usize>> {
         match self {
-            Self::Empty { .. } | Self::TooLong { .. } => None,
+            Self::Empty { .. } | Self::TooLong { .. } | Self::Alone { .. } => None,
             Self::WrongKind(wrong) => Some(wrong.span.clone()),
             Self::Control { span, .. }
             | Self::NotANumber { span, .. }
@@ -290,7 +310,6 @@ impl ReadError {
             | Self::NotReal { span, .. }
             | Self::UnevenRoot { span, .. }
             | Self::Sum { span, .. }
-            | Self::Alone { span, .. }
             | Self::Components { span, .. }
             | Self::MixedComponents { span, .. }
             | Self::NotACount { span, .. } => Some(span.clone()),
@@ -311,4 +330,37 @@ fn did_you_mean(nearest: &[&str]) -> String {
 
 fn hinted(hint: Option<&Hint>) -> String {
     hint.map_or_else(String::new, |hint| format!("; {hint}"))
+}
+
+fn found(unit: &Unit) -> String {
+    match (unit.sense, Kind::of(unit)) {
+        (Sense::Level, _) => "a level".into(),
+        (_, Kind::Other) => format!("a quantity in {}", unit.pretty()),
+        (_, Kind::Amplitude) => format!("an amplitude in {}", unit.pretty()),
+        (_, kind) => kind.name().into(),
+    }
+}
+
+fn expected(kind: Kind, bare: &Unit) -> String {
+    match kind {
+        Kind::Other => format!("a quantity in {}", bare.pretty()),
+        Kind::Amplitude => format!("an amplitude in {}", bare.pretty()),
+        kind => kind.name().into(),
+    }
+}
+
+fn example(kind: Kind, bare: &Unit) -> String {
+    match kind.units() {
+        [first, ..] if bare.text.is_empty() => (*first).to_owned(),
+        _ => bare.ascii(),
+    }
+}
+
+/// What a quantity of this dimension is.
+fn in_words(dim: Dim) -> String {
+    match Kind::of_dim(dim) {
+        Kind::Other => format!("a quantity in {dim}"),
+        Kind::Ratio => "a number without a unit".into(),
+        kind => kind.name().into(),
+    }
 }

@@ -7,9 +7,9 @@ use std::ops::Range;
 
 use super::{
     Amount, ReadError, Reading,
-    scan::{Cursor, DEPTH, is_product, is_quotient, starts_symbol, superscript_digit},
+    scan::{Cursor, DEPTH, is_product, is_quotient, starts_symbol, superscript_digit, takes_digit},
     units::{POWER, power, symbol, two_readings},
-    value::{Value, compose, named},
+    value::{Value, compose},
 };
 use crate::{Sense, Unit, decimal, scale::Scale};
 
@@ -27,10 +27,11 @@ pub(super) fn evaluate(cursor: Cursor<'_>) -> Result<Reading<'_>, ReadError> {
     if !value.written {
         return Err(number_missing(text, span));
     }
-    if value.scale.sense == Sense::Level && (value.literal.is_none() || value.symbols.len() > 1) {
-        return Err(ReadError::Alone { symbol: "dB".into(), example: "20 dB", span });
+    if value.scale.sense == Sense::Level && (value.literal.is_none() || *value.symbols != [("dB", 1)]) {
+        return Err(ReadError::Alone { symbol: "dB".into(), after: "a plain number", example: "20 dB" });
     }
-    if !value.scale.is_sane() {
+    let steep = value.symbols.iter().any(|(_, n)| n.unsigned_abs() > POWER);
+    if steep || !value.scale.is_sane() {
         return Err(ReadError::Exponent { text: text.into(), limit: POWER, span });
     }
     let unit = value.has_unit.then(|| {
@@ -72,11 +73,14 @@ impl<'t> Reader<'t> {
                 }
             }
             if value.scale.dim != other.scale.dim {
-                let (left, right) = (named(value.scale), named(other.scale));
-                return Err(ReadError::Sum { left, right, span });
+                return Err(ReadError::Sum { left: value.scale.dim, right: other.scale.dim, span });
             }
             if value.scale.sense == Sense::Level || other.scale.sense == Sense::Level {
-                return Err(ReadError::Alone { symbol: "dB".into(), example: "20 dB", span });
+                return Err(ReadError::Alone {
+                    symbol: "dB".into(),
+                    after: "a plain number",
+                    example: "20 dB",
+                });
             }
             let ratio = other.scale.mantissa / value.scale.mantissa;
             let ten = i32::from(other.scale.ten) - i32::from(value.scale.ten);
@@ -243,7 +247,7 @@ impl<'t> Reader<'t> {
                     _ => self.unit(),
                 }
             }
-            _ => Err(self.cursor.unexpected("a number")),
+            _ => Err(self.cursor.unexpected("a number or a unit")),
         }
     }
 
@@ -268,8 +272,9 @@ impl<'t> Reader<'t> {
     }
 
     fn unit(&mut self) -> Result<Value<'t>, ReadError> {
+        let digit = self.cursor.peek().is_some_and(takes_digit);
         let found = symbol(&mut self.cursor)?;
-        let n = power(&mut self.cursor, true)?;
+        let n = power(&mut self.cursor, digit)?;
         Ok(Value {
             scale: found.scale.powi(n),
             symbols: if n == 0 { Vec::new() } else { vec![(&found.text, n)] },
@@ -365,8 +370,11 @@ impl<'t> Reader<'t> {
         let (left, right) =
             (self.cursor.text[start..gap].trim(), &self.cursor.text[self.cursor.at..ahead.at]);
         let readings = if value.has_unit {
-            let unit = ahead.rest().trim();
-            [format!("{left} + {right} {unit}").trim_end().to_owned(), format!("{left}*{right}")]
+            let rest = ahead.rest();
+            if rest.trim().is_empty() {
+                return Err(self.cursor.unexpected("an operator"));
+            }
+            [format!("{left} + {right}{rest}"), format!("{left}*{right}{rest}")]
         } else {
             [format!("{left}{right}"), format!("{left}*{right}")]
         };

@@ -28,20 +28,13 @@ pub(super) fn check(
     if fits(unit, dim, kind) {
         return Ok(());
     }
-    let typed = text[span.clone()].to_owned();
-    let examples = kind.units();
-    let example =
-        if bare.text.is_empty() { (*examples.first().unwrap_or(&"1")).to_owned() } else { bare.ascii() };
+    let text = text[span.clone()].to_owned();
     Err(ReadError::WrongKind(Box::new(WrongKind {
-        hint: hint(reading.amount, unit, dim, kind, &typed),
-        text: typed,
-        found: found(unit),
-        expected: match kind {
-            Kind::Other => format!("a quantity in {}", bare.pretty()),
-            Kind::Amplitude if dim != Dim::LENGTH => format!("an amplitude in {}", bare.pretty()),
-            kind => kind.name().into(),
-        },
-        example,
+        hint: hint(reading.amount, unit, dim, kind, &text),
+        text,
+        unit: unit.clone(),
+        kind,
+        bare: bare.clone(),
         span,
     })))
 }
@@ -71,15 +64,6 @@ fn fits(unit: &Unit, dim: Dim, kind: Kind) -> bool {
     // A percentage of an angle would be read as radians.
     let percent = kind == Kind::Angle && unit.dim == Dim::NONE && unit.factor != 1.0;
     unit.dim.agrees(dim) && angle && sense && !percent
-}
-
-fn found(unit: &Unit) -> String {
-    match (unit.sense, Kind::of(unit)) {
-        (Sense::Level, _) => "a level".into(),
-        (_, Kind::Ratio) => "a number without a unit".into(),
-        (_, Kind::Other) => format!("a quantity in {}", unit.pretty()),
-        (_, kind) => kind.name().into(),
-    }
 }
 
 fn hint(amount: Amount, unit: &Unit, dim: Dim, kind: Kind, text: &str) -> Option<Hint> {
@@ -116,5 +100,6 @@ fn hint(amount: Amount, unit: &Unit, dim: Dim, kind: Kind, text: &str) -> Option
     // `1/0.5 s` is half of what 1/(0.5 s) would be.
     let (above, below) = text.split_once('/')?;
     let reciprocal = unit.dim != Dim::NONE && unit.dim.powi(-1).agrees(dim);
-    reciprocal.then(|| Hint::Reciprocal(format!("{above}/({below})")))
+    let once = !below.contains('/');
+    (reciprocal && once).then(|| Hint::Reciprocal(format!("{}/({})", above.trim_end(), below.trim_start())))
 }

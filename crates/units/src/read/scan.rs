@@ -212,6 +212,11 @@ pub(crate) fn starts_symbol(c: char) -> bool {
     c.is_alphabetic() || c == '_' || is_lone_symbol(c)
 }
 
+/// Whether a digit right after the symbol that starts with this character is its power: not after `°`.
+pub(crate) fn takes_digit(c: char) -> bool {
+    c.is_alphabetic() && !is_lone_symbol(c)
+}
+
 fn is_lone_symbol(c: char) -> bool {
     matches!(c, '°' | 'º' | '%' | '‰' | '\'' | '′' | '"' | '″')
 }

@@ -4,7 +4,7 @@ use std::{borrow::Cow, ops::Range};
 
 use super::{
     ReadError,
-    scan::{Cursor, DEPTH, guard, is_product, is_quotient, starts_symbol},
+    scan::{Cursor, DEPTH, guard, is_product, is_quotient, starts_symbol, takes_digit},
 };
 use crate::{Sense, Unit, scale::Scale, table};
 
@@ -28,11 +28,11 @@ pub fn unit(text: &str) -> Result<Unit, ReadError> {
         return Ok(Unit::ONE);
     }
     let mut cursor = Cursor::new(text, range);
-    let unit = whole(&mut cursor)?;
+    let unit = whole(&mut cursor).map_err(ReadError::suggesting)?;
     if !cursor.rest().is_empty() {
         return Err(cursor.unexpected("a unit"));
     }
-    Ok(with_suffix(unit, sense))
+    with_suffix(unit, sense)
 }
 
 /// The unit from here to the end of the text or to a closing bracket that is not its own.
@@ -48,7 +48,7 @@ pub(super) fn whole(cursor: &mut Cursor) -> Result<Unit, ReadError> {
         return Err(ReadError::Exponent { text: text.into(), limit: POWER, span });
     }
     if scale.sense == Sense::Level && only != Some(text) {
-        return Err(ReadError::Alone { symbol: "dB".into(), example: "20 dB", span });
+        return Err(ReadError::Alone { symbol: "dB".into(), after: "a plain number", example: "20 dB" });
     }
     Ok(match only {
         Some(symbol) if symbol == text => Unit::new(scale, Cow::Borrowed(symbol)),
@@ -74,23 +74,27 @@ pub(super) fn split_suffix(text: &str, range: Range<usize>) -> (Range<usize>, Se
 }
 
 /// The unit in which the amplitude of an oscillation is written.
-pub(super) fn with_suffix(unit: Unit, sense: Sense) -> Unit {
+pub(super) fn with_suffix(unit: Unit, sense: Sense) -> Result<Unit, ReadError> {
     let (mantissa, suffix) = match sense {
         Sense::PeakToPeak => (0.5, "pp"),
         Sense::Rms => (std::f64::consts::SQRT_2, "rms"),
         Sense::Peak => (1.0, "pk"),
-        Sense::Plain | Sense::Energy | Sense::Level => return unit,
+        Sense::Plain | Sense::Energy | Sense::Level => return Ok(unit),
     };
+    if unit.text.is_empty() || unit.sense == Sense::Level {
+        return Err(ReadError::Alone {
+            symbol: suffix.into(),
+            after: "a unit of length, velocity or acceleration",
+            example: "3 mm pp",
+        });
+    }
     let text = format!("{} {suffix}", unit.text);
-    Unit::new(
-        Scale { mantissa: unit.mantissa * mantissa, sense, ..unit.scale() },
-        text.trim_start().to_owned().into(),
-    )
+    Ok(Unit::new(Scale { mantissa: unit.mantissa * mantissa, sense, ..unit.scale() }, text.into()))
 }
 
 /// The power of a unit where a digit may follow at once: `^2`, `**-1`, `^(2)`, `²`, and `2` as in `mm2`.
 ///
-/// Returns 1 where there is none.
+/// Returns 1 where there is none. `digit` says whether a plain digit may be one: not after `°`, where minutes follow.
 pub(crate) fn power(cursor: &mut Cursor, digit: bool) -> Result<i8, ReadError> {
     let start = cursor.at;
     let mut ahead = *cursor;
@@ -115,7 +119,7 @@ pub(crate) fn power(cursor: &mut Cursor, digit: bool) -> Result<i8, ReadError> {
     };
     match power.map(i8::try_from) {
         None => Ok(1),
-        Some(Ok(n)) if n.unsigned_abs() <= POWER => Ok(n),
+        Some(Ok(n)) if n != 0 && n.unsigned_abs() <= POWER => Ok(n),
         Some(_) => {
             let text = cursor.since(start).trim_start().to_owned();
             Err(ReadError::Exponent { text, limit: POWER, span: start..cursor.at })
@@ -123,13 +127,13 @@ pub(crate) fn power(cursor: &mut Cursor, digit: bool) -> Result<i8, ReadError> {
     }
 }
 
-/// The symbol here, from the table.
+/// The symbol here, from the table. [`ReadError::suggesting`] names those near an unknown one.
 pub(super) fn symbol(cursor: &mut Cursor) -> Result<&'static table::Symbol, ReadError> {
     let start = cursor.at;
     let text = cursor.symbol().ok_or_else(|| cursor.unexpected("a unit"))?;
     table::lookup(text).ok_or_else(|| ReadError::UnknownUnit {
         symbol: text.into(),
-        nearest: table::nearest(text),
+        nearest: Vec::new(),
         span: start..cursor.at,
     })
 }
@@ -163,6 +167,12 @@ impl Reader<'_> {
         let start = self.cursor.at;
         let mut scale = if self.cursor.peek() == Some('1') {
             self.cursor.bump();
+            let mut ahead = self.cursor;
+            ahead.skip_space();
+            // `1/s`; `1 m` would make a slip of `51 m` another number.
+            if !ahead.peek().is_none_or(|c| is_quotient(c) || c == ')') {
+                return Err(ahead.unexpected("a division"));
+            }
             Scale::ONE
         } else {
             self.factor(depth)?
@@ -210,9 +220,10 @@ impl Reader<'_> {
             }
             return Ok(scale.powi(power(&mut self.cursor, false)?));
         }
+        let digit = self.cursor.peek().is_some_and(takes_digit);
         let symbol = symbol(&mut self.cursor)?;
         self.symbols += 1;
         self.only = (self.symbols == 1).then_some(&symbol.text);
-        Ok(symbol.scale.powi(power(&mut self.cursor, true)?))
+        Ok(symbol.scale.powi(power(&mut self.cursor, digit)?))
     }
 }

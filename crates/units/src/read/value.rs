@@ -1,7 +1,7 @@
 //! Values of an expression while it is computed.
 
 use super::scan::Literal;
-use crate::{Kind, Unit, scale::Scale};
+use crate::scale::Scale;
 
 /// A value on the way: `number` of a unit made of `symbols`.
 pub(super) struct Value<'t> {
@@ -96,14 +96,5 @@ pub(super) fn compose(symbols: &[(&str, i8)]) -> String {
         ((0, _), (_, below)) => format!("1/({below})"),
         ((_, above), (1, below)) => format!("{above}/{below}"),
         ((_, above), (_, below)) => format!("{above}/({below})"),
-    }
-}
-
-/// What a value is, for a person: `a length`, `a quantity in m²·kg`.
-pub(super) fn named(scale: Scale) -> String {
-    match Kind::of(&Unit::new(scale, "".into())) {
-        Kind::Other => format!("a quantity in {}", scale.dim),
-        Kind::Ratio => "a number without a unit".into(),
-        kind => kind.name().into(),
     }
 }

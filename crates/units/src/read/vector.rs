@@ -22,11 +22,11 @@ pub fn read_vector(text: &str, bare: &Unit, kind: Kind, len: usize) -> Result<Ve
         return Err(empty(bare));
     }
     let (inner, rest) = brackets(text, range.clone()).unwrap_or((range.clone(), range.end..range.end));
-    let (mut readings, written) = if let Some(parts) = components(text, inner.clone())? {
+    let (mut readings, written) = if let Some(parts) = components(text, inner.clone(), bare)? {
         parts
     } else {
         // One component alone: the zero vector, or too little.
-        let reading = read(text, range.clone())?;
+        let reading = read(text, range.clone(), bare)?;
         if si(reading.amount, reading.unit.as_ref().unwrap_or(bare)).0 != 0.0 {
             return Err(wrong_count(1, len, range));
         }
@@ -86,7 +86,11 @@ fn brackets(text: &str, range: Range<usize>) -> Option<(Range<usize>, Range<usiz
     None
 }
 
-fn components(text: &str, inner: Range<usize>) -> Result<Option<Components<'_>>, ReadError> {
+fn components<'t>(
+    text: &'t str,
+    inner: Range<usize>,
+    bare: &Unit,
+) -> Result<Option<Components<'t>>, ReadError> {
     if text[inner.clone()].contains(';') {
         let mut readings = Vec::new();
         for part in split(text, inner, |c, _| c == ';') {
@@ -94,7 +98,7 @@ fn components(text: &str, inner: Range<usize>) -> Result<Option<Components<'_>>,
                 let text = text.trim().to_owned();
                 return Err(ReadError::Unfinished { text, expected: "a component", span: part });
             }
-            readings.push(Some(read(text, part)?));
+            readings.push(Some(read(text, part, bare)?));
             if readings.len() > 3 {
                 break;
             }
@@ -103,13 +107,13 @@ fn components(text: &str, inner: Range<usize>) -> Result<Option<Components<'_>>,
         return Ok(Some((readings, written)));
     }
     if is_along_axes(&text[inner.clone()]) {
-        return along_axes(text, inner).map(Some);
+        return along_axes(text, inner, bare).map(Some);
     }
     Ok(None)
 }
 
 /// `300 i − 200 j`: each term ends in an axis.
-fn along_axes(text: &str, inner: Range<usize>) -> Result<Components<'_>, ReadError> {
+fn along_axes<'t>(text: &'t str, inner: Range<usize>, bare: &Unit) -> Result<Components<'t>, ReadError> {
     let mut readings = vec![None, None, None];
     let parts = split(text, inner, |c, before| matches!(c, '+' | '-' | '−') && !is_exponent(before));
     for (n, part) in parts.into_iter().enumerate() {
@@ -128,7 +132,7 @@ fn along_axes(text: &str, inner: Range<usize>) -> Result<Components<'_>, ReadErr
         let mut reading = if number.is_empty() {
             Reading { amount: Amount::Computed(1.0), unit: None, pi: false }
         } else {
-            read(text, part.start..part.start + number.len())?
+            read(text, part.start..part.start + number.len(), bare)?
         };
         if sign {
             reading.amount = match reading.amount {

@@ -1,0 +1,428 @@
+//! A rigid rotor with known eccentric masses, balanced in two planes.
+
+use dalembert_core::{
+    About, Analysis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text,
+    Worksheet, register,
+};
+use dalembert_mechanics::{
+    Real, Vector,
+    balance::{self, PlaneUnbalance},
+};
+use std::f64::consts::TAU;
+
+use crate::sources::{MABIE, RIUL};
+
+/// The eccentric masses, the two planes, and what is put there.
+#[derive(Clone, Debug, Inputs)]
+pub struct TwoPlane {
+    /// Eccentric masses.
+    #[input(min = 1)]
+    pub masses: Vec<EccentricMass>,
+    /// Position of plane A.
+    /// Along the shaft, from the same origin as the masses.
+    #[input("z_A", "mm", default = "0 mm")]
+    pub plane_a: f64,
+    /// Position of plane B.
+    #[input("z_B", "mm")]
+    pub plane_b: f64,
+    /// Correction in plane A.
+    #[input("A")]
+    pub correction_a: Correction,
+    /// Correction in plane B.
+    #[input("B")]
+    pub correction_b: Correction,
+    /// Way of correcting.
+    pub way: Way,
+    /// Gravity.
+    /// Only turns masses into weights; the balance does not depend on it.
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+    pub gravity: f64,
+    /// Speed.
+    /// For the force and the couple before balancing.
+    #[input("ω", "rpm", positive)]
+    pub speed: Option<f64>,
+}
+
+/// A mass that is not on the axis.
+#[derive(Clone, Debug, Inputs)]
+pub struct EccentricMass {
+    /// Mass.
+    #[input("m", "kg", positive)]
+    pub mass: f64,
+    /// Radius.
+    #[input("r", "mm", nonnegative)]
+    pub radius: f64,
+    /// Angle.
+    /// Counter-clockwise from a mark on the rotor.
+    #[input("θ", "deg")]
+    pub angle: f64,
+    /// Position.
+    /// Along the shaft, from any origin.
+    #[input("z", "mm")]
+    pub position: f64,
+}
+
+/// What is known of a correction.
+#[derive(Clone, Debug, Inputs)]
+pub enum Correction {
+    /// Radius given, mass wanted
+    Radius {
+        /// Radius.
+        #[input("r", "mm", positive)]
+        radius: f64,
+    },
+    /// Mass given, radius wanted
+    Mass {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+    },
+}
+
+/// Whether a correction is put on or taken off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Way {
+    /// Mass is added
+    Add,
+    /// Mass is removed by drilling
+    Drill,
+}
+
+register!(TwoPlane);
+
+const COINCIDENT: &str = "planes A and B are the same plane, so no corrections there can balance a couple; give them different positions";
+
+impl Analysis for TwoPlane {
+    const ABOUT: About = About {
+        id: "balancing/two-plane",
+        title: "Balancing in two planes",
+        summary: "The corrections in two planes that leave a rigid rotor with neither a rotating force nor a rotating couple.",
+        keywords: "balanceamento dinâmico dois planos rotor correção dynamic balancing correction planes example 2",
+        sources: &[&RIUL, &MABIE],
+        cases: include_str!("../cases/two_plane.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &TwoPlaneGiven<W>, sheet: W) -> Result<(), Refusal> {
+        if self.plane_a == self.plane_b {
+            return Err(Refusal::because(COINCIDENT));
+        }
+        let x = Along::new(
+            sheet,
+            given,
+            balance::component_x,
+            ["U_x", "U_Bx", "U_Ax"],
+            "Unbalance of each mass along x",
+        );
+        let y = Along::new(
+            sheet,
+            given,
+            balance::component_y,
+            ["U_y", "U_By", "U_Ay"],
+            "Unbalance of each mass along y",
+        );
+        self.check_balance(sheet, given, [&x, &y])?;
+
+        let b = self.correction(sheet, ("U_B", "m_B", "r_B", "θ_B"), (x.in_b, y.in_b), &given.correction_b);
+        let a = self.correction(sheet, ("U_A", "m_A", "r_A", "θ_A"), (x.in_a, y.in_a), &given.correction_a);
+        sheet.answer("unbalance_a", "Correction in plane A, m r", a.unbalance);
+        sheet.answer("angle_a", "Its angle", a.angle);
+        match self.correction_a {
+            Correction::Radius { .. } => sheet.answer("mass_a", "Mass in plane A", a.wanted),
+            Correction::Mass { .. } => sheet.answer("radius_a", "Radius in plane A", a.wanted),
+        }
+        sheet.answer("unbalance_b", "Correction in plane B, m r", b.unbalance);
+        sheet.answer("angle_b", "Its angle", b.angle);
+        match self.correction_b {
+            Correction::Radius { .. } => sheet.answer("mass_b", "Mass in plane B", b.wanted),
+            Correction::Mass { .. } => sheet.answer("radius_b", "Radius in plane B", b.wanted),
+        }
+        weights(sheet, given.gravity, [&x, &y], [a.mass, b.mass]);
+        if let Some(speed) = given.speed {
+            before(sheet, speed, given.plane_a, [&x, &y]);
+        }
+
+        let corrections = [(x.in_a.value(), y.in_a.value()), (x.in_b.value(), y.in_b.value())];
+        let largest = self.masses.iter().map(|m| m.mass * m.radius).fold(0.0, f64::max);
+        let reach = corrections.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
+        if reach > 10.0 * largest {
+            sheet.warn(|| {
+                Text::new("the planes are so close together that a correction is {times} times the largest unbalance")
+                    .with("times", format!("{:.0}", reach / largest))
+            });
+        }
+        sheet.show(|| Exhibit::Table(self.table(corrections)));
+        sheet.show(|| Exhibit::Drawing(self.end_view(corrections)));
+        sheet.show(|| Exhibit::Drawing(self.side_view(corrections)));
+        Ok(())
+    }
+}
+
+/// Everything along one direction across the shaft.
+struct Along<N> {
+    /// The component of each mass, and its position.
+    masses: Vec<(N, N)>,
+    /// The component of the correction in plane A.
+    in_a: N,
+    /// The component of the correction in plane B.
+    in_b: N,
+}
+
+impl<N: Real> Along<N> {
+    fn new<W: Worksheet<Num = N>>(
+        sheet: W,
+        given: &TwoPlaneGiven<W>,
+        component: fn(N, N, N) -> N,
+        [mass, in_b, in_a]: [&'static str; 3],
+        why: &'static str,
+    ) -> Self {
+        let of = |(n, m): (usize, &EccentricMassGiven<W>)| {
+            (sheet.step((mass, n), "kg*mm", component(m.mass, m.radius, m.angle), why), m.position)
+        };
+        let masses: Vec<(N, N)> = (1..).zip(&given.masses).map(of).collect();
+        let formula = balance::correction_in_b(masses.iter().copied(), given.plane_a, given.plane_b);
+        let in_b =
+            sheet.step(in_b, "kg*mm", formula, ("Moments about plane A vanish", RIUL.at("eqs. 13–15")));
+        let formula = balance::correction_in_a(masses.iter().map(|(u, _)| *u), in_b);
+        let in_a = sheet.step(in_a, "kg*mm", formula, ("Forces vanish", RIUL.at("eqs. 12, 20")));
+        Self { masses, in_a, in_b }
+    }
+
+    fn resultant(&self) -> N {
+        balance::resultant(self.masses.iter().map(|(u, _)| *u))
+    }
+}
+
+/// A correction as found.
+struct Corrected<N> {
+    unbalance: N,
+    angle: N,
+    mass: N,
+    /// The mass, or the radius where the mass is given.
+    wanted: N,
+}
+
+impl TwoPlane {
+    /// Magnitude, angle and mass (or radius) of a correction from its components.
+    fn correction<W: Worksheet>(
+        &self,
+        sheet: W,
+        (unbalance, mass, radius, angle): (&'static str, &'static str, &'static str, &'static str),
+        (x, y): (W::Num, W::Num),
+        known: &CorrectionGiven<W>,
+    ) -> Corrected<W::Num> {
+        let size = sheet.step(
+            unbalance,
+            "kg*mm",
+            balance::magnitude(x, y),
+            ("Size of the correction", RIUL.at("eq. 16")),
+        );
+        let (wanted, mass) = match known {
+            CorrectionGiven::Radius { radius } => {
+                let mass =
+                    sheet.step(mass, "kg", size / *radius, ("Mass at the given radius", RIUL.at("eq. 17")));
+                (mass, mass)
+            }
+            CorrectionGiven::Mass { mass } => {
+                (sheet.step(radius, "mm", size / *mass, "Radius of the given mass"), *mass)
+            }
+        };
+        let (direction, why) = match self.way {
+            Way::Add => {
+                (balance::direction(x, y), "Angle where the mass is added, counter-clockwise from the mark")
+            }
+            Way::Drill => (
+                balance::direction(-x, -y),
+                "Angle where the mass is removed, opposite to where it would be added",
+            ),
+        };
+        // Angles count from 0 to a full turn, as they are marked on a rotor.
+        let direction = if direction.value() < 0.0 { direction + TAU } else { direction };
+        let angle = sheet.step(angle, "deg", direction, (why, RIUL.at("eq. 19")));
+        Corrected { unbalance: size, angle, mass, wanted }
+    }
+
+    /// Further ways to the same corrections: moments about plane B, both equations as one linear system, and what
+    /// is left of forces and moments.
+    fn check_balance<W: Worksheet>(
+        &self,
+        sheet: W,
+        given: &TwoPlaneGiven<W>,
+        directions: [&Along<W::Num>; 2],
+    ) -> Result<(), Refusal> {
+        let unbalances = self.masses.iter().map(|m| PlaneUnbalance {
+            position: m.position,
+            components: [m.mass * m.radius * m.angle.cos(), m.mass * m.radius * m.angle.sin()],
+        });
+        let unbalances: Vec<PlaneUnbalance> = unbalances.collect();
+        let system = balance::balance_two_planes(&unbalances, [self.plane_a, self.plane_b])
+            .map_err(|_| Refusal::because(COINCIDENT))?;
+        // Terms cancel; what is left is held to the size of what cancelled.
+        let force =
+            self.masses.iter().map(|m| m.mass * m.radius).sum::<f64>() + system.in_a[0].hypot(system.in_a[1]);
+        let reach = self.masses.iter().map(|m| (m.position - self.plane_b).abs()).fold(0.0, f64::max);
+        let moment = force * (reach + (self.plane_b - self.plane_a).abs());
+        for (axis, Along { masses, in_a, in_b }) in directions.into_iter().enumerate() {
+            let (in_a, in_b) = (*in_a, *in_b);
+            let by_moments =
+                balance::correction_in_a_by_moments(masses.iter().copied(), given.plane_a, given.plane_b);
+            sheet.check_zero("plane A from moments about plane B", in_a - by_moments, force);
+            sheet.check_zero("plane A from both equations at once", (in_a.value() - system.in_a[axis]).into(), force);
+            sheet.check_zero("plane B from both equations at once", (in_b.value() - system.in_b[axis]).into(), force);
+            let all = || masses.iter().copied().chain([(in_a, given.plane_a), (in_b, given.plane_b)]);
+            sheet.check_zero("no force is left", balance::resultant(all().map(|(u, _)| u)), force);
+            sheet.check_zero(
+                "no moment is left about plane B",
+                balance::moment(all(), given.plane_b),
+                moment,
+            );
+        }
+        Ok(())
+    }
+
+    /// The table of textbooks, with the corrections under the masses; the sums vanish.
+    fn table(&self, corrections: [(f64, f64); 2]) -> TableExhibit {
+        let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+        let row = |name: Text, x: f64, y: f64, z: f64| -> Vec<Cell> {
+            let (u, angle) = (x.hypot(y), y.atan2(x).rem_euclid(TAU));
+            vec![
+                name.into(),
+                u.into(),
+                angle.into(),
+                z.into(),
+                x.into(),
+                y.into(),
+                (x * z).into(),
+                (y * z).into(),
+            ]
+        };
+        let masses = self.masses.iter().zip(1..).map(|(m, n)| {
+            let name = Text::new("mass {n}").with("n", n);
+            row(name, m.mass * m.radius * m.angle.cos(), m.mass * m.radius * m.angle.sin(), m.position)
+        });
+        let [(ax, ay), (bx, by)] = corrections;
+        let planes =
+            [row("plane A".into(), ax, ay, self.plane_a), row("plane B".into(), bx, by, self.plane_b)];
+        let rows: Vec<Vec<Cell>> = masses.chain(planes).collect();
+        let sum = |at: usize| {
+            let numbers =
+                || rows.iter().filter_map(|row| if let Cell::Number(x) = row[at] { Some(x) } else { None });
+            // A sum that cancels is zero, not its rounding.
+            let (sum, size) = (numbers().sum::<f64>(), numbers().map(f64::abs).sum::<f64>());
+            Cell::Number(if sum.abs() < 1e-12 * size { 0.0 } else { sum })
+        };
+        let foot = vec!["sum".into(), Cell::Empty, Cell::Empty, Cell::Empty, sum(4), sum(5), sum(6), sum(7)];
+        TableExhibit {
+            title: "Masses and corrections".into(),
+            columns: vec![
+                column("", ""),
+                column("m r", "kg*mm"),
+                column("θ", "deg"),
+                column("z", "mm"),
+                column("m r cos θ", "kg*mm"),
+                column("m r sin θ", "kg*mm"),
+                column("m r z cos θ", "kg*mm^2"),
+                column("m r z sin θ", "kg*mm^2"),
+            ],
+            rows,
+            foot,
+        }
+    }
+
+    /// Polar diagram of unbalances and corrections, along the shaft.
+    fn end_view(&self, corrections: [(f64, f64); 2]) -> Drawing {
+        let polar =
+            |m: &EccentricMass| (m.mass * m.radius * m.angle.cos(), m.mass * m.radius * m.angle.sin());
+        let arrows: Vec<((f64, f64), String, Ink)> = (self.masses.iter().zip(1..))
+            .map(|(m, n)| (polar(m), format!("m{}", dalembert_units::subscript(n)), Ink::Force))
+            .chain([(corrections[0], "A".into(), Ink::Result), (corrections[1], "B".into(), Ink::Result)])
+            .collect();
+        let reach = arrows.iter().map(|((x, y), ..)| x.hypot(*y)).fold(0.0, f64::max);
+        let reach = if reach > 0.0 { reach } else { 1.0 };
+        let mut shapes = vec![
+            DrawnShape::Circle((0.0, 0.0), 1.0, Ink::Faint),
+            DrawnShape::Circle((0.0, 0.0), 0.5, Ink::Faint),
+            DrawnShape::Polyline(vec![(-1.1, 0.0), (1.1, 0.0)], Ink::Faint),
+            DrawnShape::Polyline(vec![(0.0, -1.1), (0.0, 1.1)], Ink::Faint),
+        ];
+        for ((x, y), name, ink) in arrows {
+            let tip = (x / reach, y / reach);
+            shapes.push(DrawnShape::Arrow((0.0, 0.0), tip, ink));
+            shapes.push(DrawnShape::Label((1.12 * tip.0, 1.12 * tip.1), Text::new(name)));
+        }
+        Drawing { title: "Unbalances and corrections along the shaft".into(), shapes }
+    }
+
+    /// The shaft from the side: planes, masses and corrections at their positions.
+    fn side_view(&self, corrections: [(f64, f64); 2]) -> Drawing {
+        let positions = || self.masses.iter().map(|m| m.position).chain([self.plane_a, self.plane_b]);
+        let (low, high) =
+            positions().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
+        let span = (high - low).max(f64::MIN_POSITIVE);
+        let at = |z: f64| 4.0 * (z - low) / span;
+        let largest = self
+            .masses
+            .iter()
+            .map(|m| m.mass * m.radius)
+            .chain(corrections.map(|(x, y)| x.hypot(y)))
+            .fold(0.0, f64::max);
+        let height = |y: f64| if largest > 0.0 { y / largest } else { 0.0 };
+        let mut shapes = vec![
+            DrawnShape::Polyline(vec![(-0.4, 0.0), (4.4, 0.0)], Ink::Body),
+            DrawnShape::Pin((-0.4, 0.0)),
+            DrawnShape::Pin((4.4, 0.0)),
+        ];
+        for (m, n) in self.masses.iter().zip(1..) {
+            let tip = (at(m.position), height(m.mass * m.radius * m.angle.sin()));
+            shapes.push(DrawnShape::Arrow((tip.0, 0.0), tip, Ink::Force));
+            shapes.push(DrawnShape::Label(tip, Text::new(format!("m{}", dalembert_units::subscript(n)))));
+        }
+        for (((_, y), z), name) in corrections.into_iter().zip([self.plane_a, self.plane_b]).zip(["A", "B"]) {
+            let tip = (at(z), height(y));
+            shapes.push(DrawnShape::Polyline(vec![(tip.0, -1.1), (tip.0, 1.1)], Ink::Faint));
+            shapes.push(DrawnShape::Arrow((tip.0, 0.0), tip, Ink::Result));
+            shapes.push(DrawnShape::Label((tip.0, 1.2), Text::new(name)));
+        }
+        Drawing { title: "The shaft from the side".into(), shapes }
+    }
+}
+
+/// The products weight × radius that textbooks write, and the weights of the corrections.
+fn weights<W: Worksheet>(
+    sheet: W,
+    gravity: W::Num,
+    [x, y]: [&Along<W::Num>; 2],
+    [mass_a, mass_b]: [W::Num; 2],
+) {
+    let zero = || W::Num::from(0.0);
+    let product = |x: W::Num, y: W::Num| W::Vec::from_components(x, y, zero()) * gravity;
+    let why = ("Weight times radius, as textbooks write it", RIUL.at("eqs. 12–20"));
+    let sum = sheet.step_vector("ΣW r", "N*mm", product(x.resultant(), y.resultant()), why);
+    let at_b = sheet.step_vector("W_B r_B", "N*mm", product(x.in_b, y.in_b), why);
+    let at_a = sheet.step_vector("W_A r_A", "N*mm", product(x.in_a, y.in_a), why);
+    let weight_a = sheet.step("W_A", "N", mass_a * gravity, "Weight of the correction");
+    let weight_b = sheet.step("W_B", "N", mass_b * gravity, "Weight of the correction");
+    sheet.answer("weight_a", "Weight in plane A", weight_a);
+    sheet.answer("weight_b", "Weight in plane B", weight_b);
+    sheet.answer_vector("weight_moments", "Weight times radius of the masses together", sum);
+    sheet.answer_vector("weight_moment_b", "Weight times radius in plane B", at_b);
+    sheet.answer_vector("weight_moment_a", "Weight times radius in plane A", at_a);
+}
+
+/// The rotating force and couple that the bearings carry before balancing.
+fn before<W: Worksheet>(sheet: W, speed: W::Num, plane_a: W::Num, [x, y]: [&Along<W::Num>; 2]) {
+    let sum = balance::magnitude(x.resultant(), y.resultant());
+    let force = sheet.step(
+        "F",
+        "N",
+        balance::centrifugal_force(sum, speed),
+        ("Rotating force before balancing", RIUL.at("eq. 7")),
+    );
+    let couple = balance::magnitude(
+        balance::moment(x.masses.iter().copied(), plane_a),
+        balance::moment(y.masses.iter().copied(), plane_a),
+    );
+    let why = ("Rotating couple about plane A before balancing", RIUL.at("eq. 13"));
+    let couple = sheet.step("C", "N*m", balance::centrifugal_force(couple, speed), why);
+    sheet.answer("force_before", "Rotating force before balancing", force);
+    sheet.answer("couple_before", "Rotating couple about plane A before balancing", couple);
+}
