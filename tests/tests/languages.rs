@@ -33,6 +33,14 @@ fn every_sentence_has_its_portuguese() {
             sentences.add(of, &literal);
         }
     }
+    for path in source_files().into_iter().filter(|path| path.components().any(|part| part.as_os_str() == "plugins")) {
+        for literal in sentences_of_an_analysis(&read(&path)) {
+            sentences.add(&crate_of(&path), &literal);
+        }
+    }
+    for kind in dalembert_units::Kind::all() {
+        sentences.add("units", kind.name());
+    }
     let missing: Vec<String> = sentences
         .0
         .iter()
@@ -157,11 +165,59 @@ impl Sentences {
     }
 }
 
-/// The literals of a source that become a [`Text`]: those behind `Text::new(`, `Text::from(`, `because(`, `because_of(`.
+/// Every sentence in the code of an analysis: reasons, labels, warnings, in branches that no case takes as well.
+fn sentences_of_an_analysis(source: &str) -> BTreeSet<String> {
+    let code = source.split("#[cfg(test)]").next().unwrap_or_default();
+    let mut found = BTreeSet::new();
+    for line in joined(code) {
+        let exempt = ["keywords:", "full:", "short:", "expect(", "unreachable!(", "panic!(", "reason =", "//", "cases:"];
+        if exempt.iter().any(|mark| line.trim_start().starts_with(mark) || (mark.ends_with('(') && line.contains(mark))) {
+            continue;
+        }
+        // Literals stand at the odd places between quotes.
+        for literal in line.replace("\\\"", "'").split('"').skip(1).step_by(2) {
+            let words = literal.split(' ').filter(|word| word.chars().filter(char::is_ascii_lowercase).count() > 2);
+            if words.count() > 1 {
+                found.insert(literal.to_owned());
+            }
+        }
+    }
+    found
+}
+
+/// The lines of a source, those that a trailing backslash continues joined.
+fn joined(code: &str) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    let mut open = false;
+    for line in code.lines() {
+        let (text, continues) = line.strip_suffix('\\').map_or((line, false), |text| (text, true));
+        match lines.last_mut() {
+            Some(last) if open => *last += text.trim_start(),
+            _ => lines.push(text.to_owned()),
+        }
+        open = continues;
+    }
+    lines
+}
+
+/// The literals of a source that become a [`Text`].
 fn literals(source: &str) -> BTreeSet<String> {
     let code = source.split("#[cfg(test)]").next().unwrap_or_default();
     let mut found = BTreeSet::new();
-    for mark in ["Text::new(", "Text::from(", "Refusal::because("] {
+    let marks = [
+        "Text::new(",
+        "Text::from(",
+        "Refusal::because(",
+        "FieldError::new(path, ",
+        "mismatch(trail, ",
+        "fail(",
+        "faults.push(",
+        "limit(",
+        ".unexpected(",
+        "expected: ",
+        "after: ",
+    ];
+    for mark in marks {
         for rest in code.split(mark).skip(1) {
             if let Some(literal) = rest.trim_start().strip_prefix('"') {
                 found.insert(unescaped(literal));

@@ -8,7 +8,7 @@ use dalembert_units::{self as units, Style};
 use crate::{
     Field, FieldError, Limit, Measure, Record, Shape, Text, Value,
     path::{Segment, segments, unknown},
-    table,
+    reading, table,
 };
 
 /// The longest text of one line that is read, in bytes.
@@ -284,12 +284,12 @@ fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> 
                 Some(why) => fail(why, None),
                 None => Value::Quantity(quantity),
             },
-            Err(err) => fail(reading(&err), err.span()),
+            Err(err) => fail(reading::text(&err), err.span()),
         },
         Shape::Vector(measure, len) => {
             match units::read_vector(text, &measure.own_unit(), measure.kind(), *len) {
                 Ok(vector) => Value::Vector(vector),
-                Err(err) => fail(reading(&err), err.span()),
+                Err(err) => fail(reading::text(&err), err.span()),
             }
         }
         Shape::Text => Value::Text(text.trim().to_owned()),
@@ -305,7 +305,7 @@ fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> 
                     Text::new("{count} is outside the limits; write a whole number from {min} to {max}");
                 fail(why.with("count", count).with("min", min).with("max", max), None)
             }
-            Err(err) => fail(reading(&err), err.span()),
+            Err(err) => fail(reading::text(&err), err.span()),
         },
         // Which row it is can only be said when all rows are read.
         Shape::Reference(_) if text.trim().is_empty() => {
@@ -324,11 +324,6 @@ fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> 
         Shape::Optional(inner) => leaf(text, inner(), path, errors),
         Shape::OneOf(_) | Shape::Group(_) | Shape::Rows { .. } => fail("is missing".into(), None),
     }
-}
-
-/// The words of a reading error, to be translated.
-fn reading(err: &units::ReadError) -> Text {
-    Text::new(err.to_string())
 }
 
 /// Why a value is outside its limits.

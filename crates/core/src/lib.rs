@@ -15,6 +15,7 @@ pub mod file;
 mod input;
 mod path;
 pub mod printer;
+mod reading;
 mod record;
 mod sheet;
 mod solution;
@@ -48,3 +49,5 @@ pub use crate::{
     trace::{Number, Symbol, Trace},
     worksheet::{Plain, Trail, Why, Worksheet},
 };
+
+messages!("../locales/pt-BR.ftl");

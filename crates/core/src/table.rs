@@ -5,7 +5,7 @@
 
 use dalembert_units::{self as units, Kind, Style, Unit};
 
-use crate::{Field, Shape, Text, record::Table};
+use crate::{Field, Shape, Text, reading, record::Table};
 
 /// The longest table that is read, in bytes.
 const LONGEST_TABLE: usize = 16 << 20;
@@ -99,7 +99,7 @@ fn read_heading(line: &str, columns: &'static [Field], found: &mut [Unit], fault
                 let why = Text::new("the heading gives {unit} for {column}; write a unit like {own}");
                 faults.push(why.with("unit", text).with("column", column.label).with("own", own.pretty()));
             }
-            Err(err) => faults.push(Text::new(err.to_string())),
+            Err(err) => faults.push(reading::text(&err)),
         }
     }
 }
@@ -111,9 +111,7 @@ fn read_row(cells: &[&str], columns: &'static [Field], found: &[Unit]) -> Result
     }
     let cell = |((text, column), unit): ((&&str, &Field), &Unit)| {
         let kind = measure(column).map_or(Kind::Other, |measure| measure.kind());
-        units::read_quantity(text, unit, kind)
-            .map(|quantity| quantity.si)
-            .map_err(|err| Text::new(err.to_string()))
+        units::read_quantity(text, unit, kind).map(|quantity| quantity.si).map_err(|err| reading::text(&err))
     };
     cells.iter().zip(columns).zip(found).map(cell).collect()
 }

@@ -1,5 +1,7 @@
 //! Every kind of input, nested three deep: from text to the struct, and back.
 
+#![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
+
 use dalembert_core::{Draft, FieldError, Inputs, Record, Reference, Shape, Value, Worksheet, draft, file};
 use nalgebra::Vector3;
 

@@ -1,5 +1,7 @@
 //! What a worked solution writes: signs, brackets, fractions, powers, vectors, sums, dimensions.
 
+#![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
+
 use dalembert_core::{
     Locale, Refusal, Sheet, Solution, Stop, Term, Trail, Vect, Worksheet, printer, worksheet::Given,
 };

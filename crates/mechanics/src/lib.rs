@@ -6,6 +6,7 @@
 
 pub mod balance;
 pub mod beam;
+pub mod identification;
 pub mod intervals;
 pub mod linalg;
 pub mod polynomial;

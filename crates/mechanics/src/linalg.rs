@@ -81,7 +81,7 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>) -> Result<Solved, LinalgError> 
     let column_scale = scale_of(rows_scaled.column_iter().map(|column| column.amax()));
     let scaled = rows_scaled * DMatrix::from_diagonal(&column_scale);
     let right = b.component_mul(&row_scale);
-    let condition = condition(&scaled)?;
+    let condition = condition(even_columns(&even_rows(scaled.clone())))?;
 
     #[expect(clippy::disallowed_methods, reason = "finite, scaled and well conditioned")]
     let factors = scaled.clone().full_piv_lu();
@@ -115,7 +115,7 @@ pub fn least_squares(a: &DMatrix<f64>, b: &DVector<f64>) -> Result<Solved, Linal
     finite(a.iter().chain(b.iter()))?;
     let column_scale = scale_of(a.column_iter().map(|column| column.amax()));
     let scaled = a * DMatrix::from_diagonal(&column_scale);
-    let condition = condition(&scaled)?;
+    let condition = condition(even_columns(&scaled))?;
 
     #[expect(clippy::disallowed_methods, reason = "finite, scaled and of full column rank")]
     let (q, r) = scaled.clone().qr().unpack();
@@ -208,14 +208,12 @@ fn shifted_eigenvalues(a: &DMatrix<f64>, shift: f64) -> Option<Vec<Complex<f64>>
         .then(|| values.iter().map(|value| value - shift).collect())
 }
 
-/// `cond₂` of a scaled matrix.
-fn condition(scaled: &DMatrix<f64>) -> Result<f64, LinalgError> {
+/// `cond₂`, or the refusal of a singular matrix.
+fn condition(a: DMatrix<f64>) -> Result<f64, LinalgError> {
+    let limit = iteration_limit(a.ncols());
     #[expect(clippy::disallowed_methods, reason = "finite, scaled and with a limit")]
-    let singular_values = scaled
-        .clone()
-        .try_svd(false, false, 5.0 * f64::EPSILON, iteration_limit(scaled.ncols()))
-        .ok_or(LinalgError::NotConverged)?
-        .singular_values;
+    let svd = a.try_svd(false, false, 5.0 * f64::EPSILON, limit);
+    let singular_values = svd.ok_or(LinalgError::NotConverged)?.singular_values;
     finite(singular_values.iter())?;
     let (largest, smallest) = (singular_values.max(), singular_values.min());
     let reciprocal_condition = if largest > 0.0 { smallest / largest } else { 0.0 };
@@ -228,6 +226,22 @@ fn condition(scaled: &DMatrix<f64>) -> Result<f64, LinalgError> {
 /// A reciprocal size for each row or column; powers of two, so that scaling rounds nothing.
 fn scale_of(sizes: impl Iterator<Item = f64>) -> DVector<f64> {
     DVector::from_vec(sizes.map(|size| 1.0 / power_of_two_below(size)).collect())
+}
+
+/// Rows divided by their largest entries: unlike powers of two it makes the condition number a continuous
+/// function of the matrix.
+fn even_rows(mut a: DMatrix<f64>) -> DMatrix<f64> {
+    for mut row in a.row_iter_mut() {
+        let size = row.amax();
+        if size > 0.0 {
+            row /= size;
+        }
+    }
+    a
+}
+
+fn even_columns(a: &DMatrix<f64>) -> DMatrix<f64> {
+    even_rows(a.transpose()).transpose()
 }
 
 fn power_of_two_below(size: f64) -> f64 {

@@ -32,8 +32,9 @@ pub fn roots(coefficients: &[f64]) -> Result<Vec<Complex<f64>>, PolynomialError>
     }
     let first = coefficients.iter().position(|&a| a != 0.0).ok_or(PolynomialError::Zero)?;
     let last = coefficients.iter().rposition(|&a| a != 0.0).ok_or(PolynomialError::Zero)?;
-    // Ascending powers from here on, the roots at zero set aside.
-    let ascending: Vec<f64> = coefficients[first..=last].iter().rev().copied().collect();
+    // Ascending powers from here on, the roots at zero set aside, the largest coefficient near one.
+    let largest = coefficients.iter().fold(0.0, |largest: f64, a| largest.max(a.abs()));
+    let ascending: Vec<f64> = coefficients[first..=last].iter().rev().map(|a| a / largest).collect();
     let mut roots = conjugate_pairs(&ascending, aberth(&ascending)?);
     roots.extend(vec![Complex::ZERO; coefficients.len() - 1 - last]);
     if !roots.iter().all(|z| z.re.is_finite() && z.im.is_finite()) {

@@ -273,6 +273,11 @@ static ROWS: [Row; 30] = {
 };
 
 impl Kind {
+    /// Every kind but [`Kind::Other`].
+    pub fn all() -> impl Iterator<Item = Kind> {
+        ROWS.iter().map(|row| row.kind)
+    }
+
     /// The usual kind of what is written in `unit`: N·m is a torque, J an energy, `mm pp` an amplitude.
     ///
     /// 1/s counts as an angular velocity and a unit that fits no kind is [`Kind::Other`].

@@ -51,7 +51,7 @@ fn rotor_of_example_2() {
 
 #[test]
 fn sums_and_moments_of_example_2() {
-    // Weights in N and radii in mm, as the notes have them: 3.2c, 3.2e, 3.2f.
+    // Weights in N and radii in mm, as the notes have them.
     let (w1, w2) = (90.0, 60.0);
     let x = [
         balance::component_x(w1, 30.0, 60f64.to_radians()),
@@ -65,7 +65,7 @@ fn sums_and_moments_of_example_2() {
     printed(balance::resultant(y), 838.3, 1);
     let b = |c: [f64; 2]| balance::correction_in_b([(c[0], 20.0), (c[1], 65.0)], 0.0, 90.0);
     printed(b(x), 1576.4, 1);
-    printed(b(y), 563.7, 0);
+    printed(b(y), 563.7, 1);
     printed(balance::magnitude(b(x), b(y)), 1674.2, 1);
 }
 

@@ -67,13 +67,15 @@ fn mapping_keeps_open_ends_open() {
     assert_eq!(roots, expected);
 }
 
+type Ends = (Bound<f64>, Bound<f64>);
+
 fn ends() -> impl Strategy<Value = Bound<f64>> {
     // Few values, so that ends often meet.
     let number = (0..6).prop_map(f64::from);
     prop_oneof![number.clone().prop_map(Included), number.prop_map(Excluded), Just(Unbounded),]
 }
 
-fn sets() -> impl Strategy<Value = (Vec<(Bound<f64>, Bound<f64>)>, IntervalSet)> {
+fn sets() -> impl Strategy<Value = (Vec<Ends>, IntervalSet)> {
     prop::collection::vec((ends(), ends()), 0..4).prop_map(|pieces| {
         let whole = pieces
             .iter()
@@ -83,7 +85,7 @@ fn sets() -> impl Strategy<Value = (Vec<(Bound<f64>, Bound<f64>)>, IntervalSet)>
     })
 }
 
-fn within(pieces: &[(Bound<f64>, Bound<f64>)], x: f64) -> bool {
+fn within(pieces: &[Ends], x: f64) -> bool {
     use std::ops::RangeBounds;
     pieces.iter().any(|piece| piece.contains(&x))
 }

@@ -94,6 +94,11 @@ fn eccentricity_larger_than_the_clearance_forbids_every_soft_shaft() {
     // Equal to it: only no stiffness at all, where the rotor turns about its mass centre.
     let permitted = found(permitted_stiffness(2.0, 2e-3, 1e-3, [50.0, 90.0], 0.0));
     assert!(permitted.set.contains(0.0) && !permitted.set.contains(1e-9));
+    let permitted = found(permitted_stiffness_at_damping(2.0, 2e-3, 1e-3, [50.0, 90.0], 0.0));
+    assert!(permitted.set.contains(0.0) && !permitted.set.contains(1e-9));
+    // Without a peak the amplitude only tends to the eccentricity, so nothing is forbidden.
+    let permitted = found(permitted_stiffness(2.0, 2e-3, 1e-3, [50.0, 90.0], 0.9));
+    assert_eq!(permitted.stiff, None);
 }
 
 #[test]

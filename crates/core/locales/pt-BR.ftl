@@ -1,0 +1,155 @@
+# What the core says: inputs, files, answers.
+
+## Reading quantities
+found-cannot-stand-here-expected-is-expected = `{ $found }` não pode estar aqui: espera-se { $expected }
+symbol-must-stand-after-after-write-a-single-value-for-example-example = `{ $symbol }` deve vir depois de { $after }: escreva um único valor, por exemplo { $example }
+text-divides-by-zero-write-another-divisor = `{ $text }` divide por zero: escreva outro divisor
+text-has-a-unit-with-some-components-only-write-one-unit-after-the-brackets-as-in-300-200-m-s = `{ $text }` tem unidade só em algumas componentes: escreva uma unidade depois dos parênteses, como em `(300; 200) m/s`
+text-has-two-decimal-marks-write-first-or-second = `{ $text }` tem dois sinais decimais: escreva `{ $first }` ou `{ $second }`
+text-has-a-gap-between-digits-write-first-or-second = `{ $text }` tem um espaço entre algarismos: escreva `{ $first }` ou `{ $second }`
+text-can-be-read-in-two-ways-write-first-or-second = `{ $text }` pode ser lido de dois modos: escreva `{ $first }` ou `{ $second }`
+text-is-neither-yes-nor-no = `{ $text }` não é nem sim nem não
+text-is-no-exponent-of-a-unit-write-a-whole-number-other-than-0-from-limit-to-limit = `{ $text }` não é expoente de uma unidade: escreva um número inteiro diferente de 0, de -{ $limit } a { $limit }
+text-is-not-a-count-write-a-whole-number-for-example-4 = `{ $text }` não é uma contagem: escreva um número inteiro, por exemplo 4
+text-is-not-a-number-write-digits-for-example-example = `{ $text }` não é um número: escreva algarismos, por exemplo { $example }
+text-is-not-a-real-number-write-a-root-of-a-positive-number = `{ $text }` não é um número real: escreva a raiz de um número positivo
+text-is-too-close-to-zero-write-a-number-above-1e-300 = `{ $text }` está perto demais de zero: escreva um número acima de 1e-300
+text-is-too-large-write-a-number-below-1e300 = `{ $text }` é grande demais: escreva um número abaixo de 1e300
+text-is-found-expected-is-expected-for-example-in-example = `{ $text }` é { $found }; espera-se { $expected }, por exemplo em { $example }
+text-is-found-expected-is-expected-for-example-in-example-hint = `{ $text }` é { $found }; espera-se { $expected }, por exemplo em { $example }; { $hint }
+text-stops-too-early-expected-is-expected = `{ $text }` termina cedo demais: espera-se { $expected }
+a-level = um nível
+a-number-without-a-unit = um número sem unidade
+a-quantity-in-unit = uma grandeza em { $unit }
+an-amplitude-in-unit = uma amplitude em { $unit }
+a-value-is-needed-for-example-example = falta um valor, por exemplo { $example }
+a-mass-is-weight-g-write-weight-9-81-kg = massa é peso / g: escreva `{ $weight }/9.81 kg`
+a-weight-is-mass-g-write-9-81-mass-n-or-mass-kgf = peso é massa × g: escreva `9.81*{ $mass } N` ou `{ $mass } kgf`
+brackets-roots-powers-and-signs-nest-more-than-limit-deep-write-a-simpler-expression = parênteses, raízes, potências e sinais se encaixam mais de { $limit } vezes: escreva uma expressão mais simples
+g-is-the-gram-write-number-g0-for-multiples-of-standard-gravity = g é o grama: escreva `{ $number } g0` para múltiplos da gravidade padrão
+lb-is-a-mass-write-number-lbf = lb é uma massa: escreva `{ $number } lbf`
+peak-peak-to-peak-and-rms-belong-to-amplitudes-write-the-unit-alone = pico, pico a pico e rms são de amplitudes: escreva só a unidade
+the-marks-and-are-minutes-and-seconds-of-arc-write-text = os sinais ' e " são minutos e segundos de arco: escreva `{ $text }`
+the-square-root-of-dim-is-not-a-unit-write-a-root-of-an-even-power-such-as-sqrt-4-m-2 = a raiz quadrada de { $dim } não é uma unidade: escreva a raiz de uma potência par, como sqrt(4 m^2)
+the-text-holds-the-control-or-invisible-character-code-delete-it = o texto contém o caractere de controle ou invisível { $code }: apague-o
+the-text-is-longer-than-limit-characters-write-a-single-value = o texto passa de { $limit } caracteres: escreva um único valor
+unknown-unit-symbol-did-you-mean-nearest = unidade desconhecida `{ $symbol }`: seria { $nearest }?
+unknown-unit-symbol-write-a-unit-such-as-m-kg-s-n-pa-or-rpm = unidade desconhecida `{ $symbol }`: escreva uma unidade como m, kg, s, N, Pa ou rpm
+write-n-m-for-a-torque-number-n-m = escreva N·m para um torque: `{ $number } N*m`
+write-brackets-if-the-divisor-is-meant-to-have-the-unit-text = use parênteses se a unidade é do divisor: `{ $text }`
+write-the-angle-in-rad-or-deg-that-of-a-30-slope-is-16-699-deg = escreva o ângulo em rad ou deg; o de uma inclinação de 30 % é 16.699 deg
+found-components-are-written-where-expected-are-expected-write-them-as-in-example = há { $found } componentes onde se esperam { $expected }: escreva como em `{ $example }`
+left-and-right-cannot-be-added-give-both-the-same-kind-of-unit-or-write-brackets-as-in-2-3-mm = { $left } e { $right } não podem ser somados: dê a ambos o mesmo tipo de unidade, ou use parênteses como em `(2 + 3) mm`
+
+## Limits
+must-be-above-zero-you-wrote-text = deve ser maior que zero; foi escrito { $text }
+must-not-be-below-zero-you-wrote-text = não pode ser negativo; foi escrito { $text }
+must-be-above-limit-you-wrote-text = deve ser maior que { $limit }; foi escrito { $text }
+must-be-limit-or-more-you-wrote-text = deve ser { $limit } ou mais; foi escrito { $text }
+must-be-below-limit-you-wrote-text = deve ser menor que { $limit }; foi escrito { $text }
+must-be-limit-or-less-you-wrote-text = deve ser { $limit } ou menos; foi escrito { $text }
+count-is-outside-the-limits-write-a-whole-number-from-min-to-max = { $count } está fora dos limites; escreva um número inteiro de { $min } a { $max }
+at-least-min-rows-are-needed-there-are-have = são necessárias ao menos { $min } linhas; há { $have }
+the-character-code-cannot-be-typed-here-remove-it = o caractere { $code } não pode ser digitado aqui; remova-o
+this-text-has-have-characters-at-most-most-are-read = este texto tem { $have } caracteres; são lidos no máximo { $most }
+
+## Fields and paths
+is-missing = está faltando
+a-quantity-is-needed-here = aqui é necessária uma grandeza
+a-vector-is-needed-here = aqui é necessário um vetor
+a-text-is-needed-here = aqui é necessário um texto
+yes-or-no-is-needed-here = aqui é necessário sim ou não
+a-whole-number-is-needed-here = aqui é necessário um número inteiro
+the-name-of-a-row-is-needed-here = aqui é necessário o nome de uma linha
+one-of-the-alternatives-is-needed-here = aqui é necessária uma das alternativas
+a-list-is-needed-here = aqui é necessária uma lista
+a-table-is-needed-here = aqui é necessária uma tabela
+a-group-of-inputs-is-needed = é necessário um grupo de dados
+a-table-of-inputs-is-needed-here = aqui é necessária uma tabela de dados
+one-value-is-needed-here = aqui é necessário um único valor
+one-alternative-is-needed-here-known = aqui é necessária uma das alternativas: { $known }
+holds-several-inputs-name-one-of-them-as-in-masses-1-radius = contém vários dados; nomeie um deles, como em masses[1].radius
+is-a-list-name-a-row-as-in-masses-1 = é uma lista; nomeie uma linha, como em masses[1]
+is-not-part-of-the-problem-as-it-stands = não faz parte do problema como está
+is-not-a-quantity-of-this-problem-so-it-cannot-be-varied = não é uma grandeza deste problema, portanto não pode ser variada
+is-not-a-number-among-the-answers = não é um número entre as respostas
+a-name-is-missing-write-a-path-such-as-masses-1-radius = falta um nome; escreva um caminho como masses[1].radius
+there-is-no-such-field = não há tal campo
+there-are-no-list-to-name = não há { $list } para nomear
+there-are-rows-rows-the-next-is-next = há { $rows } linhas; a próxima é { $next }
+there-is-no-name-did-you-mean-near = não há `{ $name }`; seria `{ $near }`?
+there-is-no-name-write-one-of-known = não há `{ $name }`; escreva um de { $known }
+rest-was-not-expected-here = `{ $rest }` não era esperado aqui
+row-is-not-a-row-rows-count-from-1-as-in-masses-1 = `{ $row }` não é uma linha; as linhas contam a partir de 1, como em masses[1]
+
+## Tables
+line-line-why = linha { $line }: { $why }
+there-are-more-faults-these-are-the-first = há mais erros; estes são os primeiros
+the-heading-gives-unit-for-column-write-a-unit-like-own = o cabeçalho dá { $unit } para { $column }; escreva uma unidade como { $own }
+the-table-is-empty-write-one-row-a-line-columns = a tabela está vazia; escreva uma linha de dados por linha: { $columns }
+there-are-have-numbers-want-are-needed = há { $have } números; são necessários { $want }
+this-table-has-have-bytes-at-most-most-are-read = esta tabela tem { $have } bytes; são lidos no máximo { $most }
+
+## Problem files
+key-must-be-a-text-in-quotes = `{ $key }` deve ser um texto entre aspas
+path-why = { $path }: { $why }
+the-analysis-is-not-named-write-analysis-family-name-at-the-top = a análise não foi nomeada; escreva analysis = "family/name" no início
+the-analysis-must-be-a-text-such-as-vibration-rotating-unbalance = a análise deve ser um texto como "vibration/rotating-unbalance"
+there-is-no-analysis-id-did-you-mean-near = não há análise `{ $id }`; seria `{ $near }`?
+there-is-no-analysis-id-see-dalembert-list = não há análise `{ $id }`; veja `dalembert list`
+this-file-is-of-format-found-this-program-reads-formats-up-to-known-update-it = este arquivo é do formato { $found }; este programa lê formatos até { $known }: atualize-o
+a-unit-must-be-a-text-such-as-mm = uma unidade deve ser um texto como "mm"
+
+## Answers
+every-value = qualquer valor
+no-value = nenhum valor
+or = ou
+these-inputs-lead-to-a-number-that-cannot-be-represented-symbol = estes dados levam a um número que não pode ser representado: { $symbol }
+
+## Kinds of quantity
+a-length = um comprimento
+a-mass = uma massa
+a-time = um tempo
+an-angle = um ângulo
+an-angular-velocity = uma velocidade angular
+an-angular-acceleration = uma aceleração angular
+a-velocity = uma velocidade
+an-acceleration = uma aceleração
+a-force = uma força
+a-torque = um torque
+an-energy = uma energia
+a-power = uma potência
+a-stiffness = uma rigidez
+a-torsional-stiffness = uma rigidez à torção
+a-damping-coefficient = um coeficiente de amortecimento
+a-torsional-damping-coefficient = um coeficiente de amortecimento à torção
+a-stress = uma tensão
+an-area = uma área
+a-volume = um volume
+a-second-moment-of-area = um momento de inércia de área
+a-density = uma massa específica
+a-mass-per-length = uma massa por comprimento
+a-moment-of-inertia = um momento de inércia
+an-unbalance = um desbalanceamento
+a-compliance = uma flexibilidade
+a-flexural-rigidity = uma rigidez à flexão
+a-momentum = uma quantidade de movimento
+an-angular-momentum = uma quantidade de movimento angular
+a-ratio = uma razão
+an-amplitude = uma amplitude
+another-quantity = outra grandeza
+
+## What a reader expects
+an-operator-or-a-unit = um operador ou uma unidade
+an-operator = um operador
+a-plain-number = um número simples
+a-closing-bracket = um parêntese de fechamento
+an-opening-bracket = um parêntese de abertura
+a-number-or-a-unit = um número ou uma unidade
+a-number = um número
+a-unit = uma unidade
+a-unit-of-length-velocity-or-acceleration = uma unidade de comprimento, velocidade ou aceleração
+a-division = uma divisão
+a-component = uma componente
+a-component-along-i-j-or-k = uma componente ao longo de i, j ou k
+each-axis-once = cada eixo uma só vez

@@ -1,0 +1,202 @@
+//! The words of a reading error, so that they can be said in every language.
+
+use dalembert_units::{Dim, Hint, Kind, ReadError, Sense, Unit, WrongKind};
+
+use crate::Text;
+
+/// Why a text cannot be read, as a sentence that can be translated.
+pub(crate) fn text(error: &ReadError) -> Text {
+    match error {
+        ReadError::Empty { example } => {
+            Text::new("a value is needed, for example {example}").with("example", example)
+        }
+        ReadError::TooLong { limit } => {
+            Text::new("the text is longer than {limit} characters: write a single value").with("limit", limit)
+        }
+        ReadError::Control { code, .. } => {
+            Text::new("the text holds the control or invisible character {code}: delete it")
+                .with("code", format!("U+{code:04X}"))
+        }
+        ReadError::NotANumber { text, example, .. } => {
+            Text::new("`{text}` is not a number: write digits, for example {example}")
+                .with("text", text)
+                .with("example", example)
+        }
+        ReadError::OutOfRange { text, large: true, .. } => {
+            Text::new("`{text}` is too large: write a number below 1e300").with("text", text)
+        }
+        ReadError::OutOfRange { text, large: false, .. } => {
+            Text::new("`{text}` is too close to zero: write a number above 1e-300").with("text", text)
+        }
+        ReadError::TwoMarks { text, readings, .. } => {
+            two_readings("`{text}` has two decimal marks: write `{first}` or `{second}`", text, readings)
+        }
+        ReadError::Gap { text, readings, .. } => {
+            two_readings("`{text}` has a gap between digits: write `{first}` or `{second}`", text, readings)
+        }
+        ReadError::Ambiguous { text, readings, .. } => {
+            two_readings("`{text}` can be read in two ways: write `{first}` or `{second}`", text, readings)
+        }
+        ReadError::UnknownUnit { symbol, nearest, .. } if nearest.is_empty() => {
+            Text::new("unknown unit `{symbol}`: write a unit such as m, kg, s, N, Pa or rpm").with("symbol", symbol)
+        }
+        ReadError::UnknownUnit { symbol, nearest, .. } => Text::new("unknown unit `{symbol}`: did you mean {nearest}?")
+            .with("symbol", symbol)
+            .with("nearest", nearest.iter().map(|near| format!("`{near}`")).collect::<Vec<_>>().join(", ")),
+        ReadError::Unexpected { found, expected, .. } => {
+            Text::new("`{found}` cannot stand here: {expected} is expected")
+                .with("found", found)
+                .with_text("expected", *expected)
+        }
+        ReadError::Unfinished { text, expected, .. } => {
+            Text::new("`{text}` stops too early: {expected} is expected")
+                .with("text", text)
+                .with_text("expected", *expected)
+        }
+        ReadError::TooDeep { limit, .. } => {
+            Text::new("brackets, roots, powers and signs nest more than {limit} deep: write a simpler expression")
+                .with("limit", limit)
+        }
+        ReadError::Exponent { text, limit, .. } => {
+            Text::new("`{text}` is no exponent of a unit: write a whole number other than 0 from -{limit} to {limit}")
+                .with("text", text)
+                .with("limit", limit)
+        }
+        ReadError::DivisionByZero { text, .. } => {
+            Text::new("`{text}` divides by zero: write another divisor").with("text", text)
+        }
+        ReadError::NotReal { text, .. } => {
+            Text::new("`{text}` is not a real number: write a root of a positive number").with("text", text)
+        }
+        ReadError::UnevenRoot { dim, .. } => {
+            Text::new("the square root of {dim} is not a unit: write a root of an even power, such as sqrt(4 m^2)")
+                .with("dim", dim)
+        }
+        ReadError::Sum { left, right, .. } => Text::new(
+            "{left} and {right} cannot be added: give both the same kind of unit, or write brackets as in `(2 + 3) mm`",
+        )
+        .with_text("left", of_dim(*left))
+        .with_text("right", of_dim(*right)),
+        ReadError::Alone { symbol, after, example } => {
+            Text::new("`{symbol}` must stand after {after}: write a single value, for example {example}")
+                .with("symbol", symbol)
+                .with_text("after", *after)
+                .with("example", example)
+        }
+        ReadError::WrongKind(wrong) => wrong_kind(wrong),
+        ReadError::Components { found, expected, example, .. } => {
+            Text::new("{found} components are written where {expected} are expected: write them as in `{example}`")
+                .with("found", found)
+                .with_text("expected", *expected)
+                .with("example", example)
+        }
+        ReadError::MixedComponents { text, .. } => Text::new(
+            "`{text}` has a unit with some components only: write one unit after the brackets, as in `(300; 200) m/s`",
+        )
+        .with("text", text),
+        ReadError::NotACount { text, .. } => {
+            Text::new("`{text}` is not a count: write a whole number, for example 4").with("text", text)
+        }
+    }
+}
+
+fn two_readings(template: &'static str, text: &str, [first, second]: &[String; 2]) -> Text {
+    Text::new(template).with("text", text).with("first", first).with("second", second)
+}
+
+fn wrong_kind(wrong: &WrongKind) -> Text {
+    let WrongKind { text, unit, kind, bare, hint, .. } = wrong;
+    let found = match (unit.sense, Kind::of(unit)) {
+        (Sense::Level, _) => Text::new("a level"),
+        (_, found) => in_unit(found, unit),
+    };
+    let example = match kind.units() {
+        [first, ..] if bare.text.is_empty() => (*first).to_owned(),
+        _ => bare.ascii(),
+    };
+    let sentence = match hint {
+        None => Text::new("`{text}` is {found}; {expected} is expected, for example in {example}"),
+        Some(hint) => {
+            Text::new("`{text}` is {found}; {expected} is expected, for example in {example}; {hint}")
+                .with_text("hint", self::hint(hint))
+        }
+    };
+    sentence
+        .with("text", text)
+        .with_text("found", found)
+        .with_text("expected", in_unit(*kind, bare))
+        .with("example", example)
+}
+
+fn in_unit(kind: Kind, unit: &Unit) -> Text {
+    match kind {
+        Kind::Other => Text::new("a quantity in {unit}").with("unit", unit.pretty()),
+        Kind::Amplitude => Text::new("an amplitude in {unit}").with("unit", unit.pretty()),
+        kind => Text::from(kind.name()),
+    }
+}
+
+fn of_dim(dim: Dim) -> Text {
+    match Kind::of_dim(dim) {
+        Kind::Other => Text::new("a quantity in {unit}").with("unit", dim),
+        Kind::Ratio => Text::new("a number without a unit"),
+        kind => Text::from(kind.name()),
+    }
+}
+
+fn hint(hint: &Hint) -> Text {
+    match hint {
+        Hint::WeightOf(kg) => {
+            Text::new("a weight is mass × g: write `9.81*{mass} N` or `{mass} kgf`").with("mass", kg)
+        }
+        Hint::MassOf(newtons) => {
+            Text::new("a mass is weight / g: write `{weight}/9.81 kg`").with("weight", newtons)
+        }
+        Hint::PoundForce(number) => Text::new("lb is a mass: write `{number} lbf`").with("number", number),
+        Hint::StandardGravity(number) => {
+            Text::new("g is the gram: write `{number} g0` for multiples of standard gravity")
+                .with("number", number)
+        }
+        Hint::TorqueOf(number) => Text::new("write N·m for a torque: `{number} N*m`").with("number", number),
+        Hint::NoAmplitude => {
+            Text::new("peak, peak-to-peak and rms belong to amplitudes: write the unit alone")
+        }
+        Hint::Slope => Text::new("write the angle in rad or deg; that of a 30 % slope is 16.699 deg"),
+        Hint::Feet(text) => {
+            Text::new("the marks ' and \" are minutes and seconds of arc: write `{text}`").with("text", text)
+        }
+        Hint::Reciprocal(text) => {
+            Text::new("write brackets if the divisor is meant to have the unit: `{text}`").with("text", text)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use dalembert_units::{Kind, read_quantity, read_vector, unit};
+
+    /// The translatable sentence says what the error itself says, but for plurals and two refinements.
+    #[test]
+    fn the_words_are_those_of_the_error() {
+        let metre = unit("m").unwrap();
+        for typed in [
+            "",
+            "abc",
+            "1,2.3",
+            "1 000",
+            "3 furlong",
+            "3 kg",
+            "3 N",
+            "1/0",
+            "sqrt(-1)",
+            "1 m + 1 s",
+            "3 J",
+            "5 m/",
+        ] {
+            let error = read_quantity(typed, &metre, Kind::Length).unwrap_err();
+            assert_eq!(super::text(&error).english(), error.to_string(), "{typed}");
+        }
+        let error = read_vector("(1; 2; 3; 4) m", &metre, Kind::Length, 3).unwrap_err();
+        assert_eq!(super::text(&error).english(), error.to_string());
+    }
+}
