@@ -13,6 +13,8 @@
 //! The terminal is mute: it answers no question of the program, as a serial line does not. Programs run with a home
 //! folder of their own, which is removed in the end.
 
+mod keys;
+
 use std::{
     collections::BTreeMap,
     ffi::OsString,
@@ -65,9 +67,10 @@ impl Launch {
             environment: BTreeMap::new(),
             front: Front::Nothing,
         };
-        let launch = ["LC_ALL", "LC_CTYPE", "COLORTERM", "NO_COLOR", "DALEMBERT_GUARDED", "XDG_STATE_HOME", "ENV"]
-            .into_iter()
-            .fold(launch, Self::without);
+        let launch =
+            ["LC_ALL", "LC_CTYPE", "COLORTERM", "NO_COLOR", "DALEMBERT_GUARDED", "XDG_STATE_HOME", "ENV"]
+                .into_iter()
+                .fold(launch, Self::without);
         launch.env("TERM", "xterm-256color").env("LANG", "en_US.UTF-8").env("RUST_BACKTRACE", "0")
     }
 
@@ -108,7 +111,7 @@ impl Launch {
 
     /// Starts it.
     pub fn start(self) -> Pty {
-        Pty::start(self)
+        Pty::start(&self)
     }
 }
 
@@ -146,7 +149,7 @@ struct Output {
 }
 
 impl Pty {
-    fn start(launch: Launch) -> Self {
+    fn start(launch: &Launch) -> Self {
         let size = PtySize { rows: launch.rows, cols: launch.columns, pixel_width: 0, pixel_height: 0 };
         let pair = native_pty_system().openpty(size).expect("a pseudo-terminal");
         let home = tempfile::tempdir().expect("a home folder");
@@ -212,7 +215,7 @@ impl Pty {
     /// <down> <left> <right> <home> <end> <pgup> <pgdn> <f1>`…`<f12>`, with `c-`, `s-`, `a-` for Ctrl, Shift, Alt
     /// (`<c-c>`, `<a-x>`, `<c-right>`), and `<lt>` for `<` itself.
     pub fn types(&mut self, text: &str) {
-        self.send(&bytes_of(text));
+        self.send(&keys::bytes_of(text));
     }
 
     /// Sends bytes as they are.
@@ -249,10 +252,10 @@ impl Pty {
         assert!(self.sees(text, PATIENCE), "`{text}` is not on the screen:\n{}", self.screen());
     }
 
-    /// Waits until nothing came for this long, at most [`PATIENCE`].
+    /// Waits until nothing comes for this long, at most [`PATIENCE`].
     pub fn idle(&self, silence: Duration) {
-        let end = Instant::now() + PATIENCE;
-        while self.seen.output().last.elapsed() < silence && Instant::now() < end {
+        let start = Instant::now();
+        while self.seen.output().last.max(start).elapsed() < silence && start.elapsed() < PATIENCE {
             thread::sleep(Duration::from_millis(5));
         }
     }
@@ -274,7 +277,8 @@ impl Pty {
 
     /// The window has another size.
     pub fn resize(&mut self, rows: u16, columns: u16) {
-        self.seen.output().parser.screen_mut().set_size(rows.max(1), columns.max(1));
+        // The model of the screen cannot wrap within a single row.
+        self.seen.output().parser.screen_mut().set_size(rows.max(2), columns.max(2));
         let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
         self.master.as_ref().expect("the terminal is there").resize(size).expect("any size will do");
     }
@@ -288,8 +292,11 @@ impl Pty {
     pub fn hang_up(&mut self) {
         self.seen.closing.store(true, SeqCst);
         self.pause(false);
-        // The reader waits for a byte; the line carries one from here as well as from the program.
-        let _ = self.line.write_all(b" ");
+        // The reader waits for a byte; the line carries one from here as well as from the program. A line that is
+        // full takes it when it is cut, which is an error to nobody.
+        if let Ok(mut line) = self.line.try_clone() {
+            thread::spawn(move || line.write_all(b" "));
+        }
         if let Some(reader) = self.reader.take() {
             reader.join().expect("the reader does not panic");
         }
@@ -311,7 +318,8 @@ impl Pty {
     /// Sends a signal to one of [`processes`](Self::processes), counted from the first, or from the last if negative.
     pub fn signal(&self, which: isize, signal: Signal) {
         let processes = self.processes();
-        let at = if which < 0 { processes.len().checked_add_signed(which) } else { Some(which.unsigned_abs()) };
+        let at =
+            if which < 0 { processes.len().checked_add_signed(which) } else { Some(which.unsigned_abs()) };
         let process = at.and_then(|at| processes.get(at)).expect("the program has this process");
         let _ = kill_process(pid(*process), signal);
     }
@@ -333,13 +341,22 @@ impl Pty {
         let end = Instant::now() + PATIENCE;
         while Instant::now() < end {
             if let Ok(Some(status)) = self.child.try_wait() {
-                // Its last bytes are still on the line.
-                self.idle(Duration::from_millis(50));
+                self.drain();
                 return status.signal().is_none().then(|| status.exit_code());
             }
             thread::sleep(Duration::from_millis(5));
         }
         None
+    }
+
+    /// Waits until everything on the line is read: a zero byte from here comes after all of it, and shows nowhere.
+    fn drain(&mut self) {
+        let end = Instant::now() + PATIENCE;
+        let _ = self.line.write_all(&[0]);
+        while self.seen.output().raw.last() != Some(&0) && Instant::now() < end {
+            thread::sleep(Duration::from_millis(1));
+        }
+        self.seen.output().raw.pop_if(|last| *last == 0);
     }
 
     /// What the program left changed: modes of the line, of the screen, of the mouse; nothing if it was clean.
@@ -425,7 +442,7 @@ pub fn alive(process: i32) -> Option<f64> {
     (*fields.first()? != "Z").then_some(ticks / TICKS)
 }
 
-/// The program under test: `DALEMBERT_BIN`, or `dalembert` beside the tests, which is built if it is not there.
+/// The program under test: `DALEMBERT_BIN`, or `dalembert` beside the tests, which is built first.
 pub fn program() -> PathBuf {
     if let Some(path) = std::env::var_os("DALEMBERT_BIN") {
         return path.into();
@@ -433,100 +450,35 @@ pub fn program() -> PathBuf {
     built("dalembert", &["--package", "dalembert"])
 }
 
-/// The smallest program on the terminal's lifecycle, built if it is not there.
+/// The smallest program on the terminal's lifecycle, which is built first.
 pub fn lifecycle() -> PathBuf {
     built("examples/lifecycle", &["--package", "dalembert-tui", "--example", "lifecycle"])
 }
 
+/// What was built by this process: tests run at once, and one of them builds.
+static BUILT: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Builds a program beside the tests, with their profile, once; what is up to date costs a fraction of a second.
 fn built(name: &str, arguments: &[&str]) -> PathBuf {
     // target/<profile>/deps/<test>
     let test = std::env::current_exe().expect("a test has a path");
     let folder = test.parent().and_then(Path::parent).expect("tests are built in target/<profile>/deps");
     let path = folder.join(name);
-    static BUILDING: Mutex<()> = Mutex::new(());
-    let _one = BUILDING.lock().unwrap_or_else(PoisonError::into_inner);
-    if !path.exists() {
-        let profile = if folder.ends_with("debug") { "dev" } else { "release" };
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let status = std::process::Command::new(cargo)
+    let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);
+    if !built.contains(&path) {
+        let profile = match folder.file_name().and_then(|name| name.to_str()) {
+            Some("debug") | None => "dev",
+            Some(profile) => profile,
+        };
+        let status = std::process::Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
             .args(["build", "--quiet", "--profile", profile])
             .args(arguments)
             .env("CARGO_TARGET_DIR", folder.parent().expect("the profile's folder lies in target"))
             .status();
-        assert!(status.is_ok_and(|status| status.success()) && path.exists(), "`{}` cannot be built", path.display());
+        assert!(status.is_ok_and(|status| status.success()), "`{}` cannot be built", path.display());
+        built.push(path.clone());
     }
     path
-}
-
-/// The bytes an xterm sends for text with names of keys; see [`Pty::types`].
-fn bytes_of(text: &str) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    let mut rest = text;
-    while let Some((plain, after)) = rest.split_once('<') {
-        let (name, after) = after.split_once('>').expect("the name of a key ends with `>`; write <lt> for `<`");
-        bytes.extend_from_slice(plain.as_bytes());
-        bytes.extend(key(name));
-        rest = after;
-    }
-    bytes.extend_from_slice(rest.as_bytes());
-    bytes
-}
-
-fn key(name: &str) -> Vec<u8> {
-    let (mut modifiers, mut base) = (0, name);
-    while let Some((modifier, rest)) = base.split_once('-').filter(|(modifier, rest)| modifier.len() == 1 && !rest.is_empty()) {
-        modifiers |= match modifier {
-            "s" => 1,
-            "a" => 2,
-            "c" => 4,
-            _ => panic!("`{name}` is no key"),
-        };
-        base = rest;
-    }
-    let letter = |last: char| match modifiers {
-        0 => format!("\x1b[{last}"),
-        _ => format!("\x1b[1;{}{last}", modifiers + 1),
-    };
-    let number = |code: u8| match modifiers {
-        0 => format!("\x1b[{code}~"),
-        _ => format!("\x1b[{code};{}~", modifiers + 1),
-    };
-    let sequence = match base {
-        "lt" => "<".to_owned(),
-        "enter" => "\r".to_owned(),
-        "tab" if modifiers == 1 => "\x1b[Z".to_owned(),
-        "tab" => "\t".to_owned(),
-        "esc" => "\x1b".to_owned(),
-        "space" if modifiers == 4 => "\0".to_owned(),
-        "space" => " ".to_owned(),
-        "bs" => "\x7f".to_owned(),
-        "up" => letter('A'),
-        "down" => letter('B'),
-        "right" => letter('C'),
-        "left" => letter('D'),
-        "home" => letter('H'),
-        "end" => letter('F'),
-        "ins" => number(2),
-        "del" => number(3),
-        "pgup" => number(5),
-        "pgdn" => number(6),
-        _ if base.len() > 1 && base.starts_with('f') => match base[1..].parse() {
-            Ok(n @ 1..=4_u8) if modifiers == 0 => format!("\x1bO{}", char::from(b'P' + n - 1)),
-            Ok(n @ 1..=4) => letter(char::from(b'P' + n - 1)),
-            Ok(n @ 5..=12) => number([15, 17, 18, 19, 20, 21, 23, 24][usize::from(n) - 5]),
-            _ => panic!("`{name}` is no key"),
-        },
-        _ => {
-            let mut characters = base.chars();
-            let (Some(character), None) = (characters.next(), characters.next()) else { panic!("`{name}` is no key") };
-            let plain = match modifiers & 4 {
-                0 => character.to_string(),
-                _ => char::from(character.to_ascii_uppercase() as u8 & 0x1F).to_string(),
-            };
-            if modifiers & 2 == 0 { plain } else { format!("\x1b{plain}") }
-        }
-    };
-    sequence.into_bytes()
 }
 
 /// The last word on every private mode in a stream of bytes.
@@ -558,30 +510,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn keys_are_written_as_an_xterm_sends_them() {
-        for (text, bytes) in [
-            ("a<lt>b", &b"a<b"[..]),
-            ("<down><enter>", b"\x1b[B\r"),
-            ("<c-c><s-tab><f1><f12>", b"\x03\x1b[Z\x1bOP\x1b[24~"),
-            ("<c-right><s-f5><a-x><c-s-up>", b"\x1b[1;5C\x1b[15;2~\x1bx\x1b[1;6A"),
-            ("<c-->", b"\x0d"),
-        ] {
-            assert_eq!(bytes_of(text), bytes, "{text}");
-        }
-    }
-
-    #[test]
     fn the_last_word_on_a_mode_counts() {
         let modes = private_modes(b"\x1b[?1049h\x1b[?25l text \x1b[?1000;1006h\x1b[?1049l\x1b[?2026$p");
-        assert_eq!(modes.into_iter().collect::<Vec<_>>(), [(25, false), (1000, true), (1006, true), (1049, false)]);
+        assert_eq!(
+            modes.into_iter().collect::<Vec<_>>(),
+            [(25, false), (1000, true), (1006, true), (1049, false)]
+        );
     }
 
     #[test]
     fn a_program_that_leaves_modes_on_is_found_out() {
-        let mut pty = Launch::new("unused").in_script("printf '\\033[?1049h\\033[?25l'; stty -echo; exit 3").start();
+        let mut pty =
+            Launch::new("unused").in_script("printf '\\033[?1049h\\033[?25l'; stty -echo; exit 3").start();
         assert_eq!(pty.exit_code(), Some(3));
         let left = pty.leftovers();
         assert_eq!(left.len(), 3, "{left:?}");
-        assert!(left[0] == "hidden cursor" && left[1] == "mode 1049" && left[2].starts_with("local modes"), "{left:?}");
+        assert!(
+            left[0] == "hidden cursor" && left[1] == "mode 1049" && left[2].starts_with("local modes"),
+            "{left:?}"
+        );
     }
 }

@@ -16,8 +16,12 @@ fn every_printed_answer_is_ours_or_is_disputed() {
         for case in &cases {
             let verdicts = case.verify(entry).unwrap_or_else(|err| panic!("{id}, {}: {err}", case.name));
             for verdict in verdicts.iter().filter(|verdict| verdict.outcome == Outcome::Differing) {
-                let (answer, printed, ours, why) = (&verdict.answer, &verdict.printed, &verdict.ours, &verdict.why);
-                differing.push(format!("{id}, {}: {answer} is printed {printed}, ours is {ours}; {why}", case.name));
+                let (answer, printed, ours, why) =
+                    (&verdict.answer, &verdict.printed, &verdict.ours, &verdict.why);
+                differing.push(format!(
+                    "{id}, {}: {answer} is printed {printed}, ours is {ours}; {why}",
+                    case.name
+                ));
             }
         }
     }
@@ -40,8 +44,12 @@ fn the_course_documents_are_in_the_catalogue() {
     for (id, source, least) in sources {
         let entry = dalembert_core::find(id).unwrap_or_else(|| panic!("{id} is not registered"));
         let cases = cases::cases(entry).unwrap();
-        let printed: usize = cases.iter().filter(|case| case.source.contains(source)).map(|case| case.expect.len()).sum();
-        assert!(printed >= least, "{id} holds {printed} printed answers of {source}; the document has {least}");
+        let printed: usize =
+            cases.iter().filter(|case| case.source.contains(source)).map(|case| case.expect.len()).sum();
+        assert!(
+            printed >= least,
+            "{id} holds {printed} printed answers of {source}; the document has {least}"
+        );
     }
 }
 
@@ -74,7 +82,12 @@ fn every_worked_solution_is_written_down() {
                 if language == Language::English {
                     all += &format!(
                         "{} [{}]\n    {} = {}\n        = {}\n        = {}\n",
-                        written.why, written.source, written.symbol, written.formula, written.substitution, written.result
+                        written.why,
+                        written.source,
+                        written.symbol,
+                        written.formula,
+                        written.substitution,
+                        written.result
                     );
                 }
             }
@@ -92,7 +105,13 @@ fn a_solve_is_a_pure_function() {
         for case in cases::cases(entry).unwrap() {
             let Ok(record) = case.record(entry) else { continue };
             let stop = Stop::new();
-            assert_eq!(entry.solve(&record, &stop), entry.solve(&record, &stop), "{}, {}", entry.about.id, case.name);
+            assert_eq!(
+                entry.solve(&record, &stop),
+                entry.solve(&record, &stop),
+                "{}, {}",
+                entry.about.id,
+                case.name
+            );
         }
     }
 }
@@ -103,7 +122,8 @@ fn every_analysis_is_well_described() {
     for entry in registry() {
         let id = entry.about.id;
         let (family, name) = id.split_once('/').unwrap_or_else(|| panic!("{id}: an id is family/name"));
-        let kebab = |text: &str| text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
+        let kebab =
+            |text: &str| text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
         assert!(kebab(family) && kebab(name), "{id}: an id is in kebab case");
         assert!(!entry.about.title.is_empty() && entry.about.summary.ends_with('.'), "{id}");
         assert!(!entry.about.sources.is_empty(), "{id} names no source");

@@ -32,6 +32,7 @@ against_both! {
     signals_to_the_guard
     a_guard_that_is_killed
     suspending_and_resuming
+    jobs_in_the_background
     no_shell_to_return_to
     the_window_closes
     the_window_closes_while_hangups_are_ignored
@@ -64,11 +65,16 @@ fn started(launch: Launch) -> Pty {
 /// The program takes keys and draws.
 #[track_caller]
 fn assert_alive(pty: &mut Pty, after: &str) {
-    pty.types("<esc>");
-    pty.idle(Duration::from_millis(100));
+    escape(pty);
     pty.types(":alive");
     assert!(pty.sees(":alive", pty::PATIENCE), "no answer to keys after {after}:\n{}", pty.screen());
+    escape(pty);
+}
+
+/// Closes the palette. What follows an escape at once would be a key with Alt.
+fn escape(pty: &mut Pty) {
     pty.types("<esc>");
+    thread::sleep(Duration::from_millis(100));
 }
 
 /// The program ended with this code and left the terminal as it was.
@@ -119,8 +125,7 @@ fn a_stubborn_solver_does_not_hold_the_keys(program: &Path) {
         pty.types(&format!(":{letter}"));
         pty.expect(&format!(":{letter}"));
         assert!(start.elapsed() < Duration::from_millis(400), "{:?} for a key", start.elapsed());
-        pty.types("<esc>");
-        pty.idle(Duration::from_millis(100));
+        escape(&mut pty);
     }
 }
 
@@ -159,10 +164,9 @@ fn signals_to_the_guard(program: &Path) {
 /// Nobody can keep the shell from writing its prompt first; but the program notices, ends, and cleans up.
 fn a_guard_that_is_killed(program: &Path) {
     let mut pty = started(launch(program).under_shell());
-    let processes = pty.processes();
+    let proper = proper(&pty);
     pty.signal(0, Signal::KILL);
     pty.expect("Killed");
-    let proper = *processes.last().unwrap();
     let end = Instant::now() + 3 * SECOND;
     while pty::alive(proper).is_some() && Instant::now() < end {
         thread::sleep(Duration::from_millis(20));
@@ -195,7 +199,7 @@ fn suspending_and_resuming(program: &Path) {
             let start = Instant::now();
             pty.types("fg<enter>");
             pty.idle(Duration::from_millis(20));
-            pty.expect("dalembert─");
+            pty.expect("dalembert");
             assert!(start.elapsed() < SECOND, "{:?} to come back after {name}", start.elapsed());
             pty.idle(Duration::from_millis(150));
             assert_alive(&mut pty, name);
@@ -206,6 +210,35 @@ fn suspending_and_resuming(program: &Path) {
         pty.expect("code0");
         assert_eq!(pty.leftovers(), [""; 0], "ended after {name}");
     }
+}
+
+/// A stopped job that is ended, and one that is continued where it must not draw.
+fn jobs_in_the_background(program: &Path) {
+    let mut pty = started(launch(program).under_shell());
+    pty.types("<c-z>");
+    pty.expect("Stopped");
+    pty.types("kill %1; sleep 0.5<enter>");
+    pty.expect("Exit 143");
+    assert_eq!(pty.leftovers(), [""; 0], "ended while stopped");
+
+    pty.types("clear; \"$PROGRAM\"<enter>");
+    pty.expect("dalembert");
+    pty.idle(Duration::from_millis(100));
+    pty.types("<c-z>");
+    pty.expect("Stopped");
+    pty.types("clear; bg<enter>");
+    pty.idle(Duration::from_millis(300));
+    assert_eq!(pty.leftovers(), [""; 0], "continued in the background");
+    pty.types("echo still$((6*7))<enter>");
+    pty.expect("still42");
+    pty.types("fg<enter>");
+    pty.expect("dalembert");
+    pty.idle(Duration::from_millis(150));
+    assert_alive(&mut pty, "bg, then fg");
+    pty.types(":quit<enter>");
+    pty.expect("still42");
+    pty.idle(Duration::from_millis(200));
+    assert_eq!(pty.leftovers(), [""; 0], "ended after bg and fg");
 }
 
 /// Started by the terminal itself: a stop would be for ever.
@@ -225,7 +258,10 @@ fn assert_gone(processes: &[i32], spent: f64) {
     for &process in processes {
         while let Some(seconds) = pty::alive(process) {
             now = now.max(seconds);
-            assert!(Instant::now() < end, "process {process} goes on without a terminal ({seconds} s of processor)");
+            assert!(
+                Instant::now() < end,
+                "process {process} goes on without a terminal ({seconds} s of processor)"
+            );
             thread::sleep(Duration::from_millis(20));
         }
     }
@@ -235,7 +271,7 @@ fn assert_gone(processes: &[i32], spent: f64) {
 fn the_window_closes(program: &Path) {
     let mut pty = started(launch(program));
     let processes = pty.processes();
-    let spent = pty::alive(*processes.last().unwrap()).unwrap();
+    let spent = spent(proper(&pty));
     pty.hang_up();
     assert_gone(&processes, spent);
 }
@@ -243,7 +279,7 @@ fn the_window_closes(program: &Path) {
 fn the_window_closes_while_hangups_are_ignored(program: &Path) {
     let mut pty = started(launch(program).in_script("trap '' HUP; \"$PROGRAM\"; exit $?"));
     let processes = pty.processes();
-    let spent = pty::alive(*processes.last().unwrap()).unwrap();
+    let spent = spent(proper(&pty));
     pty.hang_up();
     assert_gone(&processes[1..], spent);
 }
@@ -251,7 +287,7 @@ fn the_window_closes_while_hangups_are_ignored(program: &Path) {
 /// A stopped line, a wedged multiplexer: the program hangs in its output, and must end all the same.
 fn a_terminal_that_takes_no_bytes(program: &Path) {
     let mut pty = started(launch(program));
-    let proper = *pty.processes().last().unwrap();
+    let proper = proper(&pty);
     pty.pause(true);
     for size in 0..60 {
         pty.resize(40 + size % 2, 150);
@@ -372,11 +408,11 @@ fn bytes_on_the_line(program: &Path) {
     let first = pty.raw();
     assert!(first.len() <= 6_000, "{} bytes for the first frame", first.len());
 
-    let proper = *pty.processes().last().unwrap();
-    let spent = pty::alive(proper).unwrap();
+    let proper = proper(&pty);
+    let before = spent(proper);
     thread::sleep(2 * SECOND);
     assert_eq!(pty.count(), first.len(), "bytes while nothing happens");
-    assert!(pty::alive(proper).unwrap() - spent < 0.02, "it works while nothing happens");
+    assert!(spent(proper) - before < 0.02, "it works while nothing happens");
 
     pty.types(":");
     pty.expect(":");
@@ -388,7 +424,7 @@ fn bytes_on_the_line(program: &Path) {
     assert!(pty.count() - before <= 300, "{} bytes for a key", pty.count() - before);
 
     // Between entering and leaving there is nothing but whole synchronized updates.
-    let raw = String::from_utf8(pty.raw()).unwrap();
+    let raw = String::from_utf8(pty.raw()).expect("UTF-8");
     let frames: Vec<&str> = raw.split("\x1b[?2026h").collect();
     assert!(frames.len() >= 4, "{} frames", frames.len() - 1);
     for frame in &frames[1..] {
@@ -404,7 +440,8 @@ fn plain_terminals(program: &Path) {
         ("linux", "en_US.UTF-8", "truecolor"),
         ("vt100", "en_US.UTF-8", ""),
     ] {
-        let mut pty = started(launch(program).env("TERM", term).env("LANG", lang).env("COLORTERM", colorterm));
+        let mut pty =
+            started(launch(program).env("TERM", term).env("LANG", lang).env("COLORTERM", colorterm));
         assert_alive(&mut pty, term);
         let raw = pty.raw();
         assert!(raw.is_ascii(), "TERM={term} LANG={lang}: {:?}", String::from_utf8_lossy(&raw));
@@ -427,6 +464,16 @@ fn hopeless_terminals(program: &Path) {
         assert_eq!(pty.leftovers(), [""; 0]);
         assert!(!contains(&pty.raw(), "\x1b"), "{:?}", String::from_utf8_lossy(&pty.raw()));
     }
+}
+
+/// The program proper, behind its guard.
+fn proper(pty: &Pty) -> i32 {
+    *pty.processes().last().expect("it runs")
+}
+
+/// The processor seconds of a process that runs.
+fn spent(process: i32) -> f64 {
+    pty::alive(process).expect("it runs")
 }
 
 fn contains(raw: &[u8], text: &str) -> bool {

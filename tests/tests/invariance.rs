@@ -14,7 +14,8 @@ const TIME: f64 = 2.3;
 #[test]
 fn every_answer_scales_with_its_dimension() {
     for_every_problem(|name, entry, record, here| {
-        let there = entry.solve(&scaled(record), &Stop::new()).unwrap_or_else(|err| panic!("{name} scaled: {err}"));
+        let there =
+            entry.solve(&scaled(record), &Stop::new()).unwrap_or_else(|err| panic!("{name} scaled: {err}"));
         assert_eq!(here.answers.len(), there.answers.len(), "{name}");
         for (a, b) in here.answers.iter().zip(&there.answers) {
             let (want, got) = (numbers(&a.value), numbers(&b.value));
@@ -44,7 +45,7 @@ fn the_unit_of_an_input_does_not_change_the_answers() {
         });
         for (path, field) in paths {
             let Some(measure) = measure(&field.shape) else { continue };
-            for unit in measure.kind().units() {
+            for unit in measure.units() {
                 let mut draft = dalembert_core::Draft::of_record(record);
                 let mut typed = None;
                 record.leaves(&mut |here, _, value| {
@@ -56,15 +57,21 @@ fn the_unit_of_an_input_does_not_change_the_answers() {
                 let style = units::Style { digits: 17, ascii: true, ..units::Style::default() };
                 let text = units::write_quantity(typed.expect("the path is there"), &unit, style);
                 draft.set(&entry.shape(), &path, &text).unwrap_or_else(|err| panic!("{name}: {err}"));
-                let record = draft.read(&entry.shape()).unwrap_or_else(|err| panic!("{name}: {text}: {err:?}"));
-                let there = entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {text}: {err}"));
+                let record =
+                    draft.read(&entry.shape()).unwrap_or_else(|err| panic!("{name}: {text}: {err:?}"));
+                let there =
+                    entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {text}: {err}"));
                 for (a, b) in here.answers.iter().zip(&there.answers) {
                     let (want, got) = (numbers(&a.value), numbers(&b.value));
                     let size = want.iter().fold(0.0f64, |size, x| size.max(x.abs()));
                     assert_eq!(want.len(), got.len(), "{name}: {} with {path} = {text}", a.name);
                     for (want, got) in want.iter().zip(got) {
                         let off = (got - want).abs();
-                        assert!(off <= 1e-7 * size + a.noise, "{name}: {} is {got}, not {want}, with {path} = {text}", a.name);
+                        assert!(
+                            off <= 1e-7 * size + a.noise,
+                            "{name}: {} is {got}, not {want}, with {path} = {text}",
+                            a.name
+                        );
                     }
                 }
             }
@@ -104,7 +111,10 @@ fn extreme_values_are_answered_or_refused() {
                     }
                     seen += 1;
                 });
-                check_finite(&format!("{name}: leaf {which} is {extreme:e}"), &entry.solve(&wild, &Stop::new()));
+                check_finite(
+                    &format!("{name}: leaf {which} is {extreme:e}"),
+                    &entry.solve(&wild, &Stop::new()),
+                );
             }
         }
     });
@@ -113,7 +123,11 @@ fn extreme_values_are_answered_or_refused() {
 fn check_finite(name: &str, solved: &Result<Solution, SolveError>) {
     if let Ok(solution) = solved {
         for answer in &solution.answers {
-            assert!(numbers(&answer.value).iter().all(|x| x.is_finite()), "{name}: {} is not finite", answer.name);
+            assert!(
+                numbers(&answer.value).iter().all(|x| x.is_finite()),
+                "{name}: {} is not finite",
+                answer.name
+            );
         }
     }
 }

@@ -1,1 +1,46 @@
-fn main() {}
+//! `cargo xtask`: the automation of this repository.
+
+use std::{env, process::ExitCode};
+
+use xtask::{bench, docs, new_analysis, new_plugin, root, tidy, verify};
+
+const USAGE: &str = "\
+usage: cargo xtask COMMAND
+
+  verify [--quick]           prove the project; --quick leaves out the slow steps
+  tidy                       hold the tree to its own rules
+  new-analysis FAMILY NAME   begin an analysis: one file, its cases, its translations
+  new-plugin NAME            begin a family of analyses
+  docs [--check]             write the reference in docs/, or see that it is up to date
+  bench [PART]...            measure; parts: plain units start solve tui
+";
+
+fn main() -> ExitCode {
+    let words: Vec<String> = env::args().skip(1).collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let done = match words.as_slice() {
+        ["verify"] => verify::run(&root(), verify::Extent::Everything),
+        ["verify", "--quick"] => verify::run(&root(), verify::Extent::Quick),
+        ["tidy"] => tidy::run(&root()),
+        ["new-analysis", family, name] => new_analysis::run(&root(), family, name),
+        ["new-plugin", name] => new_plugin::run(&root(), name),
+        ["docs"] => docs::write(&root()),
+        ["docs", "--check"] => docs::check(&root()),
+        ["bench", parts @ ..] => bench::run(&root(), parts),
+        ["help" | "--help" | "-h"] => {
+            print!("{USAGE}");
+            Ok(())
+        }
+        _ => {
+            eprint!("{USAGE}");
+            return ExitCode::from(2);
+        }
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(err) => {
+            eprintln!("error: {err:#}");
+            ExitCode::FAILURE
+        }
+    }
+}

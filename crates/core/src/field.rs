@@ -99,6 +99,18 @@ impl Measure {
         units::unit(self.unit).expect("the derive and a test hold the units of fields to be well formed")
     }
 
+    /// Units worth offering, its own first. A pure number is offered only where a number written alone is one,
+    /// and a level only where a level is asked: elsewhere what is shown would not read back as what it is.
+    pub fn units(&self) -> Vec<&'static str> {
+        let others = self
+            .kind()
+            .units()
+            .iter()
+            .copied()
+            .filter(|unit| *unit != self.unit && !["1", "dB"].contains(unit));
+        std::iter::once(self.unit).chain(others).collect()
+    }
+
     /// The kind of quantity that is asked for.
     pub fn kind(&self) -> units::Kind {
         self.kind.unwrap_or_else(|| units::Kind::of(&self.own_unit()))

@@ -367,6 +367,8 @@ impl Writer<'_> {
             pi.into()
         } else if value == TAU {
             if self.style.ascii { "2 pi".into() } else { "2π".into() }
+        } else if value == TAU * TAU {
+            if self.style.ascii { "4 pi^2".into() } else { "4π²".into() }
         } else {
             // The numbers of a formula are exact: as many digits as it takes.
             units::write_number(value, Style { digits: 12, ..self.style })
@@ -417,8 +419,9 @@ impl Writer<'_> {
         match self.op(id) {
             _ if bare => {
                 let text = self.factor(id);
-                // 1.3×10⁻⁶ and symbols of several letters with a power need brackets.
-                if text.contains(['×', '*']) { format!("({text})") } else { text }
+                // 1.3×10⁻⁶, 2π and symbols of several letters with a power need brackets.
+                let several = text.contains(['×', '*', '²', ' ']) || text == "2π";
+                if several { format!("({text})") } else { text }
             }
             // These bring brackets of their own.
             Op::Call(Function::Abs, _) | Op::Magnitude(_) => self.factor(id),

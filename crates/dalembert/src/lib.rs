@@ -1,1 +1,59 @@
 //! The program without its analyses: a binary links those it wants and calls [`main`].
+//!
+//! Every subcommand is a function from its arguments and a [`Console`](console::Console) to the text it prints or
+//! a [`Failure`](failure::Failure); what is printed where, and with which exit status, is decided here alone.
+
+mod arguments;
+mod commands;
+mod console;
+mod failure;
+mod problem;
+mod snippet;
+mod solving;
+
+use std::{ffi::OsString, process::ExitCode};
+
+use clap::FromArgMatches as _;
+
+use crate::{
+    arguments::{Arguments, Command},
+    console::Console,
+    failure::Failure,
+};
+
+dalembert_core::messages!("../locales/pt-BR.ftl");
+
+/// The whole program. Exit status: 0 solved; 1 refused, or a check failed; 2 bad input or usage.
+pub fn main() -> ExitCode {
+    let words: Vec<OsString> = std::env::args_os().collect();
+    // The help is in the language that is asked for, so that is looked for before everything else.
+    let language = console::language_asked_for(&words);
+    let parsed = arguments::command(language)
+        .try_get_matches_from(words)
+        .and_then(|matches| Arguments::from_arg_matches(&matches));
+    match parsed {
+        Ok(arguments) => {
+            let console = Console::of_process(language, arguments.ascii);
+            run(&arguments, &console).unwrap_or_else(|failure| failure.report(&console))
+        }
+        Err(err) => {
+            // Help and version are no errors to clap either: it knows the stream and the status.
+            let _ = err.print();
+            ExitCode::from(u8::try_from(err.exit_code()).unwrap_or(2))
+        }
+    }
+}
+
+fn run(arguments: &Arguments, console: &Console) -> Result<ExitCode, Failure> {
+    match &arguments.command {
+        None => commands::workbench::run(arguments.problem.as_deref(), arguments.readonly, console),
+        Some(Command::List(list)) => commands::list::run(list, console),
+        Some(Command::Show(show)) => commands::show::run(show, console),
+        Some(Command::Solve(solve)) => commands::solve::run(solve, console),
+        Some(Command::Verify(verify)) => commands::verify::run(verify, console),
+        Some(Command::Schema(schema)) => commands::schema::run(schema, console),
+        Some(Command::Completions(completions)) => commands::completions::run(completions, console),
+        Some(Command::Man(man)) => commands::man::run(man, console),
+        Some(Command::Info) => commands::info::run(console),
+    }
+}

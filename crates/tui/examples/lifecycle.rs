@@ -57,9 +57,11 @@ fn run() -> Result<(), TerminalError> {
     let mut model = Model::default();
     loop {
         session.draw(|frame| view(&model, frame))?;
-        for input in session.next_events(Duration::from_secs(60))? {
+        for input in session.next_events(Duration::from_mins(1))? {
             match input {
-                Input::Key(KeyEvent { code: KeyCode::Char('z'), modifiers: KeyModifiers::CONTROL, .. }) => {
+                Input::Key(KeyEvent {
+                    code: KeyCode::Char('z'), modifiers: KeyModifiers::CONTROL, ..
+                }) => {
                     session.suspend();
                 }
                 Input::Key(key) => match press(&mut model, key) {
@@ -68,7 +70,8 @@ fn run() -> Result<(), TerminalError> {
                         let (results, waker) = (results.clone(), session.waker());
                         thread::spawn(move || {
                             let result = contained(|| fault(kind, || false));
-                            let _ = results.send(result.map_or_else(|panic| panic, |()| format!("{kind} done")));
+                            let _ =
+                                results.send(result.map_or_else(|panic| panic, |()| format!("{kind} done")));
                             waker.wake();
                         });
                     }

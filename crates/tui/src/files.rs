@@ -120,7 +120,7 @@ pub fn read(path: &Path) -> Result<Opened, FileError> {
         FileError::NotUtf8 {
             path: path.to_owned(),
             byte,
-            line: 1 + bytes[..byte].iter().filter(|&&byte| byte == b'\n').count(),
+            line: bytes[..byte].split(|&byte| byte == b'\n').count(),
             utf16: bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF"),
         }
     })?;

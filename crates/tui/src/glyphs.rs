@@ -117,7 +117,8 @@ impl Capabilities {
     /// and of the name of `TERM`; a terminal reduced to ASCII is trusted with no more than sixteen.
     pub fn detect(environment: &Environment) -> Self {
         let term = environment.term.as_deref().unwrap_or("dumb");
-        let glyphs = if utf8(environment) && !fixed_characters(term) { Glyphs::Unicode } else { Glyphs::Ascii };
+        let glyphs =
+            if utf8(environment) && !fixed_characters(term) { Glyphs::Unicode } else { Glyphs::Ascii };
         let most = match glyphs {
             Glyphs::Unicode => Colors::True,
             Glyphs::Ascii => Colors::Sixteen,

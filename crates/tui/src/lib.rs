@@ -1,5 +1,30 @@
-//! TODO
+//! The terminal workbench: pick a problem, edit its inputs, and see the answers change.
+//!
+//! A [`Model`] holds everything; [`update`] changes it by a [`Msg`] and answers with [`Effect`]s, plain values that
+//! the run loop carries out; [`view`] draws it. So a test types keys and reads the screen, without a terminal.
 
+mod app;
+pub mod bench;
+pub mod dialog;
+pub mod drawing;
 pub mod files;
+pub mod form;
 pub mod glyphs;
+pub mod keys;
+pub mod layout;
+pub mod look;
+pub mod model;
+pub mod panes;
+pub mod picker;
+pub mod plot;
+pub mod solver;
 pub mod terminal;
+mod update;
+mod view;
+
+pub use app::{Options, run};
+pub use model::{Effect, Model, Msg};
+pub use update::{start, update};
+pub use view::view;
+
+dalembert_core::messages!("../locales/pt-BR.ftl");

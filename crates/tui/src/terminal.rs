@@ -14,7 +14,7 @@
 //!     let mut session = Session::enter(Options::default())?;
 //!     loop {
 //!         session.draw(|frame| frame.render_widget("q ends", frame.area()))?;
-//!         for input in session.next_events(Duration::from_secs(60))? {
+//!         for input in session.next_events(Duration::from_mins(1))? {
 //!             if matches!(input, Input::Key(key) if key.code == ratatui::crossterm::event::KeyCode::Char('q')) {
 //!                 return Ok(());
 //!             }

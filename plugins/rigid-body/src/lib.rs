@@ -1,1 +1,7 @@
-//! Analyses: rigid-body.
+//! Analyses of rigid bodies in space: angular momentum, its rate of change, and the couples that go with it.
+
+pub mod rod_on_shaft;
+mod sources;
+pub mod spinning_disc_on_arm;
+
+dalembert_core::messages!("../locales/pt-BR.ftl");

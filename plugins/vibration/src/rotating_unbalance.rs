@@ -1,11 +1,18 @@
 //! A machine with a rotating unbalance on an elastic, damped support.
 
-use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
-};
-use dalembert_mechanics::{Real, beam, sdof};
+use std::f64::consts::FRAC_1_SQRT_2;
 
-use crate::sources::{KELLY, LISTS, RAO};
+use dalembert_core::{
+    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    register,
+};
+use dalembert_mechanics::{Real, sdof};
+
+use crate::{
+    decay::{Decay, decrement},
+    sources::{KELLY, LISTS, RAO},
+    spring::{Spring, sketch, stiffness},
+};
 
 /// The machine, what carries it, and what damps it.
 #[derive(Clone, Debug, Inputs)]
@@ -18,59 +25,12 @@ pub struct RotatingUnbalance {
     #[input("m₀e", "kg*m", positive)]
     pub unbalance: f64,
     /// Support.
-    pub support: Support,
+    pub support: Spring,
     /// Damping.
     pub damping: Damping,
     /// Speed of the machine.
     #[input("ω", "rad/s", positive)]
     pub speed: f64,
-}
-
-/// What carries the machine.
-#[derive(Clone, Debug, Inputs)]
-pub enum Support {
-    /// Stiffness given
-    Stiffness {
-        /// Stiffness.
-        #[input("k", "N/m", positive)]
-        stiffness: f64,
-    },
-    /// Free end of a cantilever
-    Cantilever {
-        /// Length.
-        #[input("L", "m", positive)]
-        length: f64,
-        /// Young's modulus.
-        #[input("E", "Pa", positive)]
-        young: f64,
-        /// Second moment of area.
-        #[input("I", "m^4", positive)]
-        second_moment: f64,
-    },
-    /// Middle of a simply supported beam
-    SimplySupported {
-        /// Span.
-        #[input("L", "m", positive)]
-        length: f64,
-        /// Young's modulus.
-        #[input("E", "Pa", positive)]
-        young: f64,
-        /// Second moment of area.
-        #[input("I", "m^4", positive)]
-        second_moment: f64,
-    },
-    /// Middle of a beam clamped at both ends
-    Clamped {
-        /// Span.
-        #[input("L", "m", positive)]
-        length: f64,
-        /// Young's modulus.
-        #[input("E", "Pa", positive)]
-        young: f64,
-        /// Second moment of area.
-        #[input("I", "m^4", positive)]
-        second_moment: f64,
-    },
 }
 
 /// What damps the machine.
@@ -79,6 +39,7 @@ pub enum Damping {
     /// Damping ratio given
     Ratio {
         /// Damping ratio.
+        /// Zero for no damping.
         #[input("ζ", "1", nonnegative)]
         ratio: f64,
     },
@@ -91,18 +52,13 @@ pub enum Damping {
     /// From the largest steady amplitude at any speed
     LargestAmplitude {
         /// Largest steady amplitude.
-        #[input("Xₘₐₓ", "m", positive)]
+        #[input("Xₘₐₓ", "m", positive, kind = "Amplitude")]
         amplitude: f64,
     },
     /// From a free decay
     Decay {
-        /// Ratio of the first amplitude to the last.
-        #[input("x₀/xₙ", "1", above = 1)]
-        amplitude_ratio: f64,
-        /// Number of cycles between them.
-        /// Seven successive amplitudes are six cycles apart.
-        #[input("n", "1", positive)]
-        cycles: f64,
+        /// Amplitudes.
+        amplitudes: Decay,
     },
 }
 
@@ -119,27 +75,7 @@ impl Analysis for RotatingUnbalance {
     };
 
     fn solve<W: Worksheet>(&self, given: &RotatingUnbalanceGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let k = match &given.support {
-            SupportGiven::Stiffness { stiffness } => *stiffness,
-            SupportGiven::Cantilever { length, young, second_moment } => sheet.step(
-                "k",
-                "kN/m",
-                beam::cantilever(*young, *second_moment, *length),
-                ("Stiffness of a cantilever loaded at its free end", RAO.at("§1.7")),
-            ),
-            SupportGiven::SimplySupported { length, young, second_moment } => sheet.step(
-                "k",
-                "kN/m",
-                beam::simply_supported_middle(*young, *second_moment, *length),
-                ("Stiffness of a simply supported beam loaded in the middle", RAO.at("§1.7")),
-            ),
-            SupportGiven::Clamped { length, young, second_moment } => sheet.step(
-                "k",
-                "kN/m",
-                beam::clamped_clamped_middle(*young, *second_moment, *length),
-                ("Stiffness of a beam clamped at both ends, loaded in the middle", RAO.at("§1.7")),
-            ),
-        };
+        let k = stiffness(&given.support, sheet)?;
         let natural = sheet.step(
             "ωₙ",
             "rad/s",
@@ -171,25 +107,27 @@ impl Analysis for RotatingUnbalance {
                     "ζ",
                     "1",
                     zeta,
-                    ("Damping ratio whose peak 1/(2ζ√(1−ζ²)) is Λₘₐₓ, the smaller root", KELLY.at("§4.5")),
+                    (
+                        "The peak is 1/(2ζ√(1 − ζ²)), a quadratic equation in ζ²; its smaller root",
+                        KELLY.at("§4.5"),
+                    ),
                 );
-                sheet.check("the damping ratio gives the largest amplitude back", sdof::peak_magnification(zeta), peak);
+                if let Some(other) = sdof::extraneous_damping_ratio_from_peak(peak) {
+                    sheet.step(
+                        "ζ₂",
+                        "1",
+                        other,
+                        "Its larger root lies above 1/√2, where the response has no peak: rejected",
+                    );
+                }
+                sheet.check(
+                    "the damping ratio gives the largest amplitude back",
+                    sdof::peak_magnification(zeta),
+                    peak,
+                );
                 zeta
             }
-            DampingGiven::Decay { amplitude_ratio, cycles } => {
-                let decrement = sheet.step(
-                    "δ",
-                    "1",
-                    sdof::logarithmic_decrement(*amplitude_ratio, *cycles),
-                    ("Logarithmic decrement", RAO.at("§2.6.3")),
-                );
-                sheet.step(
-                    "ζ",
-                    "1",
-                    sdof::damping_ratio_from_decrement(decrement),
-                    ("Damping ratio from the decrement", RAO.at("§2.6.3")),
-                )
-            }
+            DampingGiven::Decay { amplitudes } => decrement(amplitudes, sheet).damping_ratio,
         };
         if zeta.value() == 0.0 && ratio.value() == 1.0 {
             return Err(Refusal::because(
@@ -225,6 +163,16 @@ impl Analysis for RotatingUnbalance {
             sdof::unbalance_amplitude(given.unbalance, k, given.mass, c, given.speed),
             amplitude,
         );
+        sheet.check(
+            "force on the foundation from the transmissibility of the force of the unbalance",
+            given.unbalance * given.speed.powi(2) * sdof::transmissibility(ratio, zeta),
+            force,
+        );
+        sheet.check(
+            "phase lag from stiffness, mass and damping",
+            sdof::phase_lag(k, given.mass, c, given.speed),
+            phase,
+        );
         sheet.answer("stiffness", "Stiffness of the support", k);
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("frequency_ratio", "Frequency ratio", ratio);
@@ -233,7 +181,7 @@ impl Analysis for RotatingUnbalance {
         sheet.answer("amplitude", "Amplitude at this speed", amplitude);
         sheet.answer("phase", "Phase lag", phase);
         sheet.answer("transmitted_force", "Force on the foundation", force);
-        if zeta.value() < std::f64::consts::FRAC_1_SQRT_2 {
+        if zeta.value() > 0.0 && zeta.value() < FRAC_1_SQRT_2 {
             let worst = sheet.step(
                 "ωₘₐₓ",
                 "rpm",
@@ -241,6 +189,28 @@ impl Analysis for RotatingUnbalance {
                 ("Speed of the largest steady amplitude", RAO.at("§3.7")),
             );
             sheet.answer("worst_speed", "Speed of the largest amplitude", worst);
+            if !matches!(self.damping, Damping::LargestAmplitude { .. }) {
+                let largest = sheet.step(
+                    "Xₘₐₓ",
+                    "mm",
+                    given.unbalance / given.mass * sdof::peak_magnification(zeta),
+                    ("Largest steady amplitude at any speed", RAO.at("§3.7")),
+                );
+                sheet.check(
+                    "the largest amplitude from the dynamic stiffness at its speed",
+                    sdof::unbalance_amplitude(given.unbalance, k, given.mass, c, worst),
+                    largest,
+                );
+                sheet.answer("largest_amplitude", "Largest amplitude at any speed", largest);
+            }
+        }
+        if zeta.value() < 0.05 && (ratio.value() - 1.0).abs() < 0.05 {
+            sheet.warn(|| {
+                Text::new(
+                    "the machine runs within 5 % of its natural frequency with little damping: small errors of mass, \
+                     stiffness or speed change the amplitude greatly",
+                )
+            });
         }
         let (wn, zeta) = (natural.value(), zeta.value());
         sheet.show(|| Exhibit::Plot(self.amplitude_over_speed(wn, zeta, amplitude.value())));
@@ -267,27 +237,7 @@ impl RotatingUnbalance {
 
     /// The machine on its support, with the unbalance at its radius.
     fn machine(&self) -> Drawing {
-        let mut shapes = match self.support {
-            Support::Stiffness { .. } => vec![
-                DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
-                DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
-                DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
-            ],
-            Support::Cantilever { .. } => vec![
-                DrawnShape::Ground((-3.0, 0.5), (-3.0, -1.5)),
-                DrawnShape::Polyline(vec![(-3.0, -0.5), (0.6, -0.5)], Ink::Body),
-            ],
-            Support::SimplySupported { .. } => vec![
-                DrawnShape::Polyline(vec![(-2.5, -0.5), (2.5, -0.5)], Ink::Body),
-                DrawnShape::Pin((-2.5, -0.5)),
-                DrawnShape::Pin((2.5, -0.5)),
-            ],
-            Support::Clamped { .. } => vec![
-                DrawnShape::Ground((-2.5, 0.5), (-2.5, -1.5)),
-                DrawnShape::Ground((2.5, -1.5), (2.5, 0.5)),
-                DrawnShape::Polyline(vec![(-2.5, -0.5), (2.5, -0.5)], Ink::Body),
-            ],
-        };
+        let mut shapes = sketch::carrying(&self.support);
         shapes.extend([
             DrawnShape::Block((-0.6, -0.4), (0.6, 0.8), Ink::Body),
             DrawnShape::Circle((0.0, 0.2), 0.4, Ink::Faint),

@@ -7,8 +7,28 @@ pub(crate) static RAO: Source =
     Source { short: "Rao", full: "S. S. Rao, Mechanical Vibrations, 5th ed., Prentice Hall, 2011" };
 
 /// S. G. Kelly, Mechanical Vibrations.
-pub(crate) static KELLY: Source =
-    Source { short: "Kelly", full: "S. G. Kelly, Mechanical Vibrations: Theory and Applications, Cengage, 2012" };
+pub(crate) static KELLY: Source = Source {
+    short: "Kelly",
+    full: "S. G. Kelly, Mechanical Vibrations: Theory and Applications, Cengage, 2012",
+};
+
+/// F. P. Beer and E. R. Johnston, Mechanics of Materials.
+pub(crate) static BEER: Source = Source {
+    short: "Beer & Johnston",
+    full: "F. P. Beer, E. R. Johnston, J. T. DeWolf and D. F. Mazurek, Mechanics of Materials, 6th ed., McGraw-Hill, 2012",
+};
+
+/// J. E. Shigley, Mechanical Engineering Design.
+pub(crate) static SHIGLEY: Source = Source {
+    short: "Shigley",
+    full: "R. G. Budynas and J. K. Nisbett, Shigley's Mechanical Engineering Design, 9th ed., McGraw-Hill, 2011",
+};
+
+/// D. J. Ewins, Modal Testing.
+pub(crate) static EWINS: Source = Source {
+    short: "Ewins",
+    full: "D. J. Ewins, Modal Testing: Theory, Practice and Application, 2nd ed., Research Studies Press, 2000",
+};
 
 /// Exercise lists 06, 07 and 08 of a course on vibration.
 pub(crate) static LISTS: Source =

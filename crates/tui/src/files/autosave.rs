@@ -59,7 +59,9 @@ impl Autosave {
     pub fn open() -> (Self, Option<FileError>) {
         let folder = choose_base_strategy()
             .map_err(|_| FileError::NoAutosave("there is no home folder".to_owned()))
-            .map(|base| base.state_dir().unwrap_or_else(|| base.data_dir()).join("dalembert").join("autosave"));
+            .map(|base| {
+                base.state_dir().unwrap_or_else(|| base.data_dir()).join("dalembert").join("autosave")
+            });
         match folder.and_then(Self::in_folder) {
             Ok(autosave) => (autosave, None),
             Err(error) => (Self::default(), Some(error)),
@@ -131,13 +133,21 @@ impl Crashed {
 
 /// Makes the folder, for its owner alone, and refuses one that is another's.
 fn private_folder(folder: &Path) -> Result<(), FileError> {
-    DirBuilder::new().recursive(true).mode(0o700).create(folder).map_err(failed("make the folder", folder))?;
+    DirBuilder::new()
+        .recursive(true)
+        .mode(0o700)
+        .create(folder)
+        .map_err(failed("make the folder", folder))?;
     let metadata = fs::metadata(folder).map_err(failed("open the folder", folder))?;
     if metadata.uid() != rustix::process::geteuid().as_raw() {
-        return Err(FileError::NoAutosave(format!("the folder `{}` belongs to another person", super::shown(folder))));
+        return Err(FileError::NoAutosave(format!(
+            "the folder `{}` belongs to another person",
+            super::shown(folder)
+        )));
     }
     if metadata.permissions().mode() & 0o077 != 0 {
-        fs::set_permissions(folder, fs::Permissions::from_mode(0o700)).map_err(failed("close the folder", folder))?;
+        fs::set_permissions(folder, fs::Permissions::from_mode(0o700))
+            .map_err(failed("close the folder", folder))?;
     }
     Ok(())
 }
@@ -156,12 +166,15 @@ fn new_name(folder: &Path) -> Result<PathBuf, FileError> {
 const EXTENSION: &str = ".toml";
 const MARK: &str = "# dalembert autosave";
 /// A session on another machine that shares the folder cannot be seen; after this long it has ended.
-const FORGOTTEN: Duration = Duration::from_secs(24 * 3600);
+const FORGOTTEN: Duration = Duration::from_hours(24);
 
 /// The first line of an autosave: a comment to every reader of TOML.
 fn header(original: Option<&Path>) -> String {
     let path = original.map_or_else(String::new, |path| {
-        format!(" path={}", escape(std::path::absolute(path).as_deref().unwrap_or(path).as_os_str().as_bytes()))
+        format!(
+            " path={}",
+            escape(std::path::absolute(path).as_deref().unwrap_or(path).as_os_str().as_bytes())
+        )
     });
     format!("{MARK} pid={} host={}{path}", process::id(), escape(host().as_bytes()))
 }
@@ -184,7 +197,8 @@ fn crashed(file: PathBuf) -> Option<Crashed> {
 
 /// The name of this machine: homes of a laboratory are shared, process numbers are not.
 fn host() -> String {
-    let named = fs::read_to_string("/proc/sys/kernel/hostname").or_else(|_| fs::read_to_string("/etc/hostname"));
+    let named =
+        fs::read_to_string("/proc/sys/kernel/hostname").or_else(|_| fs::read_to_string("/etc/hostname"));
     named.unwrap_or_default().trim().to_owned()
 }
 
@@ -205,16 +219,9 @@ fn unescape(text: &str) -> Vec<u8> {
     let mut plain = Vec::with_capacity(rest.len());
     while let Some((&byte, after)) = rest.split_first() {
         let code = (byte == b'%').then(|| after.get(..2)).flatten();
-        match code.and_then(|code| u8::from_str_radix(std::str::from_utf8(code).ok()?, 16).ok()) {
-            Some(code) => {
-                plain.push(code);
-                rest = &after[2..];
-            }
-            None => {
-                plain.push(byte);
-                rest = after;
-            }
-        }
+        let code = code.and_then(|code| u8::from_str_radix(std::str::from_utf8(code).ok()?, 16).ok());
+        plain.push(code.unwrap_or(byte));
+        rest = if code.is_some() { &after[2..] } else { after };
     }
     plain
 }

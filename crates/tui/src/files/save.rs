@@ -38,7 +38,7 @@ pub fn save(path: &Path, text: &str, before: Before) -> Result<Fingerprint, File
 /// Removes what crashed programs left in a folder: their temporary files, older than a minute, whose process has
 /// ended. Answers how many were removed; what cannot be looked at is left.
 pub fn remove_strays(folder: &Path) -> usize {
-    remove_strays_older(folder, Duration::from_secs(60))
+    remove_strays_older(folder, Duration::from_mins(1))
 }
 
 /// A step of a save, told before it is done. Tests let each of them fail.
@@ -107,7 +107,9 @@ pub(super) fn remove_strays_older(folder: &Path, age: Duration) -> usize {
         .flatten()
         .filter(|entry| {
             let name = entry.file_name();
-            let owner = name.to_str().and_then(|name| name.strip_prefix(PREFIX)?.strip_suffix(SUFFIX)?.split('-').next());
+            let owner = name
+                .to_str()
+                .and_then(|name| name.strip_prefix(PREFIX)?.strip_suffix(SUFFIX)?.split('-').next());
             let Some(owner) = owner.and_then(|owner| owner.parse().ok()) else { return false };
             // Not through a link: a name of ours can be planted.
             let Ok(metadata) = entry.path().symlink_metadata() else { return false };
@@ -195,7 +197,9 @@ fn lock(folder: &Path) -> Option<File> {
 fn sync_folder(folder: &Path) -> io::Result<()> {
     match File::open(folder)?.sync_all() {
         // Some file systems cannot; they have their own way.
-        Err(error) if matches!(error.kind(), io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported) => Ok(()),
+        Err(error) if matches!(error.kind(), io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported) => {
+            Ok(())
+        }
         result => result,
     }
 }

@@ -9,7 +9,10 @@ use std::{
 };
 
 use super::{
-    save::{Step, remove_strays_older, save_with},
+    save::{
+        Step::{Create, Permit, Rename, Sync, SyncFolder, Write},
+        remove_strays_older, save_with,
+    },
     *,
 };
 
@@ -18,8 +21,10 @@ fn folder() -> tempfile::TempDir {
 }
 
 fn names(folder: &Path) -> Vec<String> {
-    let mut names: Vec<String> =
-        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
     names.sort();
     names
 }
@@ -177,10 +182,9 @@ fn a_step_that_fails_leaves_the_file_whole() {
         Ok(())
     })
     .unwrap();
-    use Step::{Create, Permit, Rename, Sync, SyncFolder, Write};
     assert_eq!(steps, [Create, Write, Write, Write, Permit, Sync, Rename, SyncFolder]);
     for (errno, advice) in errors {
-        for failing in 0..steps.len() {
+        for (failing, step) in steps.iter().enumerate() {
             save(&path, "old", Before::Whatever).unwrap();
             let mut count = 0;
             let error = save_with(&path, &new, Before::Whatever, &mut |_| {
@@ -190,8 +194,8 @@ fn a_step_that_fails_leaves_the_file_whole() {
             .unwrap_err()
             .to_string();
             assert!(error.contains(advice) && error.contains("precious.toml"), "{error}");
-            let expected = if steps[failing] == SyncFolder { &new } else { "old" };
-            assert!(fs::read_to_string(&path).unwrap() == expected, "{errno:?} at {:?}", steps[failing]);
+            let expected = if *step == SyncFolder { &new } else { "old" };
+            assert!(fs::read_to_string(&path).unwrap() == expected, "{errno:?} at {step:?}");
             assert_eq!(names(folder.path()), ["precious.toml"]);
         }
     }

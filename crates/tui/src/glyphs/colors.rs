@@ -39,7 +39,10 @@ const SIXTEEN: [(Color, [u8; 3]); 16] = [
 const LEVELS: [u8; 6] = [0, 95, 135, 175, 215, 255];
 
 fn nearest16(color: [u8; 3]) -> Color {
-    SIXTEEN.iter().min_by_key(|(_, candidate)| distance(color, *candidate)).map_or(Color::Reset, |(name, _)| *name)
+    SIXTEEN
+        .iter()
+        .min_by_key(|(_, candidate)| distance(color, *candidate))
+        .map_or(Color::Reset, |(name, _)| *name)
 }
 
 /// The nearest of the cube and of the 24 greys behind it.

@@ -35,15 +35,19 @@ fn ninety_six_environments() {
     let mut seen = 0;
     for (term, colors, believed) in terminals {
         for (lang, utf8) in [("en_US.UTF-8", true), ("C", false), ("pt_BR.ISO-8859-1", false)] {
-            for (says, colorterm, no_color) in
-                [(Some(0), "", ""), (Some(1), "yes", ""), (Some(2), "truecolor", ""), (Option::None, "truecolor", "1")]
-            {
+            for (says, colorterm, no_color) in [
+                (Some(0), "", ""),
+                (Some(1), "yes", ""),
+                (Some(2), "truecolor", ""),
+                (Option::None, "truecolor", "1"),
+            ] {
                 let found = Capabilities::detect(&environment(term, lang, colorterm, no_color));
                 let unicode = utf8 && believed;
-                let expected = says.map_or(None, |says: usize| match unicode {
-                    true => colors[says],
-                    false => colors[says].min(Sixteen),
-                });
+                let expected =
+                    says.map_or(
+                        None,
+                        |says: usize| if unicode { colors[says] } else { colors[says].min(Sixteen) },
+                    );
                 let place = format!("TERM={term} LANG={lang} COLORTERM={colorterm} NO_COLOR={no_color}");
                 assert_eq!(found.colors, expected, "{place}");
                 assert_eq!(found.glyphs == Glyphs::Unicode, unicode, "{place}");
@@ -83,7 +87,8 @@ fn every_character_of_ours_has_a_stand_in_that_reads() {
     let poor: String =
         OURS.chars().filter(|c| matches!(ascii::stand_in(*c), '?') && !c.is_whitespace()).collect();
     assert_eq!(poor, "");
-    for (glyph, ascii) in [('·', '*'), ('×', 'x'), ('²', '2'), ('₃', '3'), ('ω', 'w'), ('─', '-'), ('┌', '+')] {
+    for (glyph, ascii) in [('·', '*'), ('×', 'x'), ('²', '2'), ('₃', '3'), ('ω', 'w'), ('─', '-'), ('┌', '+')]
+    {
         assert_eq!(ascii::stand_in(glyph), ascii, "{glyph}");
     }
 }
@@ -98,7 +103,11 @@ fn an_ascii_frame_holds_nothing_else() {
         }
         sweep(&mut buffer, &Capabilities { glyphs: Glyphs::Ascii, ..Capabilities::default() });
         for cell in &buffer.content {
-            assert!(matches!(cell.symbol().as_bytes(), [0x20..=0x7E]), "{:?} after {start:#x}", cell.symbol());
+            assert!(
+                matches!(cell.symbol().as_bytes(), [0x20..=0x7E]),
+                "{:?} after {start:#x}",
+                cell.symbol()
+            );
         }
     }
 }

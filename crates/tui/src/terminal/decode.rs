@@ -13,9 +13,7 @@ mod tests;
 
 use std::time::Duration;
 
-use ratatui::crossterm::event::{
-    KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind,
-};
+use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 
 /// The longest paste that is kept, in bytes.
 pub const PASTE_LIMIT: usize = 8 * 1024 * 1024;
@@ -113,7 +111,9 @@ impl Decoder {
             // What looked like the start of a sequence was Alt with that letter.
             State::Control if self.held.is_empty() => inputs.push(key(KeyCode::Char('['), KeyModifiers::ALT)),
             State::SingleShift => inputs.push(typed('O', KeyModifiers::ALT)),
-            State::Answer if self.held.len() == 1 => inputs.push(typed(self.held[0].into(), KeyModifiers::ALT)),
+            State::Answer if self.held.len() == 1 => {
+                inputs.push(typed(self.held[0].into(), KeyModifiers::ALT));
+            }
             State::Paste => self.end_paste(inputs),
             _ => {}
         }

@@ -4,6 +4,8 @@ use std::{
     io::{self, IsTerminal, Write},
     os::unix::process::CommandExt,
     process::{Command, ExitCode},
+    thread,
+    time::Duration,
 };
 
 use rustix::{
@@ -57,7 +59,13 @@ fn start() -> io::Result<(Pid, Signals, Termios)> {
 
 fn wait(child: Pid, mut signals: Signals, saved: &Termios) -> ExitCode {
     loop {
-        let batch: Vec<i32> = signals.wait().collect();
+        let mut batch: Vec<i32> = signals.wait().collect();
+        if batch.contains(&SIGTSTP) {
+            // If the whole group has it, the child stops the group, and this process with it, in a moment. Forwarded
+            // after that, it would stop the child once more as soon as it is continued.
+            thread::sleep(Duration::from_millis(100));
+            batch.extend(signals.pending());
+        }
         let continued = batch.contains(&SIGCONT);
         for signal in batch {
             let forward = match signal {
@@ -90,7 +98,9 @@ fn reap(child: Pid, saved: &Termios) -> Option<ExitCode> {
     }
     let signal = status.terminating_signal()?;
     repair(saved);
-    eprintln!(
+    // Not `eprintln`, which panics when standard error is gone as well.
+    let _ = writeln!(
+        io::stderr(),
         "dalembert was ended by signal {signal}{}; the terminal was put right, and work kept by the autosave is \
          offered at the next start",
         match signal {

@@ -68,17 +68,17 @@ impl Reader {
             let patience = self.deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()));
             let left = timeout.saturating_sub(start.elapsed());
             // What is already decoded must not wait for more.
-            let wait = match inputs.is_empty() {
-                true => patience.map_or(left, |patience| patience.min(left)),
-                false => Duration::ZERO,
+            let wait = if inputs.is_empty() {
+                patience.map_or(left, |patience| patience.min(left))
+            } else {
+                Duration::ZERO
             };
             let (readable, woken, gone) = self.poll(wait)?;
             if readable {
                 let count = match rustix::io::read(rustix::stdio::stdin(), &mut self.buffer[..]) {
-                    Ok(0) => return Ok(Waited::HungUp),
+                    Ok(0) | Err(rustix::io::Errno::IO) => return Ok(Waited::HungUp),
                     Ok(count) => count,
                     Err(rustix::io::Errno::INTR | rustix::io::Errno::AGAIN) => 0,
-                    Err(rustix::io::Errno::IO) => return Ok(Waited::HungUp),
                     Err(error) => return Err(error.into()),
                 };
                 self.decoder.feed(&self.buffer[..count], inputs);

@@ -123,7 +123,8 @@ mod tests {
                 panic!("in the destructor");
             }
         }
-        let error = contained(|| panic::panic_any(Trap)).map(|()| ()).unwrap_err();
+        let error: Result<(), String> = contained(|| panic::panic_any(Trap));
+        let error = error.unwrap_err();
         assert!(error.starts_with("a panic without a message"), "{error}");
     }
 }

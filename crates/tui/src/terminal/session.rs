@@ -61,13 +61,16 @@ impl Session {
     }
 
     /// Draws a frame: nothing of it is written before it is whole, and it is written as one synchronized update.
-    /// While the program is suspended nothing is drawn.
+    /// While the program is suspended nothing is drawn. A terminal that is gone ends the process, as in
+    /// [`next_events`](Self::next_events).
     pub fn draw(&mut self, render: impl FnOnce(&mut Frame<'_>)) -> Result<(), TerminalError> {
         self.bytes.0.borrow_mut().clear();
         if self.shared.repaint.swap(false, SeqCst) {
             // Not `clear`: it asks the terminal for its cursor and waits 2 s for one that does not answer.
             let size = self.terminal.size().map_err(failed("tell its size"))?;
-            self.terminal.resize(Rect::new(0, 0, size.width, size.height)).map_err(failed("take a new size"))?;
+            self.terminal
+                .resize(Rect::new(0, 0, size.width, size.height))
+                .map_err(failed("take a new size"))?;
         }
         let capabilities = &self.capabilities;
         self.terminal
@@ -76,9 +79,15 @@ impl Session {
                 sweep(frame.buffer_mut(), capabilities);
             })
             .map_err(failed("draw a frame"))?;
-        let _frame = self.shared.frame();
+        let frame = self.shared.frame();
         if self.shared.is_active() {
-            self.bytes.write_to(&mut io::stdout().lock()).map_err(failed("take a frame"))?;
+            if let Err(error) = self.bytes.write_to(&mut io::stdout().lock()) {
+                drop(frame);
+                if signals::terminal_is_gone() {
+                    self.shared.end(signal_hook::consts::SIGHUP);
+                }
+                return Err(failed("take a frame")(error));
+            }
         } else {
             self.shared.repaint.store(true, SeqCst);
         }
@@ -91,6 +100,8 @@ impl Session {
     /// A terminal that is gone ends the process here, as `SIGHUP` would, with the autosave.
     pub fn next_events(&mut self, timeout: Duration) -> Result<Vec<Input>, TerminalError> {
         let mut inputs = Vec::new();
+        let lost = self.shared.is_active() && self.shared.repaint.load(SeqCst);
+        let timeout = if lost { Duration::ZERO } else { timeout };
         if self.reader.wait(timeout, &mut inputs).map_err(failed("read keys"))? == Waited::HungUp {
             self.shared.end(signal_hook::consts::SIGHUP);
         }
@@ -111,6 +122,11 @@ impl Session {
         if !signals::suspend(&self.shared) {
             self.shared.notify("there is no shell to return to: the program goes on".to_owned());
         }
+    }
+
+    /// The next frame paints every cell: something else wrote on the screen, and the person asks for it again.
+    pub fn repaint(&self) {
+        self.shared.repaint.store(true, SeqCst);
     }
 
     /// A handle for other threads to end a wait of [`next_events`](Self::next_events).

@@ -21,7 +21,8 @@ const ENTER: &str = "\x1b[?1049h\x1b[?2004h\x1b[?25l";
 const ENTER_MOUSE: &str = "\x1b[?1000h\x1b[?1002h\x1b[?1006h";
 /// Everything that [`ENTER`] or an interrupted frame could have set. On a terminal that is already right it changes
 /// nothing but the cursor's place.
-pub(super) const LEAVE: &str = "\x1b[?2026l\x1b[?1006l\x1b[?1002l\x1b[?1000l\x1b[?2004l\x1b[0m\x1b[?1049l\x1b[?25h";
+pub(super) const LEAVE: &str =
+    "\x1b[?2026l\x1b[?1006l\x1b[?1002l\x1b[?1000l\x1b[?2004l\x1b[0m\x1b[?1049l\x1b[?25h";
 
 /// How long a process that has to end waits for its autosave, and for a terminal that does not take its bytes.
 const LAST_WISH: Duration = Duration::from_secs(2);

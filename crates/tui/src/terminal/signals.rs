@@ -27,6 +27,12 @@ pub(super) fn watch(shared: &Arc<Shared>, guard: Option<Pid>) -> io::Result<()> 
     thread::Builder::new().name("signals".into()).spawn(move || {
         loop {
             let batch: Vec<i32> = signals.wait().collect();
+            // First, because a process in the background that is continued to be ended must not ask for the terminal.
+            if let Some(&signal) =
+                batch.iter().find(|signal| [SIGTERM, SIGHUP, SIGINT, SIGQUIT].contains(signal))
+            {
+                for_signals.end(signal);
+            }
             let continued = batch.contains(&SIGCONT);
             for signal in batch {
                 match signal {
@@ -39,11 +45,10 @@ pub(super) fn watch(shared: &Arc<Shared>, guard: Option<Pid>) -> io::Result<()> 
                         for_signals.repaint.store(true, SeqCst);
                         for_signals.waker.wake();
                     }
-                    SIGWINCH => {
+                    _ => {
                         for_signals.resized.store(true, SeqCst);
                         for_signals.waker.wake();
                     }
-                    _ => for_signals.end(signal),
                 }
             }
         }

@@ -15,7 +15,9 @@ fn press(code: KeyCode, modifiers: KeyModifiers) -> Vec<Input> {
 
 #[test]
 fn keys_of_xterm() {
-    use KeyCode::{BackTab, Backspace, Char, Delete, Down, End, Enter, Esc, F, Home, Insert, PageDown, Tab, Up};
+    use KeyCode::{
+        BackTab, Backspace, Char, Delete, Down, End, Enter, Esc, F, Home, Insert, PageDown, Tab, Up,
+    };
     const NONE: KeyModifiers = KeyModifiers::NONE;
     const SHIFT: KeyModifiers = KeyModifiers::SHIFT;
     const ALT: KeyModifiers = KeyModifiers::ALT;
@@ -75,7 +77,8 @@ fn keys_of_xterm() {
 
 #[test]
 fn mouse_reports_count_from_zero_and_never_underflow() {
-    let report = |kind, column, row, modifiers| vec![Input::Mouse(MouseEvent { kind, column, row, modifiers })];
+    let report =
+        |kind, column, row, modifiers| vec![Input::Mouse(MouseEvent { kind, column, row, modifiers })];
     let none = KeyModifiers::NONE;
     assert_eq!(decode(b"\x1b[<0;3;7M"), report(MouseEventKind::Down(MouseButton::Left), 2, 6, none));
     assert_eq!(decode(b"\x1b[<2;3;7m"), report(MouseEventKind::Up(MouseButton::Right), 2, 6, none));
@@ -107,13 +110,19 @@ fn answers_of_the_terminal_are_dropped_whole() {
     ] {
         let mut followed = answer.to_vec();
         followed.push(b'k');
-        assert_eq!(decode(&followed), press(KeyCode::Char('k'), KeyModifiers::NONE), "{}", answer.escape_ascii());
+        assert_eq!(
+            decode(&followed),
+            press(KeyCode::Char('k'), KeyModifiers::NONE),
+            "{}",
+            answer.escape_ascii()
+        );
     }
 }
 
 #[test]
 fn where_the_bytes_are_cut_does_not_matter() {
-    let stream = "q\x1b[1;5Aé\x1bOP\x1b[200~two\nlines \x1b[A\x1b[201~\x1b[<0;5;5M\x1b]0;t\x07\x1b\x1b[B🙂\r".as_bytes();
+    let stream = "q\x1b[1;5Aé\x1bOP\x1b[200~two\nlines \x1b[A\x1b[201~\x1b[<0;5;5M\x1b]0;t\x07\x1b\x1b[B🙂\r"
+        .as_bytes();
     let whole = decode(stream);
     assert_eq!(whole.len(), 9);
     for cut in 0..stream.len() {
@@ -158,7 +167,10 @@ fn a_paste_is_cut_at_its_limit_with_a_notice() {
 
 #[test]
 fn a_paste_may_hold_anything_but_its_end() {
-    assert_eq!(decode(b"\x1b[200~a\x1b[31m\x03\xff\x1b[20\x1b[201~"), [Input::Paste("a\x1b[31m\x03\u{FFFD}\x1b[20".into())]);
+    assert_eq!(
+        decode(b"\x1b[200~a\x1b[31m\x03\xff\x1b[20\x1b[201~"),
+        [Input::Paste("a\x1b[31m\x03\u{FFFD}\x1b[20".into())]
+    );
     assert_eq!(decode(b"\x1b[200~\x1b[201~"), []);
 }
 

@@ -1,0 +1,97 @@
+# What the command line says.
+
+## Help
+a-machine-dynamics-workbench-pick-a-problem-edit-its-inputs-in-any-units-see-the-worked-solution = Uma bancada de dinâmica das máquinas: escolha um problema, edite os dados em quaisquer unidades, veja a solução resolvida passo a passo
+a-problem-file-or-the-id-of-an-analysis-to-open-in-the-workbench = Um arquivo de problema ou o id de uma análise, para abrir na bancada
+begin-with-the-inputs-of-this-published-case-counted-from-1 = Começar com os dados deste caso publicado, contado a partir de 1
+change-an-input-mass-40-kg-masses-2-radius-0-1-m-a-table-can-be-read-from-a-file-samples-data-csv = Mudar um dado: mass="40 kg", masses[2].radius="0.1 m"; uma tabela pode ser lida de um arquivo: samples=@data.csv
+hold-every-published-answer-against-ours = Comparar cada resposta publicada com a nossa
+list-the-analyses = Listar as análises
+open-the-file-without-a-way-to-save-over-it = Abrir o arquivo sem poder gravar sobre ele
+print-a-script-that-completes-the-arguments-in-a-shell = Imprimir um script que completa os argumentos em um shell
+print-ascii-characters-alone = Imprimir só caracteres ASCII
+print-json = Imprimir JSON
+print-the-json-schema-of-a-problem-file-for-an-editor = Imprimir o JSON Schema de um arquivo de problema, para um editor
+print-the-manual-page = Imprimir a página de manual
+show-an-answer-in-this-unit-amplitude-um = Mostrar uma resposta nesta unidade: amplitude=um
+show-so-many-significant-digits = Mostrar tantos algarismos significativos
+show-the-version-the-folders-and-what-the-terminal-can-do = Mostrar a versão, as pastas e o que o terminal sabe fazer
+show-what-an-analysis-asks-for-and-answers = Mostrar o que uma análise pede e responde
+solve-a-problem-and-print-its-worked-solution = Resolver um problema e imprimir a solução passo a passo
+the-id-of-an-analysis-or-a-problem-file = O id de uma análise, ou um arquivo de problema
+the-id-of-an-analysis-such-as-vibration-rotating-unbalance = O id de uma análise, como vibration/rotating-unbalance
+the-language-of-everything-that-is-printed = A língua de tudo o que é impresso
+the-shell = O shell
+the-subcommand-without-it-the-whole-program = O subcomando; sem ele, o programa inteiro
+the-table-to-print-as-csv-answers-inputs-steps-checks-table-1-plot-1 = A tabela a imprimir como CSV: answers, inputs, steps, checks, table-1, plot-1
+what-is-printed = O que é impresso
+without-arguments-the-workbench-in-a-terminal-a-worked-problem-elsewhere-exit-status-0-solved-1 = Sem argumentos: a bancada em um terminal, um problema resolvido fora dele. Código de saída: 0 resolvido; 1 recusado, ou uma verificação falhou; 2 entrada ou uso errado.
+words-that-the-id-the-title-the-summary-or-the-keywords-contain = Palavras contidas no id, no título, no resumo ou nas palavras-chave
+write-to-a-file = Gravar em um arquivo
+
+## Descriptions of analyses
+a-table-with-the-columns = uma tabela com as colunas
+a-whole-number-from-min = um número inteiro a partir de { $min }
+a-whole-number-from-min-to-max = um número inteiro de { $min } a { $max }
+above-limit = acima de { $limit }
+at-least-limit = no mínimo { $limit }
+at-most-limit = no máximo { $limit }
+below-limit = abaixo de { $limit }
+cases = Casos
+closed-form = forma fechada
+inputs = Dados de entrada
+len-components-what = { $len } componentes, { $what }
+one-of = uma de
+or-nothing = ou nada
+other-program = outro programa
+otherwise-default = senão { $default }
+own-earlier-value = valor próprio anterior
+published = publicado
+rows = linhas
+rows-at-least-min = linhas, no mínimo { $min }
+the-name-of-one-of-list = o nome de um de { $list }
+the-same-inputs-again = os mesmos dados outra vez
+these = estes
+words = palavras
+yes-or-no = sim ou não
+
+## Verdicts
+agreed = confere
+agreed-agreed-disputed-disputed-differing-differing = { $agreed } conferem, { $disputed } contestadas, { $differing } divergem
+differing = diverge
+disputed = contestada
+printed-printed-ours-ours = impresso { $printed }, nosso { $ours }
+
+## Information
+analyses = análises
+both-ends-are-a-terminal = as duas pontas são um terminal
+braille = braille
+characters = caracteres
+colours = cores
+curves-are-drawn-with = as curvas são traçadas com
+dots = pontos
+half-blocks = meios blocos
+language = língua
+none = nenhuma
+published-cases = casos publicados
+terminal = Terminal
+unsaved-work-is-kept-in = o trabalho não gravado fica em
+version = versão
+width = largura
+
+## Errors
+a-problem-file-has-no-cases-leave-out-case = um arquivo de problema não tem casos; retire --case
+and-more-more-errors = e mais { $more } erros
+error = erro
+error-why = erro: { $why }
+id-has-no-case-number-it-has-cases-1-to-have = { $id } não tem o caso { $number }; tem os casos 1 a { $have }
+no-analysis-matches-filter-dalembert-list-shows-them-all = nenhuma análise corresponde a { $filter }; `dalembert list` mostra todas
+no-answer-why = sem resposta: { $why }
+path-value-why = { $path } = { $value }: { $why }
+set-change-write-a-path-and-a-value-as-in-set-mass-40-kg = --set { $change }: escreva um caminho e um valor, como em --set mass="40 kg"
+set-path-why = --set { $path }: { $why }
+there-is-no-subcommand-name-did-you-mean-near = não há subcomando `{ $name }`; seria `{ $near }`?
+there-is-no-subcommand-name-see-dalembert-help = não há subcomando `{ $name }`; veja `dalembert --help`
+there-is-no-table-table-write-one-of-known = não há tabela `{ $table }`; escreva uma de { $known }
+this-is-a-fault-of-the-program-not-of-your-input-what = isto é uma falha do programa, não da sua entrada: { $what }
+unit-asked-write-an-answer-and-a-unit-as-in-unit-amplitude-um = --unit { $asked }: escreva uma resposta e uma unidade, como em --unit amplitude=um

@@ -1,0 +1,200 @@
+//! What may be written on the command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use dalembert_core::{Language, Locale, Text};
+
+/// A machine-dynamics workbench: pick a problem, edit its inputs in any units, see the worked solution.
+#[derive(Debug, Parser)]
+#[command(
+    name = "dalembert",
+    version,
+    args_conflicts_with_subcommands = true,
+    after_help = "Without arguments: the workbench in a terminal, a worked problem elsewhere. Exit status: 0 solved; 1 refused, or a check failed; 2 bad input or usage."
+)]
+pub(crate) struct Arguments {
+    /// A problem file or the id of an analysis, to open in the workbench
+    #[arg(value_name = "FILE")]
+    pub(crate) problem: Option<String>,
+    /// Open the file without a way to save over it
+    #[arg(long)]
+    pub(crate) readonly: bool,
+    /// The language of everything that is printed
+    #[arg(long, global = true, value_name = "LANGUAGE", value_parser = ["en", "pt-BR"])]
+    pub(crate) lang: Option<String>,
+    /// Print ASCII characters alone
+    #[arg(long, global = true)]
+    pub(crate) ascii: bool,
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// List the analyses
+    List(List),
+    /// Show what an analysis asks for and answers
+    Show(Show),
+    /// Solve a problem and print its worked solution
+    Solve(Solve),
+    /// Hold every published answer against ours
+    Verify(Verify),
+    /// Print the JSON Schema of a problem file, for an editor
+    Schema(Schema),
+    /// Print a script that completes the arguments in a shell
+    Completions(Completions),
+    /// Print the manual page
+    Man(Man),
+    /// Show the version, the folders and what the terminal can do
+    Info,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct List {
+    /// Words that the id, the title, the summary or the keywords contain
+    pub(crate) filter: Vec<String>,
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Show {
+    /// The id of an analysis, such as vibration/rotating-unbalance
+    pub(crate) id: String,
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Solve {
+    /// The id of an analysis, or a problem file
+    #[arg(value_name = "ID|FILE")]
+    pub(crate) problem: String,
+    /// Begin with the inputs of this published case, counted from 1
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) case: Option<u32>,
+    /// Change an input: mass="40 kg", masses[2].radius="0.1 m"; a table can be read from a file: samples=@data.csv
+    #[arg(long, value_name = "PATH=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// What is printed
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+    /// The table to print as CSV: answers, inputs, steps, checks, table-1, plot-1
+    #[arg(long, value_name = "NAME", default_value = "answers")]
+    pub(crate) table: String,
+    /// Write to a file
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Show so many significant digits
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
+    pub(crate) digits: Option<u8>,
+    /// Show an answer in this unit: amplitude=um
+    #[arg(long, value_name = "ANSWER=UNIT")]
+    pub(crate) unit: Vec<String>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// The worked solution for a terminal or a printer
+    Text,
+    /// The worked solution in Markdown
+    Markdown,
+    /// Inputs, answers and checks for another program
+    Json,
+    /// One table for a spreadsheet
+    Csv,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Verify {
+    /// Words that the id, the title, the summary or the keywords contain
+    pub(crate) filter: Vec<String>,
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Schema {
+    /// The id of an analysis, such as vibration/rotating-unbalance
+    pub(crate) id: String,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Completions {
+    /// The shell
+    pub(crate) shell: clap_complete::Shell,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Man {
+    /// The subcommand; without it, the whole program
+    pub(crate) command: Option<String>,
+}
+
+/// The grammar of the command line, its help in a language. The headings that clap writes itself stay English.
+pub(crate) fn command(language: Language) -> clap::Command {
+    translated(Arguments::command(), language)
+}
+
+fn translated(command: clap::Command, language: Language) -> clap::Command {
+    let locale = match language {
+        Language::English => return command,
+        Language::Portuguese => Locale::portuguese(),
+    };
+    let say = |words: &clap::builder::StyledStr| Text::new(words.to_string()).render(&locale);
+    let command = match command.get_about() {
+        Some(about) => {
+            let about = say(about);
+            command.about(about)
+        }
+        None => command,
+    };
+    let command = match command.get_after_help() {
+        Some(after) => {
+            let after = say(after);
+            command.after_help(after)
+        }
+        None => command,
+    };
+    command
+        .mut_args(|argument| match argument.get_help() {
+            Some(help) => {
+                let help = say(help);
+                argument.help(help)
+            }
+            None => argument,
+        })
+        .mut_subcommands(|inner| translated(inner, language))
+}
+
+#[cfg(test)]
+mod tests {
+    use dalembert_core::text::is_translated;
+
+    use super::*;
+
+    #[test]
+    fn the_grammar_is_sound() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn the_help_is_translated() {
+        fn untranslated(command: &clap::Command, missing: &mut Vec<String>) {
+            let helps = command.get_arguments().filter_map(clap::Arg::get_help);
+            for words in command.get_about().into_iter().chain(command.get_after_help()).chain(helps) {
+                if !is_translated(&words.to_string()) {
+                    missing.push(format!("{} = {words}", dalembert_core::text::key(&words.to_string())));
+                }
+            }
+            command.get_subcommands().for_each(|inner| untranslated(inner, missing));
+        }
+        let mut missing = Vec::new();
+        untranslated(&Arguments::command(), &mut missing);
+        assert!(missing.is_empty(), "{}", missing.join("\n"));
+    }
+}

@@ -1,0 +1,11 @@
+//! One file a subcommand.
+
+pub(crate) mod completions;
+pub(crate) mod info;
+pub(crate) mod list;
+pub(crate) mod man;
+pub(crate) mod schema;
+pub(crate) mod show;
+pub(crate) mod solve;
+pub(crate) mod verify;
+pub(crate) mod workbench;

@@ -1,0 +1,303 @@
+//! `dalembert show`
+
+use std::process::ExitCode;
+
+use dalembert_core::{
+    Entry, Field, Limit, Locale, Measure, Shape, Stop, Text,
+    cases::{self, Case, Hold},
+};
+use dalembert_report::{Block, Document, Line};
+use dalembert_units as units;
+use serde_json::{Map, Value as Json, json};
+
+use crate::{
+    arguments::Show,
+    console::{Console, print_json},
+    failure::Failure,
+    problem,
+    solving::guarded,
+};
+
+/// Shows what an analysis asks for, what it answers, its sources and its cases.
+pub(crate) fn run(show: &Show, console: &Console) -> Result<ExitCode, Failure> {
+    let entry = problem::analysis(&show.id)?;
+    let cases = cases::cases(entry)
+        .map_err(|why| Failure::Fault(format!("the cases of {}: {why}", entry.about.id)))?;
+    let answers = answers(entry, &cases, &console.locale)?;
+    if show.json {
+        print_json(&described(entry, &cases, &answers, &console.locale))?;
+    } else {
+        console.print(document(entry, &cases, &answers, &console.locale))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Something an analysis answers.
+struct Promise {
+    name: &'static str,
+    label: String,
+    unit: units::Unit,
+}
+
+/// What the cases were answered with: an analysis answers other things for other alternatives.
+fn answers(entry: &'static Entry, cases: &[Case], locale: &Locale) -> Result<Vec<Promise>, Failure> {
+    let mut promises: Vec<Promise> = Vec::new();
+    for case in cases {
+        let Ok(record) = case.record(entry) else { continue };
+        let Ok(solution) = guarded(entry, || entry.solve(&record, &Stop::new()))? else { continue };
+        for answer in solution.answers {
+            if !promises.iter().any(|promise| promise.name == answer.name) {
+                let label = Text::from(answer.label).render(locale);
+                promises.push(Promise { name: answer.name, label, unit: answer.unit });
+            }
+        }
+    }
+    Ok(promises)
+}
+
+fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale) -> Document {
+    let about = entry.about;
+    let say = |words: &'static str| Text::from(words).render(locale);
+    let mut inputs = Vec::new();
+    Lister { locale, lines: &mut inputs, above: Vec::new() }.fields(entry.fields(), 0);
+    let answer = |promise: &Promise| Line {
+        label: promise.name.to_owned(),
+        value: match promise.unit.pretty() {
+            unit if unit.is_empty() => promise.label.clone(),
+            unit => format!("{} [{unit}]", promise.label),
+        },
+        ..Line::default()
+    };
+    let case = |(n, case): (usize, &Case)| {
+        let note = if case.note.is_empty() { String::new() } else { format!(". {}", case.note) };
+        format!("{}: {} — {} ({}){note}", n + 1, case.name, case.source, say(case.truth.name()))
+    };
+    Document {
+        title: say(about.title),
+        blocks: vec![
+            Block::Paragraph(about.id.to_owned()),
+            Block::Paragraph(say(about.summary)),
+            Block::Heading(say("Inputs")),
+            Block::Lines(inputs),
+            Block::Heading(say("Answers")),
+            Block::Lines(answers.iter().map(answer).collect()),
+            Block::Heading(say("Cases")),
+            Block::Items(cases.iter().enumerate().map(case).collect()),
+            Block::Heading(say("Sources")),
+            Block::Items(
+                about.sources.iter().map(|source| format!("{}: {}", source.short, source.full)).collect(),
+            ),
+        ],
+    }
+}
+
+/// Writes fields as lines, each with its key and what may stand there.
+struct Lister<'l> {
+    locale: &'l Locale,
+    lines: &'l mut Vec<Line>,
+    /// The fields that the present ones lie in: a type may contain itself.
+    above: Vec<*const Field>,
+}
+
+impl Lister<'_> {
+    fn say(&self, words: &'static str) -> String {
+        Text::from(words).render(self.locale)
+    }
+
+    fn line(&mut self, depth: usize, label: String, value: String) {
+        self.lines.push(Line { depth, label, value, ..Line::default() });
+    }
+
+    fn fields(&mut self, fields: &'static [Field], depth: usize) {
+        if self.above.contains(&fields.as_ptr()) {
+            let label = self.say("the same inputs again");
+            return self.line(depth, label, String::new());
+        }
+        self.above.push(fields.as_ptr());
+        for field in fields {
+            let mut value = self.asked(&field.shape);
+            if let Some(default) = field.default {
+                value = format!(
+                    "{value}, {}",
+                    Text::new("otherwise {default}").with("default", default).render(self.locale)
+                );
+            }
+            let symbol = if field.symbol.is_empty() { String::new() } else { format!(" {}", field.symbol) };
+            let label = self.say(field.label);
+            self.line(depth, field.name.to_owned(), format!("{label}{symbol}: {value}"));
+            self.inside(&field.shape, depth + 1);
+        }
+        self.above.pop();
+    }
+
+    fn inside(&mut self, shape: &Shape, depth: usize) {
+        match shape {
+            Shape::Group(fields) | Shape::Table(fields) => self.fields(fields(), depth),
+            Shape::Optional(inner) => self.inside(inner(), depth),
+            Shape::Rows { item, .. } => self.inside(item(), depth),
+            Shape::OneOf(variants) => {
+                for variant in variants() {
+                    self.line(depth, variant.name.to_owned(), self.say(variant.label));
+                    self.fields((variant.fields)(), depth + 1);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// What may stand in a field, in words.
+    fn asked(&self, shape: &Shape) -> String {
+        let text = match shape {
+            Shape::Quantity(measure) => return quantity(measure, self.locale),
+            Shape::Vector(measure, len) => Text::new("{len} components, {what}")
+                .with("len", len)
+                .with("what", quantity(measure, self.locale)),
+            Shape::Text => "words".into(),
+            Shape::Flag => "yes or no".into(),
+            Shape::Count { min, max: u64::MAX } => Text::new("a whole number from {min}").with("min", min),
+            Shape::Count { min, max } => {
+                Text::new("a whole number from {min} to {max}").with("min", min).with("max", max)
+            }
+            Shape::OneOf(_) => "one of".into(),
+            Shape::Group(_) => "these".into(),
+            Shape::Rows { min: 0, .. } => "rows".into(),
+            Shape::Rows { min, .. } => Text::new("rows, at least {min}").with("min", min),
+            Shape::Table(_) => "a table with the columns".into(),
+            Shape::Reference(list) => Text::new("the name of one of {list}").with("list", list),
+            Shape::Optional(inner) => {
+                return format!("{}, {}", self.asked(inner()), self.say("or nothing"));
+            }
+        };
+        text.render(self.locale)
+    }
+}
+
+/// `kg, above 0`
+fn quantity(measure: &Measure, locale: &Locale) -> String {
+    let own = measure.own_unit();
+    let unit = if locale.style.ascii { own.ascii() } else { own.pretty() };
+    let unit = if unit.is_empty() { Text::from("a number").render(locale) } else { unit };
+    let limit = |words: &'static str, limit: f64| {
+        let limit = units::write_number(limit, locale.style);
+        format!(", {}", Text::new(words).with("limit", limit).render(locale))
+    };
+    let least = match measure.min {
+        Limit::None => String::new(),
+        Limit::Including(least) => limit("at least {limit}", least),
+        Limit::Excluding(least) => limit("above {limit}", least),
+    };
+    let most = match measure.max {
+        Limit::None => String::new(),
+        Limit::Including(most) => limit("at most {limit}", most),
+        Limit::Excluding(most) => limit("below {limit}", most),
+    };
+    format!("{unit}{least}{most}")
+}
+
+fn described(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale) -> Json {
+    let about = entry.about;
+    let say = |words: &'static str| Text::from(words).render(locale);
+    let case = |case: &Case| {
+        let expected = |expected: &cases::Expected| {
+            let (how, why) = match &expected.how {
+                Hold::ToTheLastPlace => ("to the last place", ""),
+                Hold::Within(_, why) => ("within", why.as_str()),
+                Hold::Disputed(why) => ("disputed", why.as_str()),
+            };
+            (expected.answer.clone(), json!({ "printed": expected.printed, "held": how, "why": why }))
+        };
+        json!({
+            "name": case.name,
+            "source": case.source,
+            "truth": case.truth.name(),
+            "note": case.note,
+            "expect": case.expect.iter().map(expected).collect::<Map<_, _>>(),
+            "refused": case.refused,
+        })
+    };
+    let answer = |promise: &Promise| json!({ "name": promise.name, "label": promise.label, "unit": promise.unit.ascii() });
+    json!({
+        "id": about.id,
+        "family": entry.family(),
+        "title": say(about.title),
+        "summary": say(about.summary),
+        "inputs": fields(entry.fields(), locale, &mut Vec::new()),
+        "answers": answers.iter().map(answer).collect::<Vec<_>>(),
+        "sources": about.sources.iter().map(|source| json!({ "short": source.short, "full": source.full })).collect::<Vec<_>>(),
+        "cases": cases.iter().map(case).collect::<Vec<_>>(),
+    })
+}
+
+/// Fields for another program; those that lie in themselves are `null`.
+fn fields(list: &'static [Field], locale: &Locale, above: &mut Vec<*const Field>) -> Json {
+    if above.contains(&list.as_ptr()) {
+        return Json::Null;
+    }
+    above.push(list.as_ptr());
+    let described = list.iter().map(|field| {
+        let mut json = json!({
+            "name": field.name,
+            "label": Text::from(field.label).render(locale),
+            "help": Text::from(field.help).render(locale),
+            "symbol": field.symbol,
+            "default": field.default,
+        });
+        if let (Json::Object(json), Json::Object(shape)) = (&mut json, shape(&field.shape, locale, above)) {
+            json.extend(shape);
+        }
+        json
+    });
+    let described = described.collect();
+    above.pop();
+    described
+}
+
+fn shape(shape: &Shape, locale: &Locale, above: &mut Vec<*const Field>) -> Json {
+    let limit = |limit: Limit| match limit {
+        Limit::None => Json::Null,
+        Limit::Including(value) => json!({ "value": value, "included": true }),
+        Limit::Excluding(value) => json!({ "value": value, "included": false }),
+    };
+    match shape {
+        Shape::Quantity(measure) => json!({
+            "kind": "quantity",
+            "quantity": measure.kind().name(),
+            "unit": measure.own_unit().ascii(),
+            "min": limit(measure.min),
+            "max": limit(measure.max),
+        }),
+        Shape::Vector(measure, len) => json!({
+            "kind": "vector",
+            "components": len,
+            "quantity": measure.kind().name(),
+            "unit": measure.own_unit().ascii(),
+        }),
+        Shape::Text => json!({ "kind": "text" }),
+        Shape::Flag => json!({ "kind": "flag" }),
+        Shape::Count { min, max } => json!({ "kind": "count", "min": min, "max": max }),
+        Shape::OneOf(variants) => {
+            let variant = |variant: &'static dalembert_core::Variant| {
+                json!({
+                    "name": variant.name,
+                    "label": Text::from(variant.label).render(locale),
+                    "help": Text::from(variant.help).render(locale),
+                    "fields": fields((variant.fields)(), locale, above),
+                })
+            };
+            json!({ "kind": "one-of", "alternatives": variants().iter().map(variant).collect::<Vec<_>>() })
+        }
+        Shape::Group(inner) => json!({ "kind": "group", "fields": fields(inner(), locale, above) }),
+        Shape::Rows { item, min } => {
+            json!({ "kind": "rows", "min": min, "item": self::shape(item(), locale, above) })
+        }
+        Shape::Table(columns) => json!({ "kind": "table", "columns": fields(columns(), locale, above) }),
+        Shape::Reference(list) => json!({ "kind": "reference", "rows": list }),
+        Shape::Optional(inner) => {
+            let mut json = self::shape(inner(), locale, above);
+            if let Json::Object(json) = &mut json {
+                json.insert("optional".into(), true.into());
+            }
+            json
+        }
+    }
+}

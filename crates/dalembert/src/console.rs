@@ -1,0 +1,122 @@
+//! Who reads what is printed, and how it gets there.
+
+use std::{
+    ffi::{OsStr, OsString},
+    io::{self, IsTerminal, Write},
+};
+
+use dalembert_core::{Language, Locale};
+use dalembert_report::{Document, ascii, text};
+use dalembert_tui::glyphs::{Capabilities, Colors, Environment, Glyphs, filter_untrusted};
+
+use crate::failure::Failure;
+
+/// The widest text that is laid out: longer lines are hard to read.
+const WIDEST: usize = 100;
+/// The width where there is no terminal.
+const USUAL: usize = 80;
+
+/// The terminal or file that the program was started on.
+#[derive(Clone, Debug)]
+pub(crate) struct Console {
+    /// Language and numbers.
+    pub(crate) locale: Locale,
+    /// Columns of a line.
+    pub(crate) width: usize,
+    /// Whether errors may be coloured.
+    pub(crate) styled_errors: bool,
+    /// What the terminal can show.
+    pub(crate) capabilities: Capabilities,
+    /// Whether a person sits at both ends.
+    pub(crate) interactive: bool,
+}
+
+impl Console {
+    /// That of this process.
+    pub(crate) fn of_process(language: Language, only_ascii: bool) -> Self {
+        let capabilities = Capabilities::detect(&Environment::of_process());
+        let stdout = io::stdout();
+        let mut locale = match language {
+            Language::English => Locale::english(),
+            Language::Portuguese => Locale::portuguese(),
+        };
+        locale.style.ascii = only_ascii || (stdout.is_terminal() && capabilities.glyphs == Glyphs::Ascii);
+        let width = match rustix::termios::tcgetwinsize(&stdout) {
+            Ok(size) if size.ws_col > 0 => usize::from(size.ws_col).min(WIDEST),
+            _ => USUAL,
+        };
+        Self {
+            locale,
+            width,
+            styled_errors: io::stderr().is_terminal() && capabilities.colors != Colors::None,
+            capabilities,
+            interactive: stdout.is_terminal() && io::stdin().is_terminal(),
+        }
+    }
+
+    /// Prints a document.
+    pub(crate) fn print(&self, document: Document) -> Result<(), Failure> {
+        print(&self.laid_out(document))
+    }
+
+    /// A document as this console shows it. Names and titles from a file cannot drive the terminal.
+    pub(crate) fn laid_out(&self, document: Document) -> String {
+        let document = document.map(&|words| self.plain(words));
+        text(&document, self.width)
+    }
+
+    /// Words without control characters, and in ASCII where that is all there is.
+    pub(crate) fn plain(&self, words: &str) -> String {
+        let safe = filter_untrusted(words);
+        if self.locale.style.ascii { ascii(&safe) } else { safe.into_owned() }
+    }
+}
+
+/// Prints a text as it is. A reader that has left is no failure.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+        Err(err) if err.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        Err(err) => Err(Failure::Output(err)),
+        Ok(()) => Ok(()),
+    }
+}
+
+/// Prints JSON.
+pub(crate) fn print_json(json: &serde_json::Value) -> Result<(), Failure> {
+    print(&format!("{json:#}\n"))
+}
+
+/// The language of `--lang`, or of the environment: `LC_ALL`, `LC_MESSAGES`, `LANG`, the first that is set.
+pub(crate) fn language_asked_for(words: &[OsString]) -> Language {
+    let mut asked = None;
+    let mut words = words.iter().map(|word| word.to_string_lossy()).take_while(|word| word != "--");
+    while let Some(word) = words.next() {
+        match word.strip_prefix("--lang") {
+            Some("") => asked = words.next().map(std::borrow::Cow::into_owned),
+            Some(rest) => asked = rest.strip_prefix('=').map(str::to_owned).or(asked),
+            None => {}
+        }
+    }
+    let set = |name: &&str| std::env::var_os(name).filter(|value| !value.is_empty());
+    let environment = || ["LC_ALL", "LC_MESSAGES", "LANG"].iter().find_map(set);
+    match (asked, environment()) {
+        (Some(asked), _) => Language::of(&asked),
+        (None, Some(name)) => Language::of(&OsStr::to_string_lossy(&name)),
+        (None, None) => Language::English,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_language_is_found_before_the_arguments_are_read() {
+        let asked =
+            |words: &[&str]| language_asked_for(&words.iter().map(OsString::from).collect::<Vec<_>>());
+        assert_eq!(asked(&["dalembert", "list", "--lang", "pt-BR"]), Language::Portuguese);
+        assert_eq!(asked(&["dalembert", "--lang=pt-BR", "list"]), Language::Portuguese);
+        assert_eq!(asked(&["dalembert", "--lang=en"]), Language::English);
+    }
+}

@@ -1,0 +1,99 @@
+//! Errors of a problem file, with the lines they stand in.
+
+use std::{ops::Range, path::Path};
+
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet, renderer::DecorStyle};
+use dalembert_core::{FieldError, Text, file};
+use dalembert_tui::glyphs::{Glyphs, filter_untrusted};
+
+use crate::console::Console;
+
+/// The most errors that are shown.
+const MOST: usize = 20;
+/// The longest line that is shown, in bytes; of a longer one the place is told alone.
+const LONGEST_LINE: usize = 200;
+
+/// Errors, each with its file, line and column, and the line itself.
+pub(crate) fn show(
+    path: &Path,
+    text: &str,
+    errors: &[(Text, Option<Range<usize>>)],
+    console: &Console,
+) -> String {
+    let renderer = if console.styled_errors { Renderer::styled() } else { Renderer::plain() };
+    let unicode = !console.locale.style.ascii && console.capabilities.glyphs == Glyphs::Unicode;
+    let decor = if console.styled_errors && unicode { DecorStyle::Unicode } else { DecorStyle::Ascii };
+    let renderer = renderer.decor_style(decor).term_width(console.width);
+    let origin = console.plain(&path.to_string_lossy()).replace('\n', " ");
+    let error = Text::from("error").render(&console.locale);
+    let group = |why: &Text, span: Option<&Range<usize>>| {
+        let level = Level::ERROR.with_name(error.clone());
+        let title = console.plain(&why.render(&console.locale)).replace('\n', " ");
+        let title = level.primary_title(title);
+        let Some(span) = span.filter(|span| text.get(span.start..span.end).is_some()) else {
+            return title.element(Origin::path(origin.clone()));
+        };
+        let line = Line::of(text, span);
+        if !line.is_plain() {
+            return title.element(Origin::path(origin.clone()).line(line.number).char_column(line.column()));
+        }
+        title.element(
+            Snippet::source(line.text.to_owned())
+                .line_start(line.number)
+                .path(origin.clone())
+                .annotation(AnnotationKind::Primary.span(line.span)),
+        )
+    };
+    let shown = errors.iter().take(MOST).map(|(why, span)| {
+        let group: Group<'_> = group(why, span.as_ref());
+        renderer.render(&[group])
+    });
+    let mut shown = shown.collect::<Vec<_>>();
+    if let Some(more) = errors.len().checked_sub(MOST).filter(|more| *more > 0) {
+        shown.push(Text::new("and {more} more errors").with("more", more).render(&console.locale));
+    }
+    shown.join("\n\n")
+}
+
+/// Where a field stands in a file; within a text in quotes, the part that is wrong.
+pub(crate) fn span(text: &str, err: &FieldError, typed: &str) -> Option<Range<usize>> {
+    let value = file::locate(text, err)?;
+    let inner = value.start + 1..value.end.saturating_sub(1);
+    match &err.span {
+        Some(part)
+            if text.get(inner.clone()) == Some(typed) && part.end <= typed.len() && part.start < part.end =>
+        {
+            Some(inner.start + part.start..inner.start + part.end)
+        }
+        _ => Some(value),
+    }
+}
+
+/// The first line of a span.
+struct Line<'t> {
+    text: &'t str,
+    number: usize,
+    /// The part of the span within this line.
+    span: Range<usize>,
+}
+
+impl<'t> Line<'t> {
+    fn of(text: &'t str, span: &Range<usize>) -> Self {
+        let start = text[..span.start].rfind('\n').map_or(0, |at| at + 1);
+        let end = text[span.start..].find('\n').map_or(text.len(), |at| span.start + at);
+        let number = 1 + text[..start].matches('\n').count();
+        let end = if text[start..end].ends_with('\r') { end - 1 } else { end };
+        let within = |at: usize| at.clamp(start, end.max(start)) - start;
+        Line { text: &text[start..end.max(start)], number, span: within(span.start)..within(span.end) }
+    }
+
+    /// Counted from 1, in characters.
+    fn column(&self) -> usize {
+        1 + self.text[..self.span.start].chars().count()
+    }
+
+    /// Whether it can be shown as it is.
+    fn is_plain(&self) -> bool {
+        self.text.len() <= LONGEST_LINE && filter_untrusted(self.text) == self.text
+    }
+}

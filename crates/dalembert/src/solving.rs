@@ -1,0 +1,88 @@
+//! Running an analysis without trusting it: one that panics is named, and the program goes on.
+
+use std::{
+    any::Any,
+    panic::{self, AssertUnwindSafe},
+    sync::{Mutex, PoisonError},
+};
+
+use dalembert_core::{Entry, Record, Refusal, Solution, SolveError, Stop, Text};
+
+use crate::failure::Failure;
+
+/// What a solve comes to: an answer, or why there is none.
+pub(crate) type Outcome = Result<Solution, Text>;
+
+/// Solves a problem.
+pub(crate) fn solve(entry: &'static Entry, record: &Record) -> Result<Outcome, Failure> {
+    match guarded(entry, || entry.solve(record, &Stop::new()))? {
+        Ok(solution) => Ok(Ok(solution)),
+        Err(SolveError::Refused(Refusal::NoAnswer(why))) => Ok(Err(why)),
+        Err(SolveError::Refused(Refusal::Stopped)) => {
+            Err(Failure::Fault(format!("{} was stopped", entry.about.id)))
+        }
+        Err(SolveError::Fields(errors)) => {
+            let why = |err: &dalembert_core::FieldError| {
+                Text::new("{path}: {why}").with("path", &err.path).with_text("why", err.why.clone())
+            };
+            Err(Failure::Input(errors.iter().map(why).collect()))
+        }
+    }
+}
+
+/// Runs a part of an analysis; a panic becomes a [`Failure::Fault`] that names the analysis and the place.
+pub(crate) fn guarded<T>(entry: &Entry, run: impl FnOnce() -> T) -> Result<T, Failure> {
+    static PLACE: Mutex<String> = Mutex::new(String::new());
+    let place = || PLACE.lock().unwrap_or_else(PoisonError::into_inner);
+    let hook = panic::take_hook();
+    panic::set_hook(Box::new(|info| {
+        let at = info.location().map_or_else(String::new, ToString::to_string);
+        *PLACE.lock().unwrap_or_else(PoisonError::into_inner) = at;
+    }));
+    let result = panic::catch_unwind(AssertUnwindSafe(run));
+    panic::set_hook(hook);
+    result.map_err(|payload| {
+        Failure::Fault(format!("{} panicked at {}: {}", entry.about.id, place(), words(&*payload)))
+    })
+}
+
+fn words(payload: &(dyn Any + Send)) -> &str {
+    let text = payload.downcast_ref::<&str>().copied();
+    text.or_else(|| payload.downcast_ref::<String>().map(String::as_str)).unwrap_or("no message")
+}
+
+#[cfg(test)]
+mod tests {
+    use dalembert_core::{About, Analysis, Draft, Inputs, Worksheet};
+
+    use super::*;
+
+    /// An analysis with a fault.
+    #[derive(Debug, Inputs)]
+    struct Faulty {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+    }
+
+    impl Analysis for Faulty {
+        const ABOUT: About =
+            About { id: "test/faulty", title: "", summary: "", keywords: "", sources: &[], cases: "" };
+
+        fn solve<W: Worksheet>(&self, _: &FaultyGiven<W>, _: W) -> Result<(), Refusal> {
+            panic!("index {} of a list of 1", self.mass)
+        }
+    }
+
+    #[test]
+    fn a_panicking_analysis_is_named() {
+        static ENTRY: Entry = Entry::of::<Faulty>();
+        let shape = ENTRY.shape();
+        let mut draft = Draft::blank(&shape);
+        draft.set(&shape, "mass", "3 kg").unwrap();
+        let record = draft.read(&shape).unwrap();
+        let fault = solve(&ENTRY, &record).unwrap_err().to_string();
+        assert!(fault.starts_with("test/faulty panicked at crates/dalembert/src/solving.rs"), "{fault}");
+        assert!(fault.ends_with("index 3 of a list of 1"), "{fault}");
+    }
+}

@@ -1,0 +1,18 @@
+# What reports say beside the words of an analysis.
+
+answers = Respostas
+checks = Verificações
+count-rows = { $count } linhas
+faults-of-the-program = Falhas do programa
+given = Dados
+name-cannot-be-shown-in-unit-write-a-unit-like-own = { $name } não pode ser mostrado em { $unit }; escreva uma unidade como { $own }
+no = não
+no-answer = Sem resposta
+sources = Fontes
+there-is-no-answer-name-did-you-mean-near = não há resposta `{ $name }`; seria `{ $near }`?
+there-is-no-answer-name-write-one-of-known = não há resposta `{ $name }`; escreva uma de { $known }
+warnings = Avisos
+what-failed-relative-difference-gap = { $what }: NÃO CONFERE, diferença relativa { $gap }
+what-relative-difference-gap = { $what }: diferença relativa { $gap }
+working = Resolução
+yes = sim

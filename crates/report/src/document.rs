@@ -1,0 +1,107 @@
+//! What people read, before anyone decides how it looks.
+
+use dalembert_core::printer::WrittenStep;
+
+/// A text with headings, lists, steps and tables, every word of it in one language.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Document {
+    /// What it is about.
+    pub title: String,
+    /// Its parts, in the order they are read.
+    pub blocks: Vec<Block>,
+}
+
+/// A part of a document.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Block {
+    /// The heading of what follows.
+    Heading(String),
+    /// Sentences.
+    Paragraph(String),
+    /// Names with values, in columns.
+    Lines(Vec<Line>),
+    /// Sentences that do not follow from one another.
+    Items(Vec<String>),
+    /// A step of a worked solution, and its number.
+    Step(usize, WrittenStep),
+    /// Rows and columns.
+    Table(Table),
+}
+
+/// A name with a value, within others.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Line {
+    /// How many others it stands within.
+    pub depth: usize,
+    /// How formulas write it; may be empty.
+    pub symbol: String,
+    /// What it is.
+    pub label: String,
+    /// Its value; empty for a heading of the lines within.
+    pub value: String,
+}
+
+/// Rows and columns.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Table {
+    /// What it shows; may be empty.
+    pub title: String,
+    /// The headings.
+    pub columns: Vec<String>,
+    /// Which columns hold numbers and stand to the right.
+    pub numeric: Vec<bool>,
+    /// The rows, each as long as `columns`.
+    pub rows: Vec<Vec<String>>,
+    /// The sums; empty where there are none.
+    pub foot: Vec<String>,
+}
+
+impl Document {
+    /// The same document with every text passed through `change`.
+    #[must_use]
+    pub fn map(self, change: &impl Fn(&str) -> String) -> Self {
+        let blocks = self.blocks.into_iter().map(|block| block.map(change)).collect();
+        Self { title: change(&self.title), blocks }
+    }
+}
+
+impl Block {
+    fn map(self, change: &impl Fn(&str) -> String) -> Self {
+        let all = |texts: Vec<String>| texts.iter().map(|text| change(text)).collect::<Vec<_>>();
+        match self {
+            Block::Heading(text) => Block::Heading(change(&text)),
+            Block::Paragraph(text) => Block::Paragraph(change(&text)),
+            Block::Items(items) => Block::Items(all(items)),
+            Block::Lines(lines) => Block::Lines(
+                lines
+                    .into_iter()
+                    .map(|line| Line {
+                        depth: line.depth,
+                        symbol: change(&line.symbol),
+                        label: change(&line.label),
+                        value: change(&line.value),
+                    })
+                    .collect(),
+            ),
+            Block::Step(number, step) => Block::Step(
+                number,
+                WrittenStep {
+                    symbol: change(&step.symbol),
+                    formula: change(&step.formula),
+                    substitution: change(&step.substitution),
+                    result: change(&step.result),
+                    why: change(&step.why),
+                    source: change(&step.source),
+                    terms: step.terms.iter().map(|(term, value)| (change(term), change(value))).collect(),
+                },
+            ),
+            Block::Table(table) => Block::Table(Table {
+                title: change(&table.title),
+                columns: all(table.columns),
+                numeric: table.numeric,
+                rows: table.rows.into_iter().map(all).collect(),
+                foot: all(table.foot),
+            }),
+        }
+    }
+}

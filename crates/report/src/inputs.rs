@@ -1,0 +1,143 @@
+//! The inputs of a problem as lines: what was typed, and what was understood.
+
+use dalembert_core::{Draft, Field, Locale, Record, Shape, Symbol, Text, Value, printer};
+use dalembert_units::{self as units, Style};
+
+/// The digits that an input is shown with: what was typed is not rounded.
+const TYPED_DIGITS: u8 = 12;
+
+/// An input, or the heading of the inputs within it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Input<'r> {
+    /// Where it stands: `masses[1].radius`.
+    pub path: String,
+    /// How many others it stands within.
+    pub depth: usize,
+    /// How formulas write it; may be empty.
+    pub symbol: String,
+    /// What it is.
+    pub label: String,
+    /// What was typed; the name of the alternative for a one-of.
+    pub typed: String,
+    /// What was understood; `None` for the heading of a row or of a group.
+    pub value: Option<&'r Value>,
+    /// What was understood, as a person reads it.
+    pub shown: String,
+}
+
+/// The inputs in the order of the form. `draft` is what `record` was read from.
+pub fn inputs<'r>(draft: &Draft, record: &'r Record, locale: &Locale) -> Vec<Input<'r>> {
+    let mut found = Vec::new();
+    let place = Place { path: String::new(), depth: 0, rows: Vec::new(), locale };
+    place.record(Some(draft), record, &mut found);
+    found
+}
+
+/// Where a walk through a record stands.
+struct Place<'l> {
+    path: String,
+    depth: usize,
+    rows: Vec<usize>,
+    locale: &'l Locale,
+}
+
+impl Place<'_> {
+    fn record<'r>(&self, draft: Option<&Draft>, record: &'r Record, found: &mut Vec<Input<'r>>) {
+        for (n, (field, value)) in record.fields.iter().zip(&record.values).enumerate() {
+            let draft = match draft {
+                Some(Draft::Group(all)) => all.get(n),
+                _ => None,
+            };
+            let dot = if self.path.is_empty() { "" } else { "." };
+            let place = self.within(format!("{}{dot}{}", self.path, field.name), self.depth);
+            place.value(field, &field.shape, draft, value, None, found);
+        }
+    }
+
+    /// `row` is the number of a row, whose label is that of its list.
+    fn value<'r>(
+        &self,
+        field: &'static Field,
+        shape: &Shape,
+        draft: Option<&Draft>,
+        value: &'r Value,
+        row: Option<usize>,
+        found: &mut Vec<Input<'r>>,
+    ) {
+        let label = Text::from(field.label).render(self.locale);
+        let label = row.map_or_else(|| label.clone(), |row| format!("{label} {row}"));
+        let symbol = self.rows.iter().fold(Symbol::from(field.symbol), |symbol, row| symbol.row(*row));
+        let mut input = Input {
+            path: self.path.clone(),
+            depth: self.depth,
+            symbol: if field.symbol.is_empty() {
+                String::new()
+            } else {
+                printer::symbol_in(&symbol, self.locale.style)
+            },
+            label,
+            typed: match draft {
+                Some(Draft::Leaf(text)) => text.clone(),
+                _ => String::new(),
+            },
+            value: Some(value),
+            shown: String::new(),
+        };
+        match (shape, value) {
+            (Shape::Optional(inner), value) if *value != Value::Absent => {
+                self.value(field, inner(), draft, value, row, found);
+            }
+            (_, Value::Group(record)) => {
+                input.value = None;
+                found.push(input);
+                self.within(self.path.clone(), self.depth + 1).record(draft, record, found);
+            }
+            (Shape::OneOf(variants), Value::OneOf { variant, fields }) => {
+                let chosen = &variants()[*variant];
+                chosen.name.clone_into(&mut input.typed);
+                input.shown = Text::from(chosen.label).render(self.locale);
+                found.push(input);
+                let draft = match draft {
+                    Some(Draft::OneOf(_, fields)) => Some(&**fields),
+                    _ => None,
+                };
+                let place = self.within(format!("{}.{}", self.path, chosen.name), self.depth + 1);
+                place.record(draft, fields, found);
+            }
+            (Shape::Rows { item, .. }, Value::Rows(rows)) => {
+                for (n, value) in rows.iter().enumerate() {
+                    let draft = match draft {
+                        Some(Draft::Rows(all)) => all.get(n),
+                        _ => None,
+                    };
+                    let mut place = self.within(format!("{}[{}]", self.path, n + 1), self.depth);
+                    place.rows.push(n + 1);
+                    place.value(field, item(), draft, value, Some(n + 1), found);
+                }
+            }
+            _ => {
+                input.shown = shown(value, self.locale);
+                found.push(input);
+            }
+        }
+    }
+
+    fn within(&self, path: String, depth: usize) -> Self {
+        Self { path, depth, rows: self.rows.clone(), locale: self.locale }
+    }
+}
+
+fn shown(value: &Value, locale: &Locale) -> String {
+    let style = Style { digits: locale.style.digits.max(TYPED_DIGITS), ..locale.style };
+    let word = |word: &'static str| Text::from(word).render(locale);
+    match value {
+        Value::Quantity(quantity) => units::write_quantity(quantity.si, &quantity.unit, style),
+        Value::Vector(vector) => units::write_components(&vector.si[..vector.len], &vector.unit, style),
+        Value::Text(text) | Value::Reference { name: text, .. } => text.clone(),
+        Value::Flag(flag) => word(if *flag { "yes" } else { "no" }),
+        Value::Count(count) => count.to_string(),
+        Value::Table(table) => Text::new("{count} rows").with("count", table.rows.len()).render(locale),
+        Value::Absent => "—".into(),
+        Value::OneOf { .. } | Value::Group(_) | Value::Rows(_) => String::new(),
+    }
+}

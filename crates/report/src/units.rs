@@ -1,0 +1,37 @@
+//! The units that answers are shown in.
+
+use dalembert_core::{AnswerValue, Solution, Text, nearest, trace::Op};
+use dalembert_units as units;
+
+/// Shows an answer, and the step that found it, in another unit. The numbers stay what they are.
+///
+/// # Errors
+/// There is no such answer, the unit cannot be read, or it measures something else.
+pub fn show_answer_in(solution: &mut Solution, name: &str, unit: &str) -> Result<(), Text> {
+    let Some(at) = solution.answers.iter().position(|answer| answer.name == name) else {
+        let known = || solution.answers.iter().map(|answer| answer.name);
+        let why = match nearest(name, known()) {
+            Some(near) => Text::new("there is no answer `{name}`; did you mean `{near}`?").with("near", near),
+            None => Text::new("there is no answer `{name}`; write one of {known}")
+                .with("known", known().collect::<Vec<_>>().join(", ")),
+        };
+        return Err(why.with("name", name));
+    };
+    let wanted = units::unit(unit).map_err(|err| Text::new(err.to_string()))?;
+    let answer = &mut solution.answers[at];
+    if !wanted.dim.agrees(answer.unit.dim) {
+        let own = match answer.unit.ascii() {
+            unit if unit.is_empty() => "1".to_owned(),
+            unit => unit,
+        };
+        let why = Text::new("{name} cannot be shown in {unit}; write a unit like {own}");
+        return Err(why.with("name", name).with("unit", unit).with("own", own));
+    }
+    answer.unit = wanted.clone();
+    if let AnswerValue::Number(_, id) = answer.value
+        && let Op::Step(step) = solution.trace.node(id).op
+    {
+        solution.steps[step].unit = wanted;
+    }
+    Ok(())
+}

@@ -1,0 +1,204 @@
+//! What a worked solution says, and in which order.
+
+use dalembert_core::{
+    Answer, AnswerValue, Cell, Draft, Entry, Exhibit, Locale, Plot, Record, Solution, TableExhibit, Text,
+    printer,
+};
+use dalembert_units as units;
+
+use crate::{
+    ascii::ascii,
+    document::{Block, Document, Line, Table},
+    inputs::inputs,
+};
+
+/// The longest table of inputs that is printed in full.
+const LONGEST_TABLE: usize = 60;
+
+/// A problem and what came of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Worked<'a> {
+    /// Its analysis.
+    pub entry: &'static Entry,
+    /// The name of the published case or the title of the problem file; may be empty.
+    pub case: &'a str,
+    /// Where the case was printed; may be empty.
+    pub source: &'a str,
+    /// Remarks; may be empty.
+    pub note: &'a str,
+    /// What was typed.
+    pub draft: &'a Draft,
+    /// What was understood.
+    pub record: &'a Record,
+    /// What came of it: a solution, or why there is none.
+    pub outcome: Result<&'a Solution, &'a Text>,
+}
+
+/// The worked solution as a person reads it: problem, inputs, answers, steps, tables, checks, warnings, sources.
+pub fn document(worked: &Worked<'_>, locale: &Locale) -> Document {
+    let about = worked.entry.about;
+    let say = |words: &'static str| Text::from(words).render(locale);
+    let mut blocks = vec![Block::Paragraph(say(about.summary))];
+    let case = match (worked.case, worked.source) {
+        (case, "") => case.to_owned(),
+        ("", source) => source.to_owned(),
+        (case, source) => format!("{case} — {source}"),
+    };
+    blocks.extend([case.as_str(), worked.note].into_iter().filter(|text| !text.is_empty()).map(paragraph));
+    blocks.push(Block::Heading(say("Given")));
+    blocks.extend(given(worked, locale));
+    match worked.outcome {
+        Err(why) => {
+            blocks.push(Block::Heading(say("No answer")));
+            blocks.push(Block::Paragraph(why.render(locale)));
+        }
+        Ok(solution) => solved(solution, &mut blocks, locale),
+    }
+    if !about.sources.is_empty() {
+        blocks.push(Block::Heading(say("Sources")));
+        let sources = about.sources.iter().map(|source| format!("{}: {}", source.short, source.full));
+        blocks.push(Block::Items(sources.collect()));
+    }
+    let document = Document { title: say(about.title), blocks };
+    if locale.style.ascii { document.map(&|text| ascii(text)) } else { document }
+}
+
+fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
+    let say = |words: &'static str| Text::from(words).render(locale);
+    blocks.push(Block::Heading(say("Answers")));
+    blocks.push(Block::Lines(
+        solution.answers.iter().flat_map(|answer| answer_lines(answer, locale)).collect(),
+    ));
+    if !solution.warnings.is_empty() {
+        blocks.push(Block::Heading(say("Warnings")));
+        blocks.push(Block::Items(solution.warnings.iter().map(|warning| warning.render(locale)).collect()));
+    }
+    if !solution.defects.is_empty() {
+        blocks.push(Block::Heading(say("Faults of the program")));
+        blocks.push(Block::Items(solution.defects.clone()));
+    }
+    if !solution.steps.is_empty() {
+        blocks.push(Block::Heading(say("Working")));
+        for (n, step) in solution.steps.iter().enumerate() {
+            blocks.push(Block::Step(n + 1, printer::step(solution, step, locale)));
+        }
+    }
+    for exhibit in &solution.exhibits {
+        match exhibit {
+            Exhibit::Table(table) => blocks.push(Block::Table(written_table(table, locale))),
+            Exhibit::Plot(plot) => blocks.extend(plotted(plot, locale)),
+            // A drawing has no words of its own.
+            Exhibit::Drawing(_) => {}
+        }
+    }
+    if !solution.checks.is_empty() {
+        blocks.push(Block::Heading(say("Checks")));
+        let checks = solution.checks.iter().map(|check| {
+            let text = if check.passed {
+                Text::new("{what}: relative difference {gap}")
+            } else {
+                Text::new("{what}: FAILED, relative difference {gap}")
+            };
+            let gap = units::write_number(check.residual, units::Style { digits: 2, ..locale.style });
+            text.with_text("what", check.what.clone()).with("gap", gap).render(locale)
+        });
+        blocks.push(Block::Items(checks.collect()));
+    }
+}
+
+fn paragraph(text: &str) -> Block {
+    Block::Paragraph(text.to_owned())
+}
+
+fn given(worked: &Worked<'_>, locale: &Locale) -> Vec<Block> {
+    let inputs = inputs(worked.draft, worked.record, locale);
+    let mut tables = Vec::new();
+    for input in &inputs {
+        if let Some(dalembert_core::Value::Table(table)) = input.value
+            && table.rows.len() <= LONGEST_TABLE
+        {
+            let columns = table.units.iter().map(|unit| format!("[{}]", unit.pretty())).collect();
+            let cell = |(si, unit): (&f64, &units::Unit)| units::write_number(unit.value(*si), locale.style);
+            let rows = table.rows.iter().map(|row| row.iter().zip(&table.units).map(cell).collect());
+            tables.push(Block::Table(Table {
+                title: input.label.clone(),
+                columns,
+                numeric: vec![true; table.units.len()],
+                rows: rows.collect(),
+                foot: Vec::new(),
+            }));
+        }
+    }
+    let lines = inputs.into_iter().map(|input| Line {
+        depth: input.depth,
+        symbol: input.symbol,
+        label: input.label,
+        value: input.shown,
+    });
+    std::iter::once(Block::Lines(lines.collect())).chain(tables).collect()
+}
+
+fn answer_lines(answer: &Answer, locale: &Locale) -> Vec<Line> {
+    let label = Text::from(answer.label).render(locale);
+    let mut lines = vec![Line { depth: 0, symbol: String::new(), label, value: answer.shown(locale) }];
+    if let AnswerValue::Set(_, limits) = &answer.value {
+        let limit = |text: &Text| Line { depth: 1, label: text.render(locale), ..Line::default() };
+        lines.extend(limits.iter().map(limit));
+    }
+    lines
+}
+
+fn written_table(table: &TableExhibit, locale: &Locale) -> Table {
+    let numeric: Vec<bool> = (0..table.columns.len())
+        .map(|at| table.rows.iter().any(|row| matches!(row.get(at), Some(Cell::Number(_)))))
+        .collect();
+    let columns = table.columns.iter().map(|column| {
+        let heading = column.heading.render(locale);
+        match pretty(column.unit, locale) {
+            unit if unit.is_empty() => heading,
+            unit => format!("{heading} [{unit}]"),
+        }
+    });
+    let row = |cells: &Vec<Cell>| -> Vec<String> {
+        let cells = cells.iter().zip(&table.columns).map(|(cell, column)| match cell {
+            Cell::Empty => String::new(),
+            Cell::Text(text) => text.render(locale),
+            Cell::Number(si) => {
+                let unit = units::unit(column.unit).unwrap_or(units::Unit::ONE);
+                units::write_number(unit.value(*si), locale.style)
+            }
+        });
+        cells.collect()
+    };
+    Table {
+        title: table.title.render(locale),
+        columns: columns.collect(),
+        numeric,
+        rows: table.rows.iter().map(row).collect(),
+        foot: row(&table.foot),
+    }
+}
+
+/// What can be said of a plot in words: what it shows, and its named points and lines.
+fn plotted(plot: &Plot, locale: &Locale) -> Vec<Block> {
+    let unit = |text: &str| units::unit(text).unwrap_or(units::Unit::ONE);
+    let (x, y) = (unit(plot.x.unit), unit(plot.y.unit));
+    let write = |si: f64, unit: &units::Unit| units::write_quantity(si, unit, locale.style);
+    let marks = plot.marks.iter().map(|mark| {
+        format!("{}: ({}; {})", mark.label.render(locale), write(mark.at.0, &x), write(mark.at.1, &y))
+    });
+    let levels =
+        plot.levels.iter().map(|level| format!("{}: {}", level.label.render(locale), write(level.y, &y)));
+    let named: Vec<String> = marks.chain(levels).collect();
+    if named.is_empty() {
+        return Vec::new();
+    }
+    vec![Block::Heading(plot.title.render(locale)), Block::Items(named)]
+}
+
+fn pretty(unit: &str, locale: &Locale) -> String {
+    units::unit(unit).map_or_else(
+        |_| unit.to_owned(),
+        |unit| if locale.style.ascii { unit.ascii() } else { unit.pretty() },
+    )
+}

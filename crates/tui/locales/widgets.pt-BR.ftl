@@ -1,0 +1,22 @@
+# Painéis, gráficos e desenhos da bancada.
+nothing-to-draw = nada a desenhar
+a-fault-of-the-program-not-of-your-inputs-do-not-trust-these-results = Falha do programa, não dos seus dados; não confie nestes resultados:
+there-is-no-answer = Não há resposta
+not-every-input-can-be-read = Nem todos os dados podem ser lidos
+the-solution-was-stopped = A solução foi interrompida.
+of-the-last-valid-inputs = dos últimos dados válidos
+two-ways-agree-exactly = dois caminhos concordam exatamente
+two-ways-agree-to-residual = dois caminhos concordam até { $residual }
+two-ways-differ-by-residual = dois caminhos diferem em { $residual }
+published-cases = Casos publicados
+books-and-notes = Livros e apostilas
+not-solved-yet = ainda não resolvido
+published = publicado
+closed-form = forma fechada
+by-another-program = de outro programa
+our-own-earlier-value = nosso próprio valor anterior
+printed = impresso
+ours = nosso
+agreed = concorda
+disputed = contestado
+differing = difere

@@ -1,0 +1,258 @@
+//! The run loop: the one place where effects happen.
+
+use std::{
+    path::{Path, PathBuf},
+    process::ExitCode,
+    sync::{Arc, mpsc},
+    thread,
+    time::{Duration, Instant},
+};
+
+use crossterm::{Command, clipboard::CopyToClipboard};
+use dalembert_core::{Entry, Language, registry};
+
+use crate::{
+    files::{self, Autosave},
+    glyphs::{Capabilities, Environment, Glyphs, PlotMarker},
+    look::Look,
+    model::{Effect, Model, Msg},
+    solver::{Solver, judge},
+    terminal::{self, Fault, Input, Session, TerminalError, fault},
+    update::{start, update},
+    view::view,
+};
+
+/// A frame waits so long for the results of the key that it shows.
+const PATIENCE: Duration = Duration::from_millis(12);
+/// Unsaved work is written aside when nothing was typed for so long.
+const KEEP_AFTER: Duration = Duration::from_secs(1);
+/// Nothing is expected: until then the loop sleeps.
+const LONG: Duration = Duration::from_secs(24 * 3600);
+/// The exit code when the terminal cannot be had.
+const NO_TERMINAL: u8 = 2;
+
+/// How the workbench begins.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// A problem file to open.
+    pub file: Option<PathBuf>,
+    /// An analysis to open, with its first case.
+    pub analysis: Option<&'static Entry>,
+    /// The language to begin with.
+    pub language: Language,
+    /// Nothing outside ASCII, whatever the terminal promises.
+    pub ascii: bool,
+    /// Nothing is saved.
+    pub readonly: bool,
+}
+
+/// Runs the workbench until the person ends it. The exit code is 0, or 2 when the terminal cannot be had.
+pub fn run(options: Options) -> ExitCode {
+    terminal::run_guarded(|| match workbench(options) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::from(NO_TERMINAL)
+        }
+    })
+}
+
+/// What effects act on.
+struct World {
+    session: Session,
+    solver: Solver,
+    autosave: Arc<Autosave>,
+    messages: mpsc::Sender<Msg>,
+    /// Work is remembered that is not written aside yet.
+    noted: bool,
+    /// The newest job, while its outcome has not come.
+    awaited: Option<u64>,
+}
+
+fn workbench(options: Options) -> Result<(), TerminalError> {
+    terminal::usable()?;
+    let mut capabilities = Capabilities::detect(&Environment::of_process());
+    if options.ascii {
+        capabilities.glyphs = Glyphs::Ascii;
+        capabilities.marker = PlotMarker::Ascii;
+    }
+    let (autosave, trouble) = Autosave::open();
+    let autosave = Arc::new(autosave);
+    let last_words = autosave.clone();
+    let session = Session::enter(terminal::Options {
+        mouse: false,
+        capabilities,
+        autosave: Some(Box::new(move || {
+            // Nobody is left to be told.
+            let _ = last_words.flush();
+        })),
+    })?;
+    let (sender, messages) = mpsc::channel();
+    let (outcomes, waker) = (sender.clone(), session.waker());
+    let solver = Solver::new(move |outcome| {
+        // A loop that has ended takes no more outcomes.
+        let _ = outcomes.send(Msg::Solved(outcome));
+        waker.wake();
+    });
+    let look = Look::new(&capabilities);
+    let mut model = Model::new(registry(), options.language, look, capabilities.marker);
+    model.readonly = options.readonly;
+    model.faults = Fault::allowed();
+    let mut world = World { session, solver, autosave, messages: sender, noted: false, awaited: None };
+    let effects = start(&mut model, options.file, options.analysis);
+    if world.perform(&mut model, effects) {
+        return Ok(());
+    }
+    if let Some(error) = trouble {
+        update(&mut model, Msg::Notice(error.to_string()));
+    }
+    let sessions = world.autosave.crashed();
+    if !sessions.is_empty() {
+        update(&mut model, Msg::Crashed(sessions));
+    }
+    world.run(&mut model, &messages)
+}
+
+impl World {
+    fn run(&mut self, model: &mut Model, messages: &mpsc::Receiver<Msg>) -> Result<(), TerminalError> {
+        loop {
+            // A key and what it leads to belong in one frame, if it can be had without waiting long.
+            let deadline = Instant::now() + PATIENCE;
+            loop {
+                let left = deadline.saturating_duration_since(Instant::now());
+                let wait = if self.awaited.is_some() { left } else { Duration::ZERO };
+                let Ok(msg) = messages.recv_timeout(wait) else { break };
+                self.awaited = self.awaited.filter(|job| !matches!(&msg, Msg::Solved(outcome) if outcome.generation == *job));
+                let effects = update(model, msg);
+                if self.perform(model, effects) {
+                    return Ok(());
+                }
+            }
+            self.session.draw(|frame| {
+                model.size = (frame.area().width, frame.area().height);
+                view(model, frame);
+            })?;
+            let wait = if self.noted { KEEP_AFTER } else { LONG };
+            let inputs = self.session.next_events(wait)?;
+            if inputs.is_empty() && self.noted {
+                self.keep(model);
+            }
+            for input in inputs {
+                let msg = match input {
+                    Input::Key(key) => Msg::Key(key),
+                    Input::Paste(text) => Msg::Paste(text),
+                    Input::Resize { columns, rows } => Msg::Resize(columns, rows),
+                    Input::Notice(text) => Msg::Notice(text),
+                    Input::Mouse(_) | Input::Redraw => continue,
+                };
+                let effects = update(model, msg);
+                if self.perform(model, effects) {
+                    return Ok(());
+                }
+            }
+        }
+    }
+
+    /// Does what is to be done; whether the program ends.
+    fn perform(&mut self, model: &mut Model, effects: Vec<Effect>) -> bool {
+        for effect in effects {
+            let msg = match effect {
+                Effect::Quit => return true,
+                Effect::Solve(job) => {
+                    self.awaited = Some(job.generation);
+                    self.solver.submit(job);
+                    continue;
+                }
+                Effect::Judge(entry) => {
+                    let (messages, waker) = (self.messages.clone(), self.session.waker());
+                    let judging = move || {
+                        let _ = messages.send(Msg::Judged(entry.about.id, judge(entry)));
+                        waker.wake();
+                    };
+                    match thread::Builder::new().name("cases".into()).spawn(judging) {
+                        Ok(_) => continue,
+                        Err(error) => Msg::Notice(error.to_string()),
+                    }
+                }
+                Effect::Save { path, text, before } => {
+                    let path = at_home(path);
+                    let result = files::save(&path, &text, before);
+                    Msg::Saved { path, text, result }
+                }
+                Effect::Open(path) => {
+                    let path = at_home(path);
+                    let result = files::read(&path);
+                    Msg::Opened { path, result }
+                }
+                Effect::Keep { original, text } => {
+                    self.autosave.note(original.as_deref(), text);
+                    self.noted = true;
+                    continue;
+                }
+                Effect::Forget => {
+                    self.autosave.forget();
+                    self.noted = false;
+                    continue;
+                }
+                Effect::Discard(crashed) => {
+                    // What takes its place must be safe first.
+                    self.keep(model);
+                    match crashed.discard() {
+                        Ok(()) => continue,
+                        Err(error) => Msg::Notice(error.to_string()),
+                    }
+                }
+                Effect::Copy(text) => {
+                    let mut bytes = String::new();
+                    let sent = CopyToClipboard::to_clipboard_from(text).write_ansi(&mut bytes).is_ok()
+                        && self.session.send(bytes.as_bytes()).is_ok();
+                    if sent {
+                        continue;
+                    }
+                    Msg::Notice("the terminal did not take the text".to_owned())
+                }
+                Effect::Fault(kind) => {
+                    fault(kind, || false);
+                    continue;
+                }
+                Effect::Suspend => {
+                    self.keep(model);
+                    self.session.suspend();
+                    continue;
+                }
+                Effect::Redraw => {
+                    // Every cell changes, and changes back with the next frame: whatever was there is written over.
+                    match self.session.draw(|frame| {
+                        for cell in &mut frame.buffer_mut().content {
+                            cell.set_char('.');
+                        }
+                    }) {
+                        Ok(()) => continue,
+                        Err(error) => Msg::Notice(error.to_string()),
+                    }
+                }
+            };
+            let effects = update(model, msg);
+            if self.perform(model, effects) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Writes unsaved work aside; trouble is told once.
+    fn keep(&mut self, model: &mut Model) {
+        self.noted = false;
+        if let Err(error) = self.autosave.flush() {
+            update(model, Msg::Notice(error.to_string()));
+        }
+    }
+}
+
+/// `~/` at the beginning of a path is the person's home.
+fn at_home(path: PathBuf) -> PathBuf {
+    match (path.strip_prefix("~"), std::env::var_os("HOME")) {
+        (Ok(rest), Some(home)) => Path::new(&home).join(rest),
+        _ => path,
+    }
+}

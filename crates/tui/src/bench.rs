@@ -1,0 +1,239 @@
+//! A problem that is worked on: its form, what was found, the tab that shows it, and the file it belongs to.
+
+use std::path::PathBuf;
+
+use dalembert_core::{Draft, Drawing, Entry, Exhibit, FieldError, Plot, Solution, TableExhibit, file::Problem};
+
+use crate::{
+    files::Fingerprint,
+    form::Form,
+    keys::Place,
+    panes::sources::Judged,
+    plot,
+    solver::Failure,
+};
+
+/// A problem that is worked on.
+#[derive(Debug)]
+pub struct Bench {
+    /// Its analysis.
+    pub entry: &'static Entry,
+    /// What it is called: the case it began with, or the title of its file.
+    pub title: String,
+    /// How answers are shown: `(answer, unit)`.
+    pub show: Vec<(String, String)>,
+    /// Its inputs.
+    pub form: Form,
+    /// What is wrong with them.
+    pub errors: Vec<FieldError>,
+    /// What was found.
+    pub found: Found,
+    /// Its published cases.
+    pub cases: Vec<Judged>,
+    /// Whether they are compared with what was printed, or about to be.
+    pub judging: bool,
+    /// The case under the cursor of the tab of sources.
+    pub case: usize,
+    /// What the keys act on.
+    pub focus: Focus,
+    /// What is shown.
+    pub tab: Tab,
+    /// The first line that each tab shows.
+    pub scroll: [usize; Tab::ALL.len()],
+    /// The plot that is shown, of several.
+    pub plot: usize,
+    /// The drawing that is shown, of several.
+    pub drawing: usize,
+    /// The cursor and the marks of the plot.
+    pub plot_state: plot::State,
+    /// Its file.
+    pub file: Option<OpenFile>,
+    /// The inputs as they are in the file, or as the case has them.
+    saved: Draft,
+}
+
+/// The file of a problem.
+#[derive(Clone, Debug)]
+pub struct OpenFile {
+    /// Where it is.
+    pub path: PathBuf,
+    /// What it says: comments are kept from it.
+    pub text: String,
+    /// What it held when it was read or written; `None` where that is not known, after a crash.
+    pub fingerprint: Option<Fingerprint>,
+}
+
+/// What was found for the inputs, and whether it still belongs to them.
+#[derive(Debug, Default)]
+pub struct Found {
+    /// The newest solution there is.
+    pub solution: Option<Solution>,
+    /// Why the present inputs have none.
+    pub failure: Option<Failure>,
+    /// Whether that belongs to the present inputs.
+    pub state: State,
+}
+
+/// Whether what is shown belongs to the present inputs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum State {
+    /// It does.
+    Current,
+    /// The job of this number is to find out.
+    Solving(u64),
+    /// The inputs cannot be read.
+    #[default]
+    Unread,
+}
+
+/// What the keys act on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Focus {
+    /// The inputs.
+    #[default]
+    Form,
+    /// What was found.
+    Pane,
+}
+
+/// What is shown of what was found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tab {
+    /// Answers, checks and warnings.
+    #[default]
+    Results,
+    /// The worked solution.
+    Working,
+    /// Plots.
+    Plot,
+    /// Sketches of the machine.
+    Drawing,
+    /// Tables.
+    Table,
+    /// Books and published cases.
+    Sources,
+}
+
+impl Tab {
+    /// Every tab, from left to right.
+    pub const ALL: [Tab; 6] = [Tab::Results, Tab::Working, Tab::Plot, Tab::Drawing, Tab::Table, Tab::Sources];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Tab::Results => "Results",
+            Tab::Working => "Working",
+            Tab::Plot => "Plot",
+            Tab::Drawing => "Drawing",
+            Tab::Table => "Table",
+            Tab::Sources => "Sources",
+        }
+    }
+
+    /// Whether it shows a picture: on a wide screen these have a column of their own.
+    pub fn is_picture(self) -> bool {
+        matches!(self, Tab::Plot | Tab::Drawing)
+    }
+}
+
+impl Bench {
+    /// A problem of an analysis, filled in.
+    pub fn new(entry: &'static Entry, title: String, draft: Draft, cases: Vec<Judged>) -> Self {
+        Self {
+            entry,
+            title,
+            show: Vec::new(),
+            form: Form::new(entry, draft.clone()),
+            errors: Vec::new(),
+            found: Found::default(),
+            cases,
+            judging: false,
+            case: 0,
+            focus: Focus::Form,
+            tab: Tab::Results,
+            scroll: [0; Tab::ALL.len()],
+            plot: 0,
+            drawing: 0,
+            plot_state: plot::State::default(),
+            file: None,
+            saved: draft,
+        }
+    }
+
+    /// Where keys are typed.
+    pub fn place(&self) -> Place {
+        match self.focus {
+            Focus::Form if self.form.edit.is_some() => Place::Edit,
+            Focus::Form => Place::Form,
+            Focus::Pane => Place::Pane,
+        }
+    }
+
+    /// Whether there is something to save.
+    pub fn is_unsaved(&self) -> bool {
+        self.form.draft != self.saved
+    }
+
+    /// What is on the screen is in the file now.
+    pub fn mark_saved(&mut self) {
+        self.saved = self.form.draft.clone();
+    }
+
+    /// What is on the screen is in no file: it comes from a crashed session.
+    pub fn mark_unsaved(&mut self) {
+        self.saved = Draft::Absent;
+    }
+
+    /// The problem as it is saved.
+    pub fn problem(&self) -> Problem {
+        let Self { entry, title, form, show, .. } = self;
+        Problem { entry, title: title.clone(), draft: form.draft.clone(), show: show.clone() }
+    }
+
+    /// The tabs that have something to show; the first and the last always do.
+    pub fn tabs(&self) -> Vec<Tab> {
+        let has = |tab: &Tab| match tab {
+            Tab::Plot => self.plots().next().is_some(),
+            Tab::Drawing => self.drawings().next().is_some(),
+            Tab::Table => self.tables().next().is_some(),
+            Tab::Results | Tab::Working | Tab::Sources => true,
+        };
+        Tab::ALL.into_iter().filter(has).collect()
+    }
+
+    /// The plots of the newest solution.
+    pub fn plots(&self) -> impl Iterator<Item = &Plot> {
+        self.exhibits().filter_map(|exhibit| if let Exhibit::Plot(plot) = exhibit { Some(plot) } else { None })
+    }
+
+    /// The drawings of the newest solution.
+    pub fn drawings(&self) -> impl Iterator<Item = &Drawing> {
+        self.exhibits().filter_map(|exhibit| if let Exhibit::Drawing(drawing) = exhibit { Some(drawing) } else { None })
+    }
+
+    /// The tables of the newest solution.
+    pub fn tables(&self) -> impl Iterator<Item = &TableExhibit> {
+        self.exhibits().filter_map(|exhibit| if let Exhibit::Table(table) = exhibit { Some(table) } else { None })
+    }
+
+    /// The shown one of several, by its place; the last one where there are fewer now.
+    pub fn nth<T>(mut all: impl Iterator<Item = T>, at: usize) -> Option<T> {
+        let mut last = None;
+        for _ in 0..=at {
+            match all.next() {
+                Some(one) => last = Some(one),
+                None => break,
+            }
+        }
+        last
+    }
+
+    /// Whether the newest solution does not belong to the present inputs.
+    pub fn is_stale(&self) -> bool {
+        self.found.state != State::Current || self.found.failure.is_some()
+    }
+
+    fn exhibits(&self) -> impl Iterator<Item = &Exhibit> {
+        self.found.solution.iter().flat_map(|solution| &solution.exhibits)
+    }
+}

@@ -1,0 +1,278 @@
+//! What lies over a screen and takes the keys: help, palette, lists, questions.
+
+use std::path::PathBuf;
+
+use dalembert_core::Text;
+use nucleo_matcher::{
+    Config, Matcher, Utf32Str,
+    pattern::{CaseMatching, Normalization, Pattern},
+};
+use tui_input::Input;
+
+use crate::{
+    files::Crashed,
+    keys::{Binding, Place},
+    model::{After, Model, Screen},
+};
+
+/// What lies over a screen.
+#[derive(Debug)]
+pub enum Dialog {
+    /// What keys do.
+    Help {
+        /// The first line that is shown.
+        scroll: usize,
+    },
+    /// Every action by its name.
+    Palette {
+        /// What is typed.
+        input: Input,
+        /// The chosen line.
+        chosen: usize,
+    },
+    /// Alternatives of a field.
+    Choice {
+        /// Which field.
+        path: String,
+        /// What is shown of each.
+        options: Vec<Choice>,
+        /// The chosen one.
+        chosen: usize,
+    },
+    /// A path is asked for.
+    Prompt {
+        /// What for.
+        purpose: Purpose,
+        /// What is typed.
+        input: Input,
+        /// Why the last one would not do.
+        error: Option<Text>,
+    },
+    /// A question with a few answers.
+    Ask {
+        /// What is asked.
+        question: Text,
+        /// What can be answered, and what follows; to give no answer is always possible.
+        answers: Vec<(&'static str, Answer)>,
+        /// The chosen one.
+        chosen: usize,
+    },
+    /// Something to read.
+    Message {
+        /// The first line.
+        title: Text,
+        /// The others.
+        lines: Vec<String>,
+    },
+    /// A table as text.
+    Sheet(Sheet),
+}
+
+/// An alternative.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    /// Its name for people.
+    pub label: String,
+    /// What it means; may be empty.
+    pub help: String,
+    /// What is chosen by it.
+    pub value: Chosen,
+}
+
+/// What is chosen.
+#[derive(Clone, Debug)]
+pub enum Chosen {
+    /// An alternative of a one-of.
+    Alternative(usize),
+    /// A text.
+    Text(String),
+}
+
+/// What a path is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// To save under.
+    SaveAs,
+    /// To open.
+    Open,
+}
+
+/// What follows an answer.
+#[derive(Clone, Debug)]
+pub enum Answer {
+    /// Nothing.
+    Cancel,
+    /// The problem is saved first.
+    SaveThen(After),
+    /// Unsaved work is given up.
+    DiscardThen(After),
+    /// The file is written over.
+    Overwrite(PathBuf),
+    /// Another name is asked for.
+    SaveAs,
+    /// The file is read again; changes are given up.
+    Reload(PathBuf),
+    /// The work of a crashed session is taken up.
+    Restore(Box<Crashed>),
+    /// The work of crashed sessions is removed.
+    Forget(Vec<Crashed>),
+}
+
+/// A text of many lines that is edited.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    /// The field it belongs to.
+    pub path: String,
+    /// The lines; one at least.
+    pub lines: Vec<String>,
+    /// The line of the cursor.
+    pub row: usize,
+    /// The characters before the cursor.
+    pub column: usize,
+}
+
+impl Dialog {
+    /// Where keys are typed.
+    pub fn place(&self) -> Place {
+        match self {
+            Dialog::Help { .. } | Dialog::Message { .. } => Place::Help,
+            Dialog::Palette { .. } | Dialog::Prompt { .. } => Place::Prompt,
+            Dialog::Choice { .. } | Dialog::Ask { .. } => Place::List,
+            Dialog::Sheet(_) => Place::Sheet,
+        }
+    }
+
+    /// An empty palette.
+    pub fn palette() -> Self {
+        Dialog::Palette { input: Input::default(), chosen: 0 }
+    }
+}
+
+/// The bindings that the palette offers for what is typed, the best first, and the place each belongs to.
+pub fn offered(model: &Model, typed: &str) -> Vec<(Place, &'static Binding)> {
+    let places: &[Place] = match model.screen {
+        Screen::Picker => &[Place::Picker],
+        Screen::Bench => &[Place::Form, Place::Pane],
+    };
+    let mut all: Vec<(Place, &'static Binding)> = Vec::new();
+    for place in places {
+        for binding in place.bindings() {
+            if !all.iter().any(|(_, other)| other.action == binding.action || other.name == binding.name) {
+                all.push((*place, binding));
+            }
+        }
+    }
+    let typed = typed.trim();
+    if typed.is_empty() {
+        return all;
+    }
+    let mut matcher = Matcher::new(Config::DEFAULT);
+    let pattern = Pattern::parse(typed, CaseMatching::Ignore, Normalization::Smart);
+    let mut scored: Vec<(u32, (Place, &'static Binding))> = all
+        .into_iter()
+        .filter_map(|(place, binding)| {
+            let name = Text::from(binding.name).render(&model.locale);
+            // English names do in every language, so that instructions can be followed.
+            let score = [name.as_str(), binding.name]
+                .into_iter()
+                .filter_map(|name| pattern.score(Utf32Str::new(name, &mut Vec::new()), &mut matcher))
+                .max()?;
+            let exact = if binding.name == typed || name == typed { 1_000 } else { 0 };
+            Some((score + exact, (place, binding)))
+        })
+        .collect();
+    scored.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
+    scored.into_iter().map(|(_, offered)| offered).collect()
+}
+
+impl Sheet {
+    /// A text with the cursor at its beginning.
+    pub fn new(path: String, text: &str) -> Self {
+        let lines = if text.is_empty() { vec![String::new()] } else { text.lines().map(str::to_owned).collect() };
+        Self { path, lines, row: 0, column: 0 }
+    }
+
+    /// The whole text.
+    pub fn text(&self) -> String {
+        self.lines.join("\n")
+    }
+
+    /// Puts a text in at the cursor.
+    pub fn insert(&mut self, text: &str) {
+        let at = self.byte();
+        let Some(line) = self.lines.get_mut(self.row) else { return };
+        let tail = line.split_off(at);
+        let mut pieces = text.replace("\r\n", "\n").replace('\r', "\n");
+        pieces.retain(|character| character == '\n' || character == '\t' || !character.is_control());
+        let mut pieces = pieces.split('\n');
+        line.push_str(pieces.next().unwrap_or_default());
+        let more: Vec<String> = pieces.map(str::to_owned).collect();
+        let below = self.row + 1;
+        self.row += more.len();
+        self.lines.splice(below..below, more);
+        let line = &mut self.lines[self.row];
+        self.column = line.chars().count();
+        line.push_str(&tail);
+    }
+
+    /// Deletes the character before the cursor.
+    pub fn delete_before(&mut self) {
+        if self.column > 0 {
+            self.column -= 1;
+            self.delete_here();
+        } else if self.row > 0 {
+            let line = self.lines.remove(self.row);
+            self.row -= 1;
+            self.column = self.lines[self.row].chars().count();
+            self.lines[self.row].push_str(&line);
+        }
+    }
+
+    /// Deletes the character at the cursor.
+    pub fn delete_here(&mut self) {
+        let at = self.byte();
+        if at < self.lines[self.row].len() {
+            self.lines[self.row].remove(at);
+        } else if self.row + 1 < self.lines.len() {
+            let next = self.lines.remove(self.row + 1);
+            self.lines[self.row].push_str(&next);
+        }
+    }
+
+    /// Moves the cursor by so many lines and characters.
+    pub fn step(&mut self, rows: isize, columns: isize) {
+        self.row = self.row.saturating_add_signed(rows).min(self.lines.len() - 1);
+        let length = self.lines[self.row].chars().count();
+        self.column = self.column.min(length).saturating_add_signed(columns).min(length);
+    }
+
+    fn byte(&self) -> usize {
+        let line = &self.lines[self.row];
+        line.char_indices().nth(self.column).map_or(line.len(), |(at, _)| at)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sheet_is_edited_like_any_text() {
+        let mut sheet = Sheet::new("table".into(), "1; 2\n3; 4");
+        sheet.step(1, 0);
+        sheet.step(0, 4);
+        sheet.insert("\n5; 6\r\n7");
+        assert_eq!(sheet.text(), "1; 2\n3; 4\n5; 6\n7");
+        assert_eq!((sheet.row, sheet.column), (3, 1));
+        sheet.delete_before();
+        sheet.delete_before();
+        assert_eq!(sheet.text(), "1; 2\n3; 4\n5; 6");
+        sheet.step(-2, 0);
+        sheet.step(0, -9);
+        sheet.delete_here();
+        assert_eq!(sheet.text(), "; 2\n3; 4\n5; 6");
+        sheet.step(0, 99);
+        sheet.delete_here();
+        assert_eq!(sheet.text(), "; 23; 4\n5; 6");
+    }
+}

@@ -1,0 +1,73 @@
+use dalembert_core::Ink;
+
+use super::*;
+
+fn drawing(shapes: Vec<DrawnShape>) -> Drawing {
+    Drawing { title: "title".into(), shapes }
+}
+
+fn drawn(drawing: &Drawing, look: &Look, width: u16, height: u16) -> Vec<String> {
+    let area = Rect::new(0, 0, width, height);
+    let mut buffer = Buffer::empty(area);
+    render(drawing, look, &Locale::english(), area, &mut buffer);
+    (0..height).map(|y| (0..width).map(|x| buffer[(x, y)].symbol()).collect()).collect()
+}
+
+#[test]
+fn a_circle_is_round() {
+    // Rows are twice as high as columns are wide, so twice as many columns as rows hold a circle.
+    let circle = drawing(vec![DrawnShape::Circle((3.0, -2.0), 5.0, Ink::Body)]);
+    let ascii = Look { ascii: true, ..Look::default() };
+    for look in [Look::default(), ascii] {
+        let rows = drawn(&circle, &look, 200, 81);
+        let high = rows[1..].iter().filter(|row| !row.trim().is_empty()).count();
+        let columns = (0..200).filter(|x| rows[1..].iter().any(|row| row.chars().nth(*x) != Some(' '))).count();
+        assert!(high >= 76, "{high} rows");
+        assert!(columns.abs_diff(2 * high) <= 4, "{columns} columns, {high} rows");
+    }
+}
+
+#[test]
+fn a_drawing_stands_upright_and_the_right_way_round() {
+    let shapes = vec![
+        DrawnShape::Polyline(vec![(0.0, 0.0), (10.0, 0.0), (10.0, 4.0)], Ink::Body),
+        DrawnShape::Label((0.0, 4.0), "up".into()),
+    ];
+    let rows = drawn(&drawing(shapes), &Look { ascii: true, ..Look::default() }, 40, 12);
+    let row = |words: &str| rows.iter().position(|row| row.contains(words)).unwrap();
+    assert!(row("up") < row("-----"), "{rows:#?}");
+    let last = rows[row("-----")].rfind('-').unwrap();
+    let wall = rows[row("-----") - 1].find('|').unwrap();
+    assert!(wall.abs_diff(last) <= 1, "{rows:#?}");
+}
+
+#[test]
+fn a_block_hides_what_lies_under_it() {
+    let spring = DrawnShape::Polyline(vec![(0.0, 0.0), (10.0, 0.0)], Ink::Faint);
+    let block = DrawnShape::Block((3.0, -2.0), (7.0, 2.0), Ink::Body);
+    let ascii = Look { ascii: true, ..Look::default() };
+    let middle = |shapes: Vec<DrawnShape>| drawn(&drawing(shapes), &ascii, 42, 14)[1..].join("\n");
+    let over = middle(vec![spring.clone(), block.clone()]);
+    let under = middle(vec![block, spring]);
+    assert!(under.lines().any(|row| row.contains("--------------------")), "{under}");
+    assert!(over.lines().any(|row| row.contains("|            ")), "{over}");
+}
+
+#[test]
+fn words_do_not_stand_on_one_another() {
+    let labels = ["alpha", "beta", "gamma", "delta"].map(|name| DrawnShape::Label((1.0, 1.0), name.into()));
+    let shapes = [DrawnShape::Circle((0.0, 0.0), 2.0, Ink::Body)].into_iter().chain(labels).collect();
+    let all = drawn(&drawing(shapes), &Look::default(), 60, 20).join("\n");
+    for name in ["alpha", "beta", "gamma", "delta"] {
+        assert!(all.contains(name), "{name} is missing in\n{all}");
+    }
+}
+
+#[test]
+fn arrows_point_where_they_point() {
+    for (head, sign) in [((5.0, 0.0), '>'), ((-5.0, 0.0), '<'), ((0.0, 5.0), '^'), ((0.0, -5.0), 'v')] {
+        let arrow = drawing(vec![DrawnShape::Arrow((0.0, 0.0), head, Ink::Force)]);
+        let all = drawn(&arrow, &Look { ascii: true, ..Look::default() }, 30, 12).join("");
+        assert_eq!(all.matches(sign).count(), 1, "{head:?}");
+    }
+}

@@ -1,0 +1,489 @@
+//! The inputs of a problem as a form: a [`Draft`] seen as lines, a cursor, and the changes that keys make.
+
+mod lines;
+mod nudge;
+
+use std::collections::HashMap;
+
+use dalembert_core::{Draft, Entry, FieldError, Shape, Value, draft};
+use dalembert_units::{self as units, Kind, Style, Unit};
+use tui_input::Input;
+
+pub use lines::{Line, Role, lines};
+pub use nudge::nudged;
+
+use crate::glyphs::filter_untrusted;
+
+/// The longest text that is kept of one line, in characters.
+pub const LONGEST: usize = 2_000;
+/// So many changes can be taken back.
+const MOST_UNDO: usize = 500;
+/// Digits of a value that is written in another unit.
+const CONVERTED_DIGITS: u8 = 12;
+
+/// A form.
+#[derive(Clone, Debug)]
+pub struct Form {
+    /// What is typed.
+    pub draft: Draft,
+    /// The line of the cursor.
+    pub cursor: usize,
+    /// The field that is being typed in.
+    pub edit: Option<Edit>,
+    shape: Shape,
+    undo: Vec<Draft>,
+    redo: Vec<Draft>,
+    /// What the last change was, so that many alike are taken back together.
+    last: Option<Change>,
+    /// The alternatives that were left, by path and place, to come back to.
+    left: HashMap<(String, usize), Draft>,
+}
+
+/// A field that is being typed in.
+#[derive(Clone, Debug)]
+pub struct Edit {
+    /// Which.
+    pub path: String,
+    /// The text and the cursor in it.
+    pub input: Input,
+    /// Everything as it was before.
+    before: Draft,
+}
+
+/// What changed last.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Change {
+    Nudge(String),
+    Other,
+}
+
+/// Where a row stands: its list, its place, and how many there are.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// The path of the list.
+    pub list: String,
+    /// Its place, counted from 0; `None` on the heading of the list.
+    pub at: Option<usize>,
+}
+
+impl Form {
+    /// A form for an analysis, filled in.
+    pub fn new(entry: &Entry, draft: Draft) -> Self {
+        Self {
+            draft,
+            cursor: 0,
+            edit: None,
+            shape: entry.shape(),
+            undo: Vec::new(),
+            redo: Vec::new(),
+            last: None,
+            left: HashMap::new(),
+        }
+    }
+
+    /// Its lines.
+    pub fn lines(&self) -> Vec<Line> {
+        lines(&self.shape, &self.draft)
+    }
+
+    /// The line of the cursor.
+    pub fn line(&self) -> Option<Line> {
+        self.lines().into_iter().nth(self.cursor)
+    }
+
+    /// The cursor moved by so many lines.
+    pub fn step(&mut self, by: isize) {
+        let last = self.lines().len().saturating_sub(1);
+        self.cursor = self.cursor.saturating_add_signed(by).min(last);
+    }
+
+    /// The cursor at the line of a path.
+    pub fn go_to(&mut self, path: &str) {
+        if let Some(at) = self.lines().iter().position(|line| line.path == path) {
+            self.cursor = at;
+        }
+    }
+
+    /// Begins to type in the field under the cursor, in its text or in an empty one.
+    pub fn begin(&mut self, text: Option<String>) -> bool {
+        let Some(Line { path, role: Role::Leaf { text: old, .. }, .. }) = self.line() else { return false };
+        let replaced = text.is_some();
+        let input = Input::new(text.unwrap_or(old));
+        self.edit = Some(Edit { path, input, before: self.draft.clone() });
+        if replaced {
+            self.typed();
+        }
+        true
+    }
+
+    /// Takes the text of the edit into the draft: as it is typed.
+    pub fn typed(&mut self) {
+        if let Some(edit) = &self.edit
+            && let Ok((place, _)) = self.draft.at_mut(&self.shape, &edit.path)
+        {
+            *place = Draft::Leaf(edit.input.value().to_owned());
+        }
+    }
+
+    /// Ends the edit and keeps its text.
+    pub fn keep(&mut self) {
+        if let Some(edit) = self.edit.take()
+            && edit.before != self.draft
+        {
+            self.remember(edit.before, Change::Other);
+        }
+    }
+
+    /// Ends the edit; everything is as it was before.
+    pub fn drop_edit(&mut self) {
+        if let Some(edit) = self.edit.take() {
+            self.draft = edit.before;
+        }
+    }
+
+    /// Puts a text in place of that of a field.
+    pub fn set(&mut self, path: &str, text: String) -> bool {
+        self.change(Change::Other, |draft, shape| Some(*draft.at_mut(shape, path).ok()?.0 = Draft::Leaf(text)))
+    }
+
+    /// Puts a whole draft in place of this one.
+    pub fn replace(&mut self, with: Draft) -> bool {
+        self.edit = None;
+        let changed = self.change(Change::Other, |draft, _| Some(*draft = with));
+        self.step(0);
+        changed
+    }
+
+    /// Takes the last change back.
+    pub fn undo(&mut self) -> bool {
+        let Some(before) = self.undo.pop() else { return false };
+        let now = self.swap(before);
+        self.redo.push(now);
+        true
+    }
+
+    /// Makes it again.
+    pub fn redo(&mut self) -> bool {
+        let Some(after) = self.redo.pop() else { return false };
+        let now = self.swap(after);
+        self.undo.push(now);
+        true
+    }
+
+    /// Chooses an alternative of a one-of. Texts of fields that both have are kept, and the alternative that is left
+    /// can be come back to.
+    pub fn choose(&mut self, path: &str, to: usize) -> bool {
+        let Ok((Draft::OneOf(from, fields), shape)) = self.draft.at(&self.shape, path) else { return false };
+        let shape = present(shape);
+        if *from == to {
+            return false;
+        }
+        let (from, old) = (*from, (**fields).clone());
+        let new = match self.left.get(&(path.to_owned(), to)) {
+            Some(kept) => kept.clone(),
+            None => match Draft::alternative(&shape, to) {
+                Draft::OneOf(_, blank) => with_common_texts(*blank, &old, &shape, from, to),
+                _ => return false,
+            },
+        };
+        self.left.insert((path.to_owned(), from), old);
+        self.change(Change::Other, |draft, shape| {
+            Some(*draft.at_mut(shape, path).ok()?.0 = Draft::OneOf(to, Box::new(new)))
+        })
+    }
+
+    /// Chooses the alternative, or the name, so many places further.
+    pub fn cycle(&mut self, by: isize) -> bool {
+        let Some(line) = self.line() else { return false };
+        let next = |at: usize, of: usize| at.checked_add_signed(by).filter(|at| *at < of);
+        match &line.role {
+            Role::Choice { variants, chosen, .. } => {
+                next(*chosen, variants.len()).is_some_and(|to| self.choose(&line.path, to))
+            }
+            Role::Leaf { shape: Shape::Reference(list), text, .. } => {
+                let names = self.names(list);
+                let at = names.iter().position(|name| name == text);
+                let to = at.map_or(Some(0), |at| next(at, names.len()));
+                to.and_then(|to| names.get(to).cloned()).is_some_and(|name| self.set(&line.path, name))
+            }
+            Role::Leaf { shape: Shape::Flag, .. } => self.toggle(),
+            _ => false,
+        }
+    }
+
+    /// Turns a flag over, or puts an optional input in or out.
+    pub fn toggle(&mut self) -> bool {
+        let Some(line) = self.line() else { return false };
+        match line.role {
+            Role::Leaf { shape: Shape::Flag, ref text, .. } => {
+                let on = matches!(draft::read_leaf(text, &Shape::Flag, ""), Ok(Value::Flag(true)));
+                self.set(&line.path, if on { "no" } else { "yes" }.to_owned())
+            }
+            Role::Absent => self.change(Change::Other, |draft, shape| {
+                let (place, shape) = draft.at_mut(shape, &line.path).ok()?;
+                let blank = Draft::blank(&present(shape));
+                Some(*place = blank)
+            }),
+            _ if line.optional => self.leave_out(&line.path),
+            _ => false,
+        }
+    }
+
+    /// The names of the rows that a reference may name; their numbers where they have none.
+    pub fn names(&self, list: &str) -> Vec<String> {
+        let Ok((Draft::Rows(rows), shape)) = self.draft.at(&self.shape, list) else { return Vec::new() };
+        let Shape::Rows { item, .. } = present(shape) else { return Vec::new() };
+        let fields = item().fields(None);
+        let named = fields.iter().position(|field| field.name == "name");
+        let name = |row: &Draft| match (row, named) {
+            (Draft::Group(fields), Some(at)) => match fields.get(at) {
+                Some(Draft::Leaf(text)) if !text.trim().is_empty() => Some(text.trim().to_owned()),
+                _ => None,
+            },
+            _ => None,
+        };
+        rows.iter().enumerate().map(|(n, row)| name(row).unwrap_or_else(|| (n + 1).to_string())).collect()
+    }
+
+    /// The innermost row that holds the line of the cursor.
+    pub fn row(&self) -> Option<Row> {
+        let line = self.line()?;
+        if matches!(line.role, Role::Rows { .. }) {
+            return Some(Row { list: line.path, at: None });
+        }
+        row_of(&line.path)
+    }
+
+    /// A row more, below that of the cursor or at the end of its list.
+    pub fn add_row(&mut self) -> bool {
+        let Some(row) = self.row() else { return false };
+        let mut path = String::new();
+        self.left.clear();
+        let done = self.change(Change::Other, |draft, shape| {
+            let (rows, shape) = rows_mut(draft, shape, &row.list)?;
+            let Shape::Rows { item, .. } = shape else { return None };
+            let at = row.at.map_or(rows.len(), |at| at + 1);
+            rows.insert(at.min(rows.len()), Draft::blank(item()));
+            path = format!("{}[{}]", row.list, at + 1);
+            Some(())
+        });
+        self.go_to(&path);
+        done
+    }
+
+    /// A copy of the row of the cursor, below it.
+    pub fn duplicate_row(&mut self) -> bool {
+        let Some((list, at)) = self.row().and_then(|row| Some((row.list, row.at?))) else { return false };
+        self.left.clear();
+        let done = self.change(Change::Other, |draft, shape| {
+            let (rows, _) = rows_mut(draft, shape, &list)?;
+            let copy = rows.get(at)?.clone();
+            Some(rows.insert(at + 1, copy))
+        });
+        self.go_to(&format!("{list}[{}]", at + 2));
+        done
+    }
+
+    /// Deletes the row of the cursor; on an optional input, leaves it out.
+    pub fn delete_row(&mut self) -> bool {
+        if let Some(line) = self.line().filter(|line| line.optional) {
+            return self.leave_out(&line.path);
+        }
+        let Some((list, at)) = self.row().and_then(|row| Some((row.list, row.at?))) else { return false };
+        self.left.clear();
+        let mut rest = 0;
+        let done = self.change(Change::Other, |draft, shape| {
+            let (rows, _) = rows_mut(draft, shape, &list)?;
+            rows.get(at)?;
+            rows.remove(at);
+            rest = rows.len();
+            Some(())
+        });
+        self.go_to(&if rest == 0 { list } else { format!("{list}[{}]", at.min(rest - 1) + 1) });
+        self.step(0);
+        done
+    }
+
+    /// Moves the row of the cursor so many places.
+    pub fn move_row(&mut self, by: isize) -> bool {
+        let Some((list, at)) = self.row().and_then(|row| Some((row.list, row.at?))) else { return false };
+        let Some(to) = at.checked_add_signed(by) else { return false };
+        let rest = self.line().map(|line| line.path[format!("{list}[{}]", at + 1).len()..].to_owned());
+        self.left.clear();
+        let done = self.change(Change::Other, |draft, shape| {
+            let (rows, _) = rows_mut(draft, shape, &list)?;
+            (to < rows.len()).then(|| rows.swap(at, to))
+        });
+        if done {
+            self.go_to(&format!("{list}[{}]{}", to + 1, rest.unwrap_or_default()));
+        }
+        done
+    }
+
+    /// Changes the last digit of the field under the cursor by so many tenths.
+    pub fn nudge(&mut self, tenths: i64) -> bool {
+        let Some(Line { path, role: Role::Leaf { text, shape, .. }, .. }) = self.line() else { return false };
+        if !matches!(shape, Shape::Quantity(_) | Shape::Count { .. }) {
+            return false;
+        }
+        let exact = matches!(draft::read_leaf(&text, &shape, ""), Ok(Value::Quantity(value)) if value.last_place == 0.0);
+        let Some(text) = nudged(&text, tenths).filter(|_| !exact) else { return false };
+        self.change(Change::Nudge(path.clone()), |draft, shape| {
+            Some(*draft.at_mut(shape, &path).ok()?.0 = Draft::Leaf(text))
+        })
+    }
+
+    /// Writes the field under the cursor in the next unit of its kind.
+    pub fn next_unit(&mut self) -> bool {
+        let Some(Line { path, role: Role::Leaf { text, shape, .. }, .. }) = self.line() else { return false };
+        let Some(text) = in_next_unit(&text, &shape) else { return false };
+        self.set(&path, text)
+    }
+
+    fn leave_out(&mut self, path: &str) -> bool {
+        self.change(Change::Other, |draft, shape| Some(*draft.at_mut(shape, path).ok()?.0 = Draft::Absent))
+    }
+
+    /// Changes the draft so that it can be taken back. `None` means that there was nothing to change.
+    fn change(&mut self, what: Change, by: impl FnOnce(&mut Draft, &Shape) -> Option<()>) -> bool {
+        let before = self.draft.clone();
+        if by(&mut self.draft, &self.shape).is_none() || before == self.draft {
+            return false;
+        }
+        self.remember(before, what);
+        true
+    }
+
+    fn remember(&mut self, before: Draft, what: Change) {
+        self.redo.clear();
+        if what == Change::Other || self.last.as_ref() != Some(&what) {
+            if self.undo.len() == MOST_UNDO {
+                self.undo.remove(0);
+            }
+            self.undo.push(before);
+        }
+        self.last = Some(what);
+    }
+
+    /// Puts the cursor where the two drafts differ first.
+    fn swap(&mut self, with: Draft) -> Draft {
+        self.edit = None;
+        self.last = None;
+        let old = std::mem::replace(&mut self.draft, with);
+        let (before, after) = (lines(&self.shape, &old), self.lines());
+        if let Some(at) = before.iter().zip(&after).position(|(before, after)| before != after) {
+            self.cursor = at;
+        }
+        self.step(0);
+        old
+    }
+}
+
+/// A pasted text as one line of a field: without controls, line breaks as spaces, at most [`LONGEST`] characters.
+/// The second says whether something was cut off.
+pub fn as_line(pasted: &str) -> (String, bool) {
+    let mut characters = filter_untrusted(&pasted.chars().take(2 * LONGEST).collect::<String>())
+        .trim()
+        .chars()
+        .map(|character| if character == '\n' { ' ' } else { character })
+        .filter(|character| *character != '\u{FFFD}')
+        .collect::<Vec<_>>();
+    let cut = characters.len() > LONGEST || pasted.len() > 8 * LONGEST;
+    characters.truncate(LONGEST);
+    (characters.into_iter().collect(), cut)
+}
+
+/// How a text is read, where that is not plain from it: `= 104.72 rad/s`.
+pub fn echo(text: &str, shape: &Shape, style: Style) -> Option<String> {
+    match (draft::read_leaf(text, shape, "").ok()?, shape) {
+        (Value::Quantity(quantity), Shape::Quantity(measure)) => {
+            let shown = units::write_quantity(quantity.si, &measure.own_unit(), style);
+            (squeezed(&shown) != squeezed(text)).then_some(shown)
+        }
+        (Value::Vector(vector), Shape::Vector(..)) => {
+            let shown = units::write_vector(vector.si, &vector.unit, style);
+            (squeezed(&shown) != squeezed(text)).then_some(shown)
+        }
+        _ => None,
+    }
+}
+
+/// The errors of the line of a path.
+pub fn errors_of<'e>(errors: &'e [FieldError], path: &'e str) -> impl Iterator<Item = &'e FieldError> {
+    errors.iter().filter(move |error| error.path == path)
+}
+
+/// A text as it compares: however it is spaced, and whichever way powers and products are written.
+fn squeezed(text: &str) -> String {
+    const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+    text.chars()
+        .filter(|character| !character.is_whitespace() && *character != '^')
+        .map(|character| match SUPERSCRIPTS.chars().position(|other| other == character) {
+            Some(digit) => char::from(b'0' + digit as u8),
+            None => match character {
+                '·' | '×' => '*',
+                '−' | '⁻' => '-',
+                ',' => '.',
+                other => other,
+            },
+        })
+        .collect()
+}
+
+/// The same value in the next unit of its kind.
+fn in_next_unit(text: &str, shape: &Shape) -> Option<String> {
+    let style = Style { digits: CONVERTED_DIGITS, ascii: true, ..Style::default() };
+    let next = |unit: &Unit, measure: &dalembert_core::Measure| {
+        let all = measure.units();
+        let at = all.iter().position(|known| units::unit(known).is_ok_and(|known| known.text == unit.text || same(&known, unit)));
+        let name = all.get(at.map_or(0, |at| (at + 1) % all.len()))?;
+        units::unit(name).ok()
+    };
+    match (draft::read_leaf(text, shape, "").ok()?, shape) {
+        (Value::Quantity(quantity), Shape::Quantity(measure)) => {
+            let unit = next(&quantity.unit, measure)?;
+            Some(units::write_quantity(quantity.si, &unit, style))
+        }
+        (Value::Vector(vector), Shape::Vector(measure, _)) => {
+            let unit = next(&vector.unit, measure)?;
+            Some(units::write_components(&vector.si[..vector.len], &unit, style))
+        }
+        _ => None,
+    }
+}
+
+fn same(a: &Unit, b: &Unit) -> bool {
+    a.factor == b.factor && a.sense == b.sense
+}
+
+/// The innermost row of a path: `masses[2].radius` gives `masses` and 1.
+fn row_of(path: &str) -> Option<Row> {
+    let open = path.rfind('[')?;
+    let row: usize = path[open + 1..].split(']').next()?.parse().ok()?;
+    Some(Row { list: path[..open].to_owned(), at: Some(row.checked_sub(1)?) })
+}
+
+fn rows_mut<'d>(draft: &'d mut Draft, shape: &Shape, list: &str) -> Option<(&'d mut Vec<Draft>, Shape)> {
+    match draft.at_mut(shape, list).ok()? {
+        (Draft::Rows(rows), shape) => Some((rows, present(shape))),
+        _ => None,
+    }
+}
+
+/// The shape of an optional input that is there.
+fn present(shape: Shape) -> Shape {
+    if let Shape::Optional(inner) = shape { present(*inner()) } else { shape }
+}
+
+/// The fields of an alternative, with the texts of another in the fields of the same name.
+fn with_common_texts(blank: Draft, old: &Draft, shape: &Shape, from: usize, to: usize) -> Draft {
+    let (Draft::Group(mut blank), Draft::Group(old)) = (blank, old) else { return Draft::Absent };
+    let names = shape.fields(Some(from));
+    for (field, place) in shape.fields(Some(to)).iter().zip(&mut blank) {
+        let common = names.iter().position(|name| name.name == field.name).and_then(|at| old.get(at));
+        if let (Draft::Leaf(_), Some(Draft::Leaf(text))) = (&*place, common) {
+            *place = Draft::Leaf(text.clone());
+        }
+    }
+    Draft::Group(blank)
+}

@@ -1,0 +1,148 @@
+//! A draft as lines: what a form shows from top to bottom.
+
+use dalembert_core::{Draft, Field, Shape, Variant};
+
+/// A line of a form.
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// Where in the draft: `masses[2].radius`.
+    pub path: String,
+    /// How deep it lies.
+    pub depth: u16,
+    /// The field it belongs to.
+    pub field: &'static Field,
+    /// Its number, where it begins a row.
+    pub number: Option<usize>,
+    /// Whether it may be left out.
+    pub optional: bool,
+    /// What it is.
+    pub role: Role,
+}
+
+/// What a line is.
+#[derive(Clone, Debug)]
+pub enum Role {
+    /// One text.
+    Leaf {
+        /// What may stand there.
+        shape: Shape,
+        /// What is typed there.
+        text: String,
+    },
+    /// A table, as a text of many lines.
+    Table {
+        /// How many lines it has.
+        lines: usize,
+    },
+    /// The heading of fields that belong together; of a row, with its texts.
+    Group {
+        /// The texts of the row.
+        summary: String,
+    },
+    /// One of several alternatives.
+    Choice {
+        /// The alternatives.
+        variants: &'static [Variant],
+        /// The chosen one.
+        chosen: usize,
+    },
+    /// The heading of a list.
+    Rows {
+        /// How many rows it has.
+        count: usize,
+    },
+    /// Optional inputs that are left out.
+    Absent,
+}
+
+impl PartialEq for Line {
+    fn eq(&self, other: &Self) -> bool {
+        let same_role = match (&self.role, &other.role) {
+            (Role::Leaf { text: a, .. }, Role::Leaf { text: b, .. }) => a == b,
+            (Role::Choice { chosen: a, .. }, Role::Choice { chosen: b, .. }) => a == b,
+            (Role::Rows { count: a }, Role::Rows { count: b }) => a == b,
+            (Role::Table { lines: a }, Role::Table { lines: b }) => a == b,
+            // The lines of the row follow, and tell.
+            (Role::Group { .. }, Role::Group { .. }) | (Role::Absent, Role::Absent) => true,
+            _ => false,
+        };
+        same_role && self.path == other.path
+    }
+}
+
+/// The lines of a draft.
+pub fn lines(shape: &Shape, draft: &Draft) -> Vec<Line> {
+    let mut lines = Vec::new();
+    if let (Shape::Group(fields), Draft::Group(drafts)) = (shape, draft) {
+        push_fields(fields(), drafts, "", 0, &mut lines);
+    }
+    lines
+}
+
+fn push_fields(fields: &'static [Field], drafts: &[Draft], path: &str, depth: u16, lines: &mut Vec<Line>) {
+    for (field, draft) in fields.iter().zip(drafts) {
+        let path = if path.is_empty() { field.name.to_owned() } else { format!("{path}.{}", field.name) };
+        let line = Line { path, depth, field, number: None, optional: false, role: Role::Absent };
+        push(line, &field.shape, draft, lines);
+    }
+}
+
+/// Pushes the line, with the role that the draft gives it, and the lines below it.
+fn push(mut line: Line, shape: &Shape, draft: &Draft, lines: &mut Vec<Line>) {
+    let (path, depth, field) = (line.path.clone(), line.depth, line.field);
+    match (shape, draft) {
+        (Shape::Optional(inner), Draft::Absent) if inner().is_leaf() => {
+            line.optional = true;
+            push(line, inner(), &Draft::Leaf(String::new()), lines);
+        }
+        (Shape::Optional(_), Draft::Absent) => lines.push(Line { optional: true, ..line }),
+        (Shape::Optional(inner), _) => {
+            line.optional = true;
+            push(line, inner(), draft, lines);
+        }
+        (Shape::Group(fields), Draft::Group(drafts)) => {
+            let summary = if line.number.is_some() { summary(draft) } else { String::new() };
+            lines.push(Line { role: Role::Group { summary }, ..line });
+            push_fields(fields(), drafts, &path, depth + 1, lines);
+        }
+        (Shape::OneOf(variants), Draft::OneOf(chosen, inner)) => {
+            let variants = variants();
+            lines.push(Line { role: Role::Choice { variants, chosen: *chosen }, ..line });
+            if let (Some(variant), Draft::Group(drafts)) = (variants.get(*chosen), &**inner) {
+                push_fields((variant.fields)(), drafts, &format!("{path}.{}", variant.name), depth + 1, lines);
+            }
+        }
+        (Shape::Rows { item, .. }, Draft::Rows(rows)) => {
+            lines.push(Line { role: Role::Rows { count: rows.len() }, ..line });
+            for (n, row) in rows.iter().enumerate() {
+                let path = format!("{path}[{}]", n + 1);
+                let number = Some(n + 1);
+                let line = Line { path, depth: depth + 1, field, number, optional: false, role: Role::Absent };
+                push(line, item(), row, lines);
+            }
+        }
+        (Shape::Table(_), Draft::Leaf(text)) => {
+            let filled = text.lines().filter(|line| !line.trim().is_empty()).count();
+            lines.push(Line { role: Role::Table { lines: filled }, ..line });
+        }
+        (_, Draft::Leaf(text)) => {
+            lines.push(Line { role: Role::Leaf { shape: *shape, text: text.clone() }, ..line });
+        }
+        _ => lines.push(line),
+    }
+}
+
+/// The texts of a row, beside each other.
+fn summary(draft: &Draft) -> String {
+    fn collect<'d>(draft: &'d Draft, texts: &mut Vec<&'d str>) {
+        match draft {
+            Draft::Leaf(text) if !text.trim().is_empty() && !text.contains('\n') => texts.push(text.trim()),
+            Draft::Group(all) | Draft::Rows(all) => all.iter().for_each(|inner| collect(inner, texts)),
+            Draft::OneOf(_, inner) => collect(inner, texts),
+            Draft::Leaf(_) | Draft::Absent => {}
+        }
+    }
+    let mut texts = Vec::new();
+    collect(draft, &mut texts);
+    texts.join(" · ")
+}

@@ -1,0 +1,83 @@
+//! The last digit of a number, up and down.
+
+/// A number and its unit with the last written digit changed by so many tenths: `20.3 mm` by 10 is `20.4 mm`.
+///
+/// Only the digits change; the decimal mark, an exponent and the unit stay as they are written. `None` where the text
+/// is not one number, or has no room for more digits.
+pub fn nudged(text: &str, tenths: i64) -> Option<String> {
+    let trimmed = text.trim();
+    let (negative, unsigned) = match trimmed.strip_prefix(['-', '−']) {
+        Some(rest) => (true, rest),
+        None => (false, trimmed.strip_prefix('+').unwrap_or(trimmed)),
+    };
+    let end = unsigned.find(|c: char| !c.is_ascii_digit() && c != '.' && c != ',').unwrap_or(unsigned.len());
+    let (number, rest) = unsigned.split_at(end);
+    // An expression has no last digit: 1/2 in, 2*pi, 3 + 4. A decimal exponent stays as it is.
+    let unit = rest.trim_start();
+    if unit.starts_with(['/', '+', '-', '−', '^', '(', '√'])
+        || unit.strip_prefix(['*', '×', '·']).is_some_and(|factor| !factor.trim_start().starts_with("10^") && !factor.starts_with("10⁻"))
+    {
+        return None;
+    }
+    let mark = number.find(['.', ',']);
+    let (whole, decimals) = mark.map_or((number, ""), |at| (&number[..at], &number[at + 1..]));
+    let mark = mark.map_or('.', |at| if number[at..].starts_with(',') { ',' } else { '.' });
+    if whole.is_empty() && decimals.is_empty() || decimals.contains(['.', ',']) {
+        return None;
+    }
+    // Tenths of the last digit need one decimal more.
+    let (step, extra) = if tenths % 10 == 0 { (tenths / 10, "") } else { (tenths, "0") };
+    let places = decimals.len() + extra.len();
+    let digits: i64 = format!("{whole}{decimals}{extra}").parse().ok()?;
+    if digits > 1_000_000_000_000_000 {
+        return None;
+    }
+    let value = if negative { -digits } else { digits } + step;
+    let shown = format!("{:0width$}", value.unsigned_abs(), width = places + 1);
+    let (whole, decimals) = shown.split_at(shown.len() - places);
+    let sign = if value < 0 { "-" } else { "" };
+    let number = if places == 0 { whole.to_owned() } else { format!("{whole}{mark}{decimals}") };
+    Some(format!("{sign}{number}{rest}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_digit_changes_and_nothing_else() {
+        for (text, tenths, wanted) in [
+            ("20.3 mm", 10, "20.4 mm"),
+            ("20,3 mm", -10, "20,2 mm"),
+            ("1000 rpm", 10, "1001 rpm"),
+            ("1000 rpm", -100, "990 rpm"),
+            ("1000 rpm", 1, "1000.1 rpm"),
+            ("0.99", 10, "1.00"),
+            ("1.00", -10, "0.99"),
+            ("0.05 m", -100, "-0.05 m"),
+            ("-3 N", 10, "-2 N"),
+            ("1.3e-6 m^4", 10, "1.4e-6 m^4"),
+            ("1.3×10^-6 m^4", 10, "1.4×10^-6 m^4"),
+            ("7", 10, "8"),
+            (".5", 10, "0.6"),
+        ] {
+            assert_eq!(nudged(text, tenths).as_deref(), Some(wanted), "{text} by {tenths}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_left_alone() {
+        for text in ["", "abc", "1/2 in", "2*pi", "3 + 4", "1.2.3", "sqrt(2)", "99999999999999999999"] {
+            assert_eq!(nudged(text, 10), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn up_and_down_comes_back() {
+        for text in ["20.3 mm", "0.001 kg", "9.99", "100 N", "0.5"] {
+            for tenths in [10, 100] {
+                assert_eq!(nudged(&nudged(text, tenths).unwrap(), -tenths).as_deref(), Some(text));
+            }
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! Where things stand on a screen of some size.
+
+use ratatui::layout::{Constraint, Layout, Margin, Rect};
+
+use crate::bench::Focus;
+
+/// From so many columns on there is a third column, for pictures.
+const THREE_COLUMNS: u16 = 140;
+/// From so many columns on inputs and results stand side by side.
+const TWO_COLUMNS: u16 = 64;
+/// From so many rows on there are frames, and a line of help.
+const ROOMY: u16 = 12;
+/// Columns of the narrowest column of inputs.
+const FORM: u16 = 38;
+
+/// The parts of the screen of a problem.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Areas {
+    /// The line at the top.
+    pub title: Rect,
+    /// The inputs, where they are shown.
+    pub form: Option<Rect>,
+    /// Results, where they are shown.
+    pub pane: Option<Rect>,
+    /// Plot above drawing, where they have a column of their own.
+    pub picture: Option<Rect>,
+    /// The line about the field under the cursor; empty where there is no room.
+    pub help: Rect,
+    /// The line of keys.
+    pub footer: Rect,
+}
+
+/// The parts of a screen: title, body, help, footer.
+pub fn frame(area: Rect) -> [Rect; 4] {
+    let roomy = u16::from(area.height >= ROOMY);
+    let footer = u16::from(area.height >= 4);
+    Layout::vertical([
+        Constraint::Length(u16::from(area.height >= 2)),
+        Constraint::Min(0),
+        Constraint::Length(roomy),
+        Constraint::Length(footer),
+    ])
+    .areas(area)
+}
+
+/// The parts of the screen of a problem.
+pub fn bench(area: Rect, focus: Focus) -> Areas {
+    let [title, body, help, footer] = frame(area);
+    let areas = Areas { title, form: None, pane: None, picture: None, help, footer };
+    if body.width >= THREE_COLUMNS {
+        let form = (body.width * 3 / 10).clamp(44, 60);
+        let [form, pane, picture] =
+            Layout::horizontal([Constraint::Length(form), Constraint::Fill(1), Constraint::Fill(1)]).areas(body);
+        return Areas { form: Some(form), pane: Some(pane), picture: Some(picture), ..areas };
+    }
+    if body.width >= TWO_COLUMNS {
+        let form = (body.width * 2 / 5).max(FORM.min(body.width / 2));
+        let [form, pane] = Layout::horizontal([Constraint::Length(form), Constraint::Fill(1)]).areas(body);
+        return Areas { form: Some(form), pane: Some(pane), ..areas };
+    }
+    match focus {
+        Focus::Form => Areas { form: Some(body), ..areas },
+        Focus::Pane => Areas { pane: Some(body), ..areas },
+    }
+}
+
+/// The list of analyses and what is shown of the chosen one, which may have no room.
+pub fn picker(body: Rect) -> (Rect, Option<Rect>) {
+    if body.width >= TWO_COLUMNS {
+        let list = (body.width * 2 / 5).clamp(30, 48);
+        let [list, preview] = Layout::horizontal([Constraint::Length(list), Constraint::Fill(1)]).areas(body);
+        (list, Some(preview))
+    } else if body.height >= 20 {
+        let [list, preview] = Layout::vertical([Constraint::Fill(1), Constraint::Fill(1)]).areas(body);
+        (list, Some(preview))
+    } else {
+        (body, None)
+    }
+}
+
+/// Results above the worked solution, where both are shown.
+pub fn stack(pane: Rect, lines_of_results: usize) -> [Rect; 2] {
+    let wanted = u16::try_from(lines_of_results).unwrap_or(u16::MAX).saturating_add(2);
+    let most = pane.height / 2;
+    Layout::vertical([Constraint::Length(wanted.min(most)), Constraint::Fill(1)]).areas(pane)
+}
+
+/// Plot above drawing.
+pub fn pictures(picture: Rect, has_plot: bool, has_drawing: bool) -> [Rect; 2] {
+    let drawing = match (has_plot, has_drawing) {
+        (true, true) => picture.height * 2 / 5,
+        (false, true) => picture.height,
+        _ => 0,
+    };
+    Layout::vertical([Constraint::Fill(1), Constraint::Length(drawing)]).areas(picture)
+}
+
+/// Whether there is room for a frame.
+pub fn framed(area: Rect) -> bool {
+    area.height >= 5 && area.width >= 16
+}
+
+/// What is left inside the frame of an area.
+pub fn inside(area: Rect) -> Rect {
+    if framed(area) { area.inner(Margin::new(2, 1)) } else { Rect { height: area.height.saturating_sub(1), y: area.y + u16::from(area.height > 0), ..area } }
+}

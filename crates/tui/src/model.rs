@@ -1,0 +1,227 @@
+//! Everything the workbench knows, what can happen to it, and what it asks to be done.
+
+use std::path::PathBuf;
+
+use dalembert_core::{Entry, Language, Locale, Text};
+use dalembert_units::Decimal;
+use ratatui::crossterm::event::KeyEvent;
+
+use crate::{
+    bench::Bench,
+    dialog::Dialog,
+    files::{Before, Crashed, FileError, Fingerprint, Opened},
+    keys::Place,
+    look::Look,
+    panes::sources::Judged,
+    picker::{Listing, Picker},
+    plot::Marker,
+    solver::{Job, Outcome},
+    terminal::Fault,
+};
+
+/// Everything the workbench knows.
+#[derive(Debug)]
+pub struct Model {
+    /// What can be picked.
+    pub listings: Vec<Listing>,
+    /// The screen that is shown.
+    pub screen: Screen,
+    /// The list of analyses.
+    pub picker: Picker,
+    /// The problem that is worked on; kept while the list is shown.
+    pub bench: Option<Bench>,
+    /// What lies over the screen and takes the keys.
+    pub dialog: Option<Dialog>,
+    /// A word to the person, until the next key.
+    pub notice: Option<Notice>,
+    /// The language of everything that is written.
+    pub locale: Locale,
+    /// Colours and pictograms.
+    pub look: Look,
+    /// What curves are drawn with, unless the person chose another.
+    pub marker: Marker,
+    /// Columns and rows of the screen.
+    pub size: (u16, u16),
+    /// Nothing is saved.
+    pub readonly: bool,
+    /// Whether `:fault` is a command.
+    pub faults: bool,
+    /// What waits for a save to be done.
+    pub after_save: After,
+    /// The number of the newest job.
+    pub generation: u64,
+}
+
+/// A screen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Screen {
+    /// The list of analyses.
+    #[default]
+    Picker,
+    /// A problem.
+    Bench,
+}
+
+/// A word to the person.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Notice {
+    /// What is said.
+    pub text: Text,
+    /// Whether something went wrong.
+    pub wrong: bool,
+}
+
+/// What is done once unsaved work is saved or given up.
+#[derive(Clone, Debug, Default)]
+pub enum After {
+    /// Nothing more.
+    #[default]
+    Stay,
+    /// The program ends.
+    Quit,
+    /// Another problem is opened: one of an analysis's cases.
+    Case(&'static Entry, usize),
+    /// A file is opened.
+    File(PathBuf),
+}
+
+/// What can happen.
+#[derive(Debug)]
+pub enum Msg {
+    /// A key was pressed.
+    Key(KeyEvent),
+    /// A text was pasted.
+    Paste(String),
+    /// The screen has this many columns and rows.
+    Resize(u16, u16),
+    /// A job is done.
+    Solved(Outcome),
+    /// The cases of an analysis were compared with what was printed.
+    Judged(&'static str, Vec<Judged>),
+    /// A file was written, or not.
+    Saved {
+        /// Where.
+        path: PathBuf,
+        /// What.
+        text: String,
+        /// What the file is now.
+        result: Result<Fingerprint, FileError>,
+    },
+    /// A file was read, or not.
+    Opened {
+        /// Which.
+        path: PathBuf,
+        /// What it says.
+        result: Result<Opened, FileError>,
+    },
+    /// Earlier sessions ended without saving.
+    Crashed(Vec<Crashed>),
+    /// Something to tell.
+    Notice(String),
+}
+
+/// What is to be done outside of the model.
+#[derive(Debug)]
+pub enum Effect {
+    /// Solve; [`Msg::Solved`] tells the outcome.
+    Solve(Job),
+    /// Compare the cases of an analysis with what was printed; [`Msg::Judged`].
+    Judge(&'static Entry),
+    /// Write a file; [`Msg::Saved`].
+    Save {
+        /// Where.
+        path: PathBuf,
+        /// What.
+        text: String,
+        /// What must stand there now.
+        before: Before,
+    },
+    /// Read a file; [`Msg::Opened`].
+    Open(PathBuf),
+    /// Remember the unsaved work against a crash.
+    Keep {
+        /// The file it belongs to.
+        original: Option<PathBuf>,
+        /// The work, as a problem file.
+        text: String,
+    },
+    /// There is no unsaved work any more.
+    Forget,
+    /// Remove what a crashed session left.
+    Discard(Crashed),
+    /// Put a text on the clipboard.
+    Copy(String),
+    /// Commit a fault on this thread.
+    Fault(Fault),
+    /// Give the terminal to the shell for a while.
+    Suspend,
+    /// Draw everything again.
+    Redraw,
+    /// End the program.
+    Quit,
+}
+
+impl Model {
+    /// The list of these analyses.
+    pub fn new(entries: &[&'static Entry], language: Language, look: Look, marker: Marker) -> Self {
+        let mut model = Self {
+            listings: entries.iter().map(|entry| Listing::of(entry)).collect(),
+            screen: Screen::Picker,
+            picker: Picker::default(),
+            bench: None,
+            dialog: None,
+            notice: None,
+            locale: Locale::english(),
+            look,
+            marker,
+            size: (80, 24),
+            readonly: false,
+            faults: false,
+            after_save: After::Stay,
+            generation: 0,
+        };
+        model.speak(language);
+        model
+    }
+
+    /// Takes a language, with its decimal mark.
+    pub fn speak(&mut self, language: Language) {
+        self.locale.language = language;
+        self.locale.style.decimal = match language {
+            Language::English => Decimal::Point,
+            Language::Portuguese => Decimal::Comma,
+        };
+        self.locale.style.ascii = self.look.ascii;
+    }
+
+    /// Where keys are typed now.
+    pub fn place(&self) -> Place {
+        match (&self.dialog, self.screen, &self.bench) {
+            (Some(dialog), _, _) => dialog.place(),
+            (None, Screen::Bench, Some(bench)) => bench.place(),
+            (None, _, _) if self.picker.typing => Place::Filter,
+            _ => Place::Picker,
+        }
+    }
+
+    /// The problem, while it is on the screen.
+    pub fn shown_bench(&self) -> Option<&Bench> {
+        self.bench.as_ref().filter(|_| self.screen == Screen::Bench)
+    }
+
+    /// The number of a new job.
+    pub fn next_generation(&mut self) -> u64 {
+        self.generation += 1;
+        self.generation
+    }
+
+    /// Tells something.
+    pub fn say(&mut self, text: impl Into<Text>) {
+        self.notice = Some(Notice { text: text.into(), wrong: false });
+    }
+
+    /// Tells that something went wrong.
+    pub fn complain(&mut self, text: impl Into<Text>) {
+        self.notice = Some(Notice { text: text.into(), wrong: true });
+    }
+}

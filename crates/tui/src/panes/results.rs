@@ -1,0 +1,174 @@
+//! The answers, how they were checked, and what is doubtful about them.
+
+use dalembert_core::{
+    Answer, AnswerValue, Check, Locale, Number, Refusal, Solution, SolveError, Text,
+};
+use dalembert_units::{Style as Digits, write_number};
+use ratatui::{
+    style::Style,
+    text::{Line, Span},
+};
+use unicode_width::UnicodeWidthStr;
+
+use super::{
+    columns::{Aligned, number, padded, widths},
+    wrap,
+};
+use crate::look::{Glyph, Look};
+
+/// Answers, warnings and checks of a solution; faults of the program before them.
+pub fn lines(solution: &Solution, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
+    let width = usize::from(width).max(1);
+    let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
+    let mut lines = Vec::new();
+    if !solution.defects.is_empty() {
+        let words = Text::new("A fault of the program, not of your inputs; do not trust these results:");
+        lines.extend(marked(look, Glyph::Bad, look.error(), &words.render(locale), look.error(), width));
+        for defect in &solution.defects {
+            lines.extend(wrap::hanging(vec![Span::raw("    ")], defect, look.error(), width));
+        }
+        lines.push(Line::default());
+    }
+    lines.extend(answers(&solution.answers, look, locale, width));
+    if !solution.warnings.is_empty() {
+        lines.push(Line::default());
+        for warning in &solution.warnings {
+            let words = warning.render(locale);
+            lines.extend(marked(look, Glyph::Warning, look.warning(), &words, Style::new(), width));
+        }
+    }
+    if !solution.checks.is_empty() {
+        lines.push(Line::default());
+        // What failed comes first.
+        let (passed, failed): (Vec<_>, Vec<_>) = solution.checks.iter().partition(|check| check.passed);
+        for one in failed.into_iter().chain(passed) {
+            lines.extend(check(one, look, locale, width));
+        }
+    }
+    lines
+}
+
+/// Why there is no solution.
+pub fn refusal(error: &SolveError, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
+    let width = usize::from(width).max(1);
+    let heading = |words: &'static str, style: Style| {
+        wrap::words(&Text::new(words).render(locale), width)
+            .into_iter()
+            .map(move |line| Line::styled(line, style))
+            .collect::<Vec<_>>()
+    };
+    match error {
+        SolveError::Refused(Refusal::Stopped) => heading("The solution was stopped.", look.dim()),
+        SolveError::Refused(Refusal::NoAnswer(why)) => {
+            let mut lines = heading("There is no answer", look.warning());
+            lines.push(Line::default());
+            let why = why.render(locale);
+            lines.extend(wrap::words(&why, width).into_iter().map(Line::from));
+            lines
+        }
+        SolveError::Fields(errors) => {
+            let mut lines = heading("Not every input can be read", look.error());
+            lines.push(Line::default());
+            for error in errors {
+                let words = format!("{}: {}", error.path, error.why.render(locale));
+                lines.extend(marked(look, Glyph::Bad, look.error(), &words, Style::new(), width));
+            }
+            lines
+        }
+    }
+}
+
+/// Lines of a pane that belong to earlier inputs: dimmed, under a note that says so.
+pub fn stale(lines: Vec<Line<'static>>, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
+    let note = Text::new("of the last valid inputs").render(locale);
+    let note = marked(look, Glyph::Warning, look.warning(), &note, look.warning(), usize::from(width).max(1));
+    let dimmed = lines.into_iter().map(|line| {
+        let spans = line.spans.into_iter().map(|span| Span::styled(span.content, look.dim()));
+        Line::from(spans.collect::<Vec<_>>())
+    });
+    note.chain([Line::default()]).chain(dimmed).collect()
+}
+
+/// Labels at the left, numbers with their decimal marks in one column; below their labels where both do not fit.
+fn answers(answers: &[Answer], look: &Look, locale: &Locale, width: usize) -> Vec<Line<'static>> {
+    let labels: Vec<String> = answers.iter().map(|answer| Text::new(answer.label).render(locale)).collect();
+    let aligned: Vec<Option<Aligned>> = answers
+        .iter()
+        .map(|answer| match answer.value {
+            AnswerValue::Number(Number::Scalar(_), _) => Some(Aligned::of(&answer.shown(locale))),
+            _ => None,
+        })
+        .collect();
+    let number_widths = widths(aligned.iter().flatten());
+    let values = aligned
+        .iter()
+        .flatten()
+        .map(|one| number_widths.0 + number_widths.1 + one.unit.width())
+        .max()
+        .unwrap_or(0);
+    let label_width = labels.iter().map(|label| label.width()).max().unwrap_or(0);
+    let beside = label_width + 2 + values.max(16) <= width;
+    let mut lines = Vec::new();
+    for ((answer, label), aligned) in answers.iter().zip(&labels).zip(aligned) {
+        let head = if beside {
+            vec![Span::raw(format!("{}  ", padded(label, label_width)))]
+        } else {
+            lines.extend(wrap::words(label, width).into_iter().map(Line::from));
+            vec![Span::raw("  ")]
+        };
+        match aligned {
+            // A narrow pane has no room for columns.
+            Some(_) if !beside => lines.extend(wrap::hanging(head, &answer.shown(locale), look.answer(), width)),
+            Some(aligned) => {
+                let mut line = head;
+                line.push(Span::styled(number(&aligned, number_widths), look.answer()));
+                line.push(Span::raw(aligned.unit));
+                lines.push(Line::from(line));
+            }
+            None => lines.extend(wrap::hanging(head, &answer.shown(locale), look.answer(), width)),
+        }
+        if let AnswerValue::Set(_, limits) = &answer.value {
+            for limit in limits {
+                let head = vec![Span::raw("    "), Span::styled(look.glyph(Glyph::Dot), look.dim()), Span::raw(" ")];
+                lines.extend(wrap::hanging(head, &limit.render(locale), look.dim(), width));
+            }
+        }
+    }
+    lines
+}
+
+fn check(check: &Check, look: &Look, locale: &Locale, width: usize) -> Vec<Line<'static>> {
+    let residual = write_number(check.residual, Digits { digits: 1, ..locale.style });
+    let outcome = match (check.passed, check.residual == 0.0) {
+        (true, true) => Text::new("two ways agree exactly"),
+        (true, false) => Text::new("two ways agree to {residual}").with("residual", residual),
+        (false, _) => Text::new("two ways differ by {residual}").with("residual", residual),
+    };
+    let (glyph, style, words_style) = match check.passed {
+        true => (Glyph::Good, look.good(), look.dim()),
+        false => (Glyph::Bad, look.error(), look.error()),
+    };
+    let (what, outcome) = (check.what.render(locale), outcome.render(locale));
+    let mut lines: Vec<_> = marked(look, glyph, style, &what, Style::new(), width).collect();
+    // Beside what is compared where it fits, below it where it does not.
+    match lines.last_mut() {
+        Some(line) if line.width() + 2 + outcome.width() <= width => {
+            line.push_span(Span::styled(format!("  {outcome}"), words_style));
+        }
+        _ => lines.extend(wrap::hanging(vec![Span::raw("  ")], &outcome, words_style, width)),
+    }
+    lines
+}
+
+/// A pictogram, and words beside it.
+fn marked(
+    look: &Look,
+    glyph: Glyph,
+    glyph_style: Style,
+    words: &str,
+    style: Style,
+    width: usize,
+) -> impl Iterator<Item = Line<'static>> {
+    let head = vec![Span::styled(look.glyph(glyph), glyph_style), Span::raw(" ")];
+    wrap::hanging(head, words, style, width)
+}

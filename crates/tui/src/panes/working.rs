@@ -1,0 +1,120 @@
+//! The worked solution: why, formula, substitution, result of every step.
+
+use dalembert_core::{
+    Locale, Solution,
+    printer::{self, WrittenStep},
+};
+use dalembert_units::Style as Digits;
+use ratatui::{
+    style::Style,
+    text::{Line, Span},
+};
+use unicode_width::UnicodeWidthStr;
+
+use super::{
+    Page,
+    columns::{Aligned, number, padded, widths},
+    wrap,
+};
+use crate::look::Look;
+
+/// The worked solution; the page starts at each step.
+///
+/// Each step is a number, its reason and source, and below them `symbol = formula`, `= substitution`, `= result`
+/// with the signs of equality under one another. A long formula goes on below its beginning.
+pub fn lines(solution: &Solution, look: &Look, locale: &Locale, width: u16) -> Page {
+    let width = usize::from(width).max(1);
+    let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
+    let mut page = Page::default();
+    let digits = solution.steps.len().to_string().len();
+    for (n, step) in solution.steps.iter().enumerate() {
+        if n > 0 {
+            page.lines.push(Line::default());
+        }
+        page.starts.push(page.lines.len());
+        let written = printer::step(solution, step, locale);
+        let head = format!("{:>digits$}  ", n + 1);
+        // In a narrow pane the formulas begin nearer to the edge.
+        let indent = if width < 30 { 1 } else { head.width() };
+        reason(&written, head, look, width, &mut page.lines);
+        equalities(&written, indent, look, width, &mut page.lines);
+        terms(&written.terms, indent + 2, look, width, &mut page.lines);
+    }
+    page
+}
+
+/// The number of the step and why it is taken; the source at the right, or below where it does not fit.
+fn reason(step: &WrittenStep, head: String, look: &Look, width: usize, lines: &mut Vec<Line<'static>>) {
+    let indent = head.width();
+    lines.extend(wrap::hanging(vec![Span::styled(head, look.dim())], &step.why, look.title(), width));
+    if step.source.is_empty() {
+        return;
+    }
+    match lines.last_mut() {
+        Some(line) if line.width() + 2 + step.source.width() <= width => {
+            let gap = " ".repeat(width - line.width() - step.source.width());
+            line.push_span(Span::styled(format!("{gap}{}", step.source), look.dim()));
+        }
+        _ => lines.extend(wrap::hanging(vec![Span::raw(" ".repeat(indent))], &step.source, look.dim(), width)),
+    }
+}
+
+fn equalities(step: &WrittenStep, indent: usize, look: &Look, width: usize, lines: &mut Vec<Line<'static>>) {
+    let sides = [(&step.formula, Style::new()), (&step.substitution, look.dim()), (&step.result, look.answer())];
+    let symbol = &step.symbol;
+    // A symbol that takes half of the line stands alone.
+    let alone = indent + symbol.width() + 3 > width / 2 && symbol.width() > 2;
+    let column = if alone { indent } else { indent + symbol.width() + 1 };
+    if alone {
+        for piece in wrap::formula(symbol, width.saturating_sub(indent), width.saturating_sub(indent)) {
+            lines.push(Line::from(vec![Span::raw(" ".repeat(indent)), Span::styled(piece, look.symbol())]));
+        }
+    }
+    let mut before = if alone {
+        vec![Span::raw(" ".repeat(column))]
+    } else {
+        vec![Span::raw(" ".repeat(indent)), Span::styled(symbol.clone(), look.symbol()), Span::raw(" ")]
+    };
+    for (side, style) in sides.into_iter().filter(|(side, _)| !side.is_empty()) {
+        let room = width.saturating_sub(column + 2);
+        // What goes on below is set in once more; with hardly any room it begins at the edge.
+        let hang = if room > 12 { column + 4 } else { 0 };
+        for (n, piece) in wrap::formula(side, room, width.saturating_sub(hang)).into_iter().enumerate() {
+            let mut line = match n {
+                0 => {
+                    let mut line = std::mem::replace(&mut before, vec![Span::raw(" ".repeat(column))]);
+                    line.push(Span::styled("= ", look.dim()));
+                    line
+                }
+                _ => vec![Span::raw(" ".repeat(hang))],
+            };
+            line.push(Span::styled(piece, style));
+            lines.push(Line::from(line));
+        }
+    }
+}
+
+/// The terms of a long sum and their values, in two columns.
+fn terms(terms: &[(String, String)], indent: usize, look: &Look, width: usize, lines: &mut Vec<Line<'static>>) {
+    let values: Vec<Aligned> = terms.iter().map(|(_, value)| Aligned::of(value)).collect();
+    let number_widths = widths(&values);
+    let symbols = terms.iter().map(|(symbol, _)| symbol.width()).max().unwrap_or(0);
+    let whole = values.iter().map(|value| number_widths.0 + number_widths.1 + value.unit.width()).max().unwrap_or(0);
+    let beside = indent + symbols + 2 + whole <= width;
+    for ((symbol, value), aligned) in terms.iter().zip(&values) {
+        let space = Span::raw(" ".repeat(indent));
+        if beside {
+            lines.push(Line::from(vec![
+                space,
+                Span::styled(padded(symbol, symbols + 2), look.symbol()),
+                Span::raw(number(aligned, number_widths)),
+                Span::styled(aligned.unit.clone(), look.dim()),
+            ]));
+        } else {
+            let room = width.saturating_sub(indent);
+            for piece in wrap::formula(&format!("{symbol} = {value}"), room, room) {
+                lines.push(Line::from(vec![space.clone(), Span::raw(piece)]));
+            }
+        }
+    }
+}

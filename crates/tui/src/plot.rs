@@ -1,0 +1,345 @@
+//! Curves over an axis, in the cells of a terminal.
+
+mod axes;
+pub(crate) mod dots;
+mod frame;
+pub(crate) mod labels;
+pub mod ticks;
+
+use dalembert_core::{Locale, Plot, Series};
+use ratatui::{
+    buffer::Buffer,
+    layout::Rect,
+    style::{Modifier, Style},
+};
+use unicode_width::UnicodeWidthStr;
+
+use self::{
+    axes::Axes,
+    dots::{Dots, Pen},
+    frame::Frame,
+    labels::Labels,
+};
+use crate::look::{Glyph, Look};
+
+pub use crate::glyphs::PlotMarker as Marker;
+
+/// What a person has set on a plot.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct State {
+    /// Where the cursor stands: a value of `x` in SI. One beyond the axis is shown at its end.
+    pub cursor: Option<f64>,
+    /// What curves are drawn with.
+    pub marker: Marker,
+}
+
+impl State {
+    /// The cursor moved by a share of the axis (0.01 to the right, −0.1 to the left), to a computed point or a
+    /// mark, and at least to the next one. A plot without a cursor gets one: at its first mark, else in its middle.
+    #[must_use]
+    pub fn moved(self, plot: &Plot, share: f64) -> Self {
+        let Some(axes) = Axes::of(plot) else { return self };
+        let stops = axes.stops();
+        let target = match self.cursor.and_then(|cursor| axes.x.of(cursor)) {
+            Some(place) => place.clamp(0.0, 1.0) + share,
+            None => plot.marks.iter().find_map(|mark| axes.x.of(mark.at.0)).unwrap_or(0.5),
+        };
+        let here = self.cursor.and_then(|cursor| axes.x.of(cursor)).map(|place| place.clamp(0.0, 1.0));
+        let beyond = |place: f64| match here {
+            Some(here) if share > 0.0 => place > here,
+            Some(here) if share < 0.0 => place < here,
+            _ => true,
+        };
+        let nearest = stops
+            .into_iter()
+            .filter(|(place, _)| beyond(*place))
+            .min_by(|(a, _), (b, _)| (a - target).abs().total_cmp(&(b - target).abs()));
+        Self { cursor: nearest.map_or(self.cursor, |(_, x)| Some(x)), ..self }
+    }
+
+    /// The same state without a cursor.
+    #[must_use]
+    pub fn without_cursor(self) -> Self {
+        Self { cursor: None, ..self }
+    }
+
+    /// The same state with the next kind of marker.
+    #[must_use]
+    pub fn next_marker(self) -> Self {
+        let marker = match self.marker {
+            Marker::Braille => Marker::HalfBlock,
+            Marker::HalfBlock => Marker::Dot,
+            Marker::Dot => Marker::Ascii,
+            Marker::Ascii => Marker::Braille,
+        };
+        Self { marker, ..self }
+    }
+}
+
+/// What the cursor reads: `speed = 1500 rpm   X = 4.62 mm`, with `≈` between two computed points, and the marks it
+/// stands on. `None` without a cursor.
+pub fn readout(plot: &Plot, state: &State, locale: &Locale) -> Option<String> {
+    Some(Axes::of(plot)?.readout(state.cursor?, locale).join("   "))
+}
+
+/// Draws a plot; any size will do. What there is no room for is left out in this order: titles, names of curves and
+/// axes, ticks, axes; the curves last.
+pub fn render(plot: &Plot, state: &State, look: &Look, locale: &Locale, area: Rect, buffer: &mut Buffer) {
+    let area = area.intersection(buffer.area);
+    if area.is_empty() {
+        return;
+    }
+    let locale = Locale { style: dalembert_units::Style { ascii: look.ascii, ..locale.style }, ..*locale };
+    let marker = if look.ascii { Marker::Ascii } else { state.marker };
+    let Some(axes) = Axes::of(plot) else {
+        let words = dalembert_core::Text::new("nothing to draw").render(&locale);
+        let words = look.shortened(&words, area.width.into());
+        let x = area.x + (area.width - words.width() as u16) / 2;
+        buffer.set_string(x, area.y + area.height / 2, words, look.dim());
+        return;
+    };
+    let frame = Frame::of(&axes, state, marker, look, &locale, area);
+    frame.draw(look, buffer);
+    let canvas = Canvas { axes: &axes, area: frame.canvas, marker, look };
+    canvas.draw(state, &locale, buffer);
+}
+
+/// The pen of the curve of that place.
+pub(crate) fn pen(n: usize, of: usize, look: &Look) -> Pen {
+    const STAMPS: [char; 6] = ['*', '+', 'x', 'o', '#', '%'];
+    const DASHES: [(u32, u32); 4] = [(1, 0), (6, 3), (2, 2), (8, 2)];
+    // Where colours do not tell curves apart, dashes do.
+    let dash = match look.colors {
+        crate::glyphs::Colors::None if !look.ascii && of > 1 => DASHES[n % DASHES.len()],
+        _ => (1, 0),
+    };
+    Pen { style: look.series(n), stamp: if look.ascii { STAMPS[n % STAMPS.len()] } else { '•' }, dash }
+}
+
+/// What a separate point of that curve is drawn as.
+pub(crate) fn point(n: usize, look: &Look) -> char {
+    let (unicode, ascii) = (['•', '◆', '▲', '■', '○', '◇'], ['*', '+', 'x', 'o', '#', '%']);
+    if look.ascii { ascii[n % ascii.len()] } else { unicode[n % unicode.len()] }
+}
+
+/// The inside of the axes.
+struct Canvas<'a> {
+    axes: &'a Axes<'a>,
+    area: Rect,
+    marker: Marker,
+    look: &'a Look,
+}
+
+impl Canvas<'_> {
+    fn draw(&self, state: &State, locale: &Locale, buffer: &mut Buffer) {
+        if self.area.is_empty() {
+            return;
+        }
+        let (plot, look) = (self.axes.plot, self.look);
+        let mut labels = Labels::new(self.area);
+        self.bands(buffer);
+        let mut dots = Dots::new(self.area, self.marker);
+        self.levels(&mut dots);
+        for (n, series) in plot.series.iter().enumerate().filter(|(_, series)| series.joined) {
+            self.curve(series, pen(n, plot.series.len(), look), &mut dots);
+        }
+        dots.draw(buffer);
+        for (n, series) in plot.series.iter().enumerate().filter(|(_, series)| !series.joined) {
+            for cell in series.points.iter().filter_map(|at| self.cell(&dots, *at)) {
+                buffer[cell].set_char(point(n, look)).set_style(look.series(n));
+            }
+        }
+        self.cursor(state, &dots, &mut labels, buffer);
+        let style = Style::new().add_modifier(Modifier::BOLD);
+        for mark in &plot.marks {
+            if let Some(cell) = self.cell(&dots, mark.at) {
+                buffer[cell].set_symbol(look.glyph(Glyph::Full)).set_style(style);
+                labels.reserve(cell);
+            }
+        }
+        let free = |x, y| dots.is_free(x, y);
+        for mark in &plot.marks {
+            if let Some(cell) = self.cell(&dots, mark.at) {
+                let words = look.shortened(&mark.label.render(locale), self.area.width.into());
+                labels.beside(&words, style, cell, free);
+            }
+        }
+        self.level_labels(&dots, locale, &mut labels);
+        self.band_labels(&dots, locale, &mut labels);
+        labels.draw(buffer);
+    }
+
+    /// The dot of a point, for any finite point the scales can show.
+    fn dot(&self, dots: &Dots, (x, y): (f64, f64)) -> Option<(f64, f64)> {
+        let (across, down) = dots.size();
+        let (x, y) = (self.axes.x.of(x)?, self.axes.y.of(y)?);
+        Some((x * (f64::from(across) - 1.0), (1.0 - y) * (f64::from(down) - 1.0)))
+    }
+
+    /// The cell of a point inside the axes.
+    fn cell(&self, dots: &Dots, at: (f64, f64)) -> Option<(u16, u16)> {
+        let near = -1e-9..=1.0 + 1e-9;
+        let inside = near.contains(&self.axes.x.of(at.0)?) && near.contains(&self.axes.y.of(at.1)?);
+        self.dot(dots, at).filter(|_| inside).map(|dot| dots.cell_of(dot))
+    }
+
+    /// Points of one column of dots are drawn as their first, least, greatest and last: no peak is lost, and a
+    /// million points cost what they must.
+    fn curve(&self, series: &Series, pen: Pen, dots: &mut Dots) {
+        struct Column {
+            at: f64,
+            least: f64,
+            greatest: f64,
+            last: (f64, f64),
+        }
+        let mut column: Option<Column> = None;
+        for point in &series.points {
+            let Some(dot) = self.dot(dots, *point) else {
+                if let Some(column) = column.take() {
+                    dots.line((column.at, column.least), (column.at, column.greatest), pen);
+                }
+                dots.lift();
+                continue;
+            };
+            match &mut column {
+                Some(column) if column.at == dot.0.round() => {
+                    column.least = column.least.min(dot.1);
+                    column.greatest = column.greatest.max(dot.1);
+                    column.last = dot;
+                }
+                _ => {
+                    let from = column.take().map(|column| {
+                        if column.least < column.greatest {
+                            dots.line((column.at, column.least), (column.at, column.greatest), pen);
+                        }
+                        column.last
+                    });
+                    dots.line(from.unwrap_or(dot), dot, pen);
+                    column = Some(Column { at: dot.0.round(), least: dot.1, greatest: dot.1, last: dot });
+                }
+            }
+        }
+        if let Some(column) = column {
+            dots.line((column.at, column.least), (column.at, column.greatest), pen);
+        }
+        dots.lift();
+    }
+
+    fn levels(&self, dots: &mut Dots) {
+        let right = f64::from(dots.size().0) - 1.0;
+        let mut level = |y: f64, pen: Pen| {
+            if let Some(place) = self.axes.y.of(y).filter(|place| (0.0..=1.0).contains(place)) {
+                let y = (1.0 - place) * (f64::from(dots.size().1) - 1.0);
+                dots.lift();
+                dots.line((0.0, y), (right, y), pen);
+            }
+        };
+        let stamp = if self.look.ascii { '-' } else { '╌' };
+        let across = dots::per_cell(self.marker).0.into();
+        if self.axes.y.passes_zero() {
+            level(0.0, Pen { style: self.look.dim(), stamp, dash: (1, 2 * across - 1) });
+        }
+        for limit in &self.axes.plot.levels {
+            level(limit.y, Pen { style: self.look.warning(), stamp, dash: (2 * across, across) });
+        }
+    }
+
+    /// The name of each level at its right end; at the edge, with an arrow and its value, where it lies beyond.
+    fn level_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
+        for level in &self.axes.plot.levels {
+            let Some(place) = self.axes.y.of(level.y) else { continue };
+            let words = level.label.render(locale);
+            let beyond = |glyph| {
+                format!("{} {words}: {}", self.look.glyph(glyph), self.axes.y.write(level.y, locale.style))
+            };
+            let (words, rows): (String, &[i32]) = match place {
+                ..0.0 => (beyond(Glyph::Down), &[0, -1, -2]),
+                0.0..=1.0 => (words, &[-1, 1, 0]),
+                _ => (beyond(Glyph::Up), &[0, 1, 2]),
+            };
+            let words = self.look.shortened(&words, self.area.width.into());
+            let down = (1.0 - place.clamp(0.0, 1.0)) * (f64::from(dots.size().1) - 1.0);
+            let row = i32::from(dots.cell_of((0.0, down)).1);
+            let right = i32::from(self.area.right()) - words.width() as i32;
+            let left = i32::from(self.area.x);
+            let places = rows.iter().flat_map(|up| [right, left].map(|x| (x, row + up)));
+            labels.put(&words, self.look.warning(), places, |x, y| dots.is_free(x, y));
+        }
+    }
+
+    /// The columns of a band inside the axes.
+    fn columns(&self, from: f64, to: f64) -> Option<(u16, u16)> {
+        let end = |at: f64| match at {
+            f64::INFINITY => Some(1.0),
+            // An end that a logarithmic axis cannot show lies at or below zero: left of it.
+            _ if at == f64::NEG_INFINITY || (!at.is_nan() && self.axes.x.of(at).is_none()) => Some(0.0),
+            _ => self.axes.x.of(at),
+        };
+        let (from, to) = (end(from)?, end(to)?);
+        let (from, to) = (from.min(to), from.max(to));
+        if to < 0.0 || from > 1.0 {
+            return None;
+        }
+        let last = f64::from(self.area.width) - 1.0;
+        let column = |place: f64| (place.clamp(0.0, 1.0) * last).round() as u16;
+        Some((column(from), column(to)))
+    }
+
+    /// Forbidden ranges are hatched, permitted ones dotted.
+    fn bands(&self, buffer: &mut Buffer) {
+        let look = self.look;
+        for band in &self.axes.plot.bands {
+            let Some((first, last)) = self.columns(band.from, band.to) else { continue };
+            let (shade, style) = match (band.permitted, look.ascii) {
+                (true, false) => ('·', look.good()),
+                (true, true) => ('.', look.good()),
+                (false, false) => ('╱', look.error()),
+                (false, true) => ('/', look.error()),
+            };
+            let style = style.remove_modifier(Modifier::BOLD).add_modifier(Modifier::DIM);
+            for row in 0..self.area.height {
+                for column in first..=last {
+                    let drawn = match band.permitted {
+                        true => column % 4 == 0 && row % 2 == 0 || column % 4 == 2 && row % 2 == 1,
+                        false => (column + row) % 3 == 0,
+                    };
+                    if drawn {
+                        buffer[(self.area.x + column, self.area.y + row)].set_char(shade).set_style(style);
+                    }
+                }
+            }
+        }
+    }
+
+    fn band_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
+        for band in &self.axes.plot.bands {
+            let Some((first, last)) = self.columns(band.from, band.to) else { continue };
+            let style = if band.permitted { self.look.good() } else { self.look.error() };
+            let words = self.look.shortened(&band.label.render(locale), self.area.width.into());
+            let middle = (i32::from(first) + i32::from(last) + 1 - words.width() as i32) / 2;
+            // The name of a narrow band reaches beyond it, but not beyond the axes.
+            let most = i32::from(self.area.width) - words.width() as i32;
+            let x = i32::from(self.area.x) + middle.clamp(0, most.max(0));
+            let rows = (0..4).chain([i32::from(self.area.height) - 1]);
+            labels.put(&words, style, rows.map(|row| (x, i32::from(self.area.y) + row)), |x, y| dots.is_free(x, y));
+        }
+    }
+
+    /// A line down the plot, with a point on every curve it reads.
+    fn cursor(&self, state: &State, dots: &Dots, labels: &mut Labels, buffer: &mut Buffer) {
+        let Some(cursor) = state.cursor.and_then(|cursor| self.axes.within(cursor)) else { return };
+        let Some(place) = self.axes.x.of(cursor) else { return };
+        let (x, _) = dots.cell_of((place * (f64::from(dots.size().0) - 1.0), 0.0));
+        let style = Style::new().add_modifier(Modifier::BOLD);
+        for y in (self.area.y..self.area.bottom()).filter(|y| dots.is_free(x, *y)) {
+            buffer[(x, y)].set_symbol(self.look.glyph(Glyph::Bar)).set_style(style);
+        }
+        for (n, series) in self.axes.plot.series.iter().enumerate() {
+            let Some((y, _)) = self.axes.read(series, cursor) else { continue };
+            if let Some(cell) = self.cell(dots, (cursor, y)) {
+                buffer[cell].set_char(point(n, self.look)).set_style(self.look.series(n).add_modifier(Modifier::BOLD));
+                labels.reserve(cell);
+            }
+        }
+    }
+}

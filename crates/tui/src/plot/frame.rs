@@ -1,0 +1,267 @@
+//! What stands round the curves: titles, legend, axes, ticks, the reading of the cursor.
+
+use dalembert_core::Locale;
+use ratatui::{buffer::Buffer, layout::Rect, style::Style};
+use unicode_width::UnicodeWidthStr;
+
+use super::{Marker, State, axes::Axes, dots::per_cell, pen, point, ticks::Ticks};
+use crate::look::Look;
+
+/// Words and ticks round a canvas, each at its place.
+pub(crate) struct Frame {
+    /// Where the curves go.
+    pub(crate) canvas: Rect,
+    words: Vec<(u16, u16, String, Style)>,
+    /// The cells of the axes: a column left of the canvas and a row below it, where there is room.
+    lines: Vec<(u16, u16, &'static str)>,
+    /// Faint points where ticks of both axes meet.
+    grid: Vec<(u16, u16)>,
+}
+
+/// Which rows there is room for.
+struct Rows {
+    title: bool,
+    head: bool,
+    legend: bool,
+    axis: bool,
+    labels: bool,
+    foot: bool,
+    readout: u16,
+}
+
+impl Frame {
+    pub(crate) fn of(
+        axes: &Axes,
+        state: &State,
+        marker: Marker,
+        look: &Look,
+        locale: &Locale,
+        area: Rect,
+    ) -> Self {
+        let readout = state.cursor.map_or_else(Vec::new, |cursor| axes.readout(cursor, locale));
+        let readout = flow(&readout, area.width.into(), usize::from(area.height / 5).max(1), look);
+        let legend = legend(axes, look, locale);
+        let height = area.height;
+        let mut rows = Rows {
+            title: height >= 10,
+            head: height >= 6,
+            legend: false,
+            axis: height >= 4,
+            labels: height >= 5,
+            foot: height >= 8,
+            readout: if height >= 3 { readout.len() as u16 } else { 0 },
+        };
+        let head = axes.y.title(y_ticks(axes, 9, locale).ten, locale);
+        let legend_width: usize = legend.iter().map(|(sample, name, _)| sample.width() + name.width() + 3).sum();
+        let beside = head.width() + 2 + legend_width <= area.width.into();
+        rows.legend = !legend.is_empty() && rows.head && !beside && height >= 9;
+
+        let mut frame = Self { canvas: area, words: Vec::new(), lines: Vec::new(), grid: Vec::new() };
+        let above = u16::from(rows.title) + u16::from(rows.head) + u16::from(rows.legend);
+        let below = u16::from(rows.axis) + u16::from(rows.labels) + u16::from(rows.foot) + rows.readout;
+        let inner = Rect { y: area.y + above, height: height.saturating_sub(above + below), ..area };
+
+        let ticks = y_ticks(axes, inner.height, locale);
+        let gutter = ticks.ticks.iter().map(|tick| tick.label.width()).max().unwrap_or(0) as u16 + 1;
+        let gutter = if rows.axis && gutter + 8 <= area.width { gutter } else { 0 };
+        frame.canvas = Rect { x: area.x + gutter, width: area.width - gutter, ..inner };
+
+        let mut y = area.y;
+        if rows.title {
+            let title = look.shortened(&axes.plot.title.render(locale), area.width.into());
+            frame.words.push((area.x, y, title, look.title()));
+            y += 1;
+        }
+        if rows.head {
+            let head = look.shortened(&axes.y.title(ticks.ten, locale), area.width.into());
+            let after = area.x + head.width() as u16 + 2;
+            frame.words.push((area.x, y, head, look.dim()));
+            let x = if beside { area.right().saturating_sub(legend_width as u16 - u16::from(legend_width > 0)) } else { after };
+            if rows.legend {
+                y += 1;
+            }
+            frame.legend(&legend, if rows.legend { area.x } else { x.max(after) }, y, area, look);
+        }
+        let rows_of_ticks = frame.y_axis(axes, &ticks, gutter, marker, look);
+        if rows.axis {
+            for x in frame.x_axis(axes, gutter, &rows, marker, look, locale, area) {
+                frame.grid.extend(rows_of_ticks.iter().map(|y| (x, *y)));
+            }
+        }
+        for (n, line) in readout.into_iter().take(rows.readout.into()).enumerate() {
+            let y = area.bottom() - rows.readout + n as u16;
+            frame.words.push((area.x, y, line, look.answer()));
+        }
+        frame
+    }
+
+    pub(crate) fn draw(&self, look: &Look, buffer: &mut Buffer) {
+        for at in &self.grid {
+            buffer[*at].set_char(if look.ascii { '.' } else { '·' }).set_style(look.dim());
+        }
+        for (x, y, symbol) in &self.lines {
+            buffer[(*x, *y)].set_symbol(symbol).set_style(look.dim());
+        }
+        for (x, y, words, style) in &self.words {
+            buffer.set_string(*x, *y, words, *style);
+        }
+    }
+
+    /// The rows of its labelled ticks.
+    fn y_axis(&mut self, axes: &Axes, ticks: &Ticks, gutter: u16, marker: Marker, look: &Look) -> Vec<u16> {
+        let mut rows = Vec::new();
+        if gutter == 0 {
+            return rows;
+        }
+        let (canvas, x) = (self.canvas, self.canvas.x - 1);
+        let (line, minor, major) = if look.ascii { ("|", "|", "+") } else { ("│", "┤", "┤") };
+        self.lines.extend((canvas.y..canvas.bottom()).map(|y| (x, y, line)));
+        for tick in &ticks.ticks {
+            let Some(row) = axes.y.span.place(tick.at).and_then(|place| row(canvas, marker, place)) else { continue };
+            self.lines.push((x, row, if tick.label.is_empty() { minor } else { major }));
+            let start = x.saturating_sub(tick.label.width() as u16);
+            self.words.push((start, row, tick.label.clone(), look.dim()));
+            if !tick.label.is_empty() {
+                rows.push(row);
+            }
+        }
+        rows
+    }
+
+    /// The columns of its labelled ticks.
+
+    #[expect(clippy::too_many_arguments, reason = "they are the places and words of one axis")]
+    fn x_axis(
+        &mut self,
+        axes: &Axes,
+        gutter: u16,
+        rows: &Rows,
+        marker: Marker,
+        look: &Look,
+        locale: &Locale,
+        area: Rect,
+    ) -> Vec<u16> {
+        let canvas = self.canvas;
+        let y = canvas.bottom();
+        let (corner, line, minor, major) =
+            if look.ascii { ("+", "-", "-", "+") } else { ("└", "─", "┴", "┬") };
+        if gutter > 0 {
+            self.lines.push((canvas.x - 1, y, corner));
+        }
+        self.lines.extend((canvas.x..canvas.right()).map(|x| (x, y, line)));
+        let place = |at: f64| axes.x.span.place(at).and_then(|place| column(canvas, marker, place));
+        // A label stands under its tick, or as near as the edges let it.
+        let start = |at: u16, width: u16| {
+            let last = area.right().saturating_sub(width).max(area.x);
+            at.saturating_sub(width / 2).clamp(area.x, last)
+        };
+        let fit = |ticks: &Ticks| {
+            let mut free = area.x;
+            ticks.ticks.iter().filter(|tick| !tick.label.is_empty()).all(|tick| {
+                let Some(at) = place(tick.at) else { return false };
+                let width = tick.label.width() as u16;
+                let (from, to) = (start(at, width), start(at, width) + width);
+                let fits = from >= free && to <= area.right() && (from..to).contains(&at);
+                free = to + 2;
+                fits
+            })
+        };
+        let most = usize::from(canvas.width / 6).clamp(2, 12);
+        let ticks = axes.x.span.ticks_that_fit(most, locale.style, fit);
+        for tick in &ticks.ticks {
+            let Some(x) = place(tick.at) else { continue };
+            self.lines.push((x, y, if tick.label.is_empty() { minor } else { major }));
+            if rows.labels && !tick.label.is_empty() {
+                let x = start(x, tick.label.width() as u16);
+                self.words.push((x, y + 1, tick.label.clone(), look.dim()));
+            }
+        }
+        let title = look.shortened(&axes.x.title(ticks.ten, locale), area.width.into());
+        let x = area.right() - title.width() as u16;
+        if rows.foot {
+            self.words.push((x, y + 2, title, look.dim()));
+        } else if title.width() + 2 <= canvas.width.into() {
+            self.words.push((x, y, title, look.dim()));
+        }
+        ticks.ticks.iter().filter(|tick| !tick.label.is_empty()).filter_map(|tick| place(tick.at)).collect()
+    }
+
+    fn legend(&mut self, legend: &[(String, String, Style)], x: u16, y: u16, area: Rect, look: &Look) {
+        let mut x = x;
+        for (n, (sample, name, style)) in legend.iter().enumerate() {
+            let room = usize::from(area.right().saturating_sub(x));
+            let wanted = sample.width() + 1 + name.width();
+            let last = n + 1 == legend.len();
+            // A name that does not fit whole says that there are more.
+            if room < 3 || (room < wanted + if last { 0 } else { 2 } && room < sample.width() + 4) {
+                let more = look.glyph(crate::look::Glyph::Ellipsis).to_owned();
+                self.words.push((area.right() - 1, y, more, look.dim()));
+                return;
+            }
+            self.words.push((x, y, sample.clone(), *style));
+            let name = look.shortened(name, room - sample.width() - 1);
+            let next = x + (sample.width() + name.width()) as u16 + 3;
+            self.words.push((x + sample.width() as u16 + 1, y, name, Style::new()));
+            x = next;
+        }
+    }
+}
+
+/// The ticks of the vertical axis: their labels two rows apart.
+fn y_ticks(axes: &Axes, height: u16, locale: &Locale) -> Ticks {
+    let most = usize::from(height / 3).clamp(2, 10);
+    axes.y.span.ticks_that_fit(most, locale.style, |ticks| {
+        let rows = |place: f64| (place * (f64::from(height) - 1.0)).round() as i64;
+        let places = ticks.ticks.iter().filter(|tick| !tick.label.is_empty());
+        let rows: Vec<i64> = places.filter_map(|tick| axes.y.span.place(tick.at).map(rows)).collect();
+        rows.windows(2).all(|pair| pair[1] - pair[0] >= 2)
+    })
+}
+
+/// The column of a place on the horizontal axis: that of its dots.
+fn column(canvas: Rect, marker: Marker, place: f64) -> Option<u16> {
+    cell(canvas.x, canvas.width, per_cell(marker).0, place)
+}
+
+/// The row of a place on the vertical axis.
+fn row(canvas: Rect, marker: Marker, place: f64) -> Option<u16> {
+    cell(canvas.y, canvas.height, per_cell(marker).1, 1.0 - place)
+}
+
+fn cell(first: u16, cells: u16, dots: u16, place: f64) -> Option<u16> {
+    let dot = (place * (f64::from(cells) * f64::from(dots) - 1.0)).round();
+    let inside = cells > 0 && (-1e-6..=1.0 + 1e-6).contains(&place);
+    inside.then(|| first + (dot.max(0.0) as u16 / dots).min(cells - 1))
+}
+
+/// A sample of each curve, its name and its style; empty where one curve needs no name.
+fn legend(axes: &Axes, look: &Look, locale: &Locale) -> Vec<(String, String, Style)> {
+    let series = &axes.plot.series;
+    if series.len() < 2 {
+        return Vec::new();
+    }
+    let sample = |n: usize, joined: bool| match (joined, look.ascii, pen(n, series.len(), look).dash) {
+        (false, ..) | (_, true, _) => point(n, look).to_string(),
+        (true, false, (_, 0)) => "──".into(),
+        (true, false, (2, _)) => "┄┄".into(),
+        (true, false, _) => "╌╌".into(),
+    };
+    series
+        .iter()
+        .enumerate()
+        .map(|(n, series)| (sample(n, series.joined), series.label.render(locale), look.series(n)))
+        .collect()
+}
+
+/// Parts side by side, in no more than `most` lines; the last says with an ellipsis that there are more.
+fn flow(parts: &[String], width: usize, most: usize, look: &Look) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for part in parts {
+        let full = lines.len() == most;
+        match lines.last_mut() {
+            Some(line) if full || line.width() + 3 + part.width() <= width => *line += &format!("   {part}"),
+            _ => lines.push(part.clone()),
+        }
+    }
+    lines.iter().map(|line| look.shortened(line, width)).collect()
+}

@@ -1,0 +1,93 @@
+//! Words beside points, none over another.
+
+use ratatui::{buffer::Buffer, layout::Rect, style::Style};
+use unicode_width::UnicodeWidthStr;
+
+/// The words that stand in an area.
+pub(crate) struct Labels {
+    area: Rect,
+    placed: Vec<(Rect, String, Style)>,
+}
+
+impl Labels {
+    /// None yet.
+    pub(crate) fn new(area: Rect) -> Self {
+        Self { area, placed: Vec::new() }
+    }
+
+    /// Words at one of `places` (of their first cell): the one where they cover fewest cells that are not `free`,
+    /// the first of several. Says whether there was one; where a third of the words would cover something else,
+    /// the words give way.
+    pub(crate) fn put(
+        &mut self,
+        words: &str,
+        style: Style,
+        places: impl IntoIterator<Item = (i32, i32)>,
+        free: impl Fn(u16, u16) -> bool,
+    ) -> bool {
+        let width = u16::try_from(words.width()).unwrap_or(u16::MAX);
+        if width == 0 {
+            return true;
+        }
+        // The cells at both ends count too, so that words keep a distance where there is a choice.
+        let covered = |at: &Rect| (at.x.saturating_sub(1)..=at.right()).filter(|x| !free(*x, at.y)).count();
+        let best = places
+            .into_iter()
+            .filter_map(|place| self.rect(place, width))
+            .map(|at| (covered(&at), at))
+            .min_by_key(|(covered, _)| *covered);
+        let Some((_, at)) = best.filter(|(covered, _)| 3 * covered <= usize::from(width) + 3) else {
+            return false;
+        };
+        self.placed.push((at, words.to_owned(), style));
+        true
+    }
+
+    /// Words beside a point: right or left of it, above or below.
+    pub(crate) fn beside(
+        &mut self,
+        words: &str,
+        style: Style,
+        (x, y): (u16, u16),
+        free: impl Fn(u16, u16) -> bool,
+    ) -> bool {
+        let (x, y, width) = (i32::from(x), i32::from(y), words.width() as i32);
+        let (right, left, middle) = (x + 2, x - 1 - width, x - width / 2);
+        let places = [
+            (right, y),
+            (left, y),
+            (right, y - 1),
+            (left, y - 1),
+            (right, y + 1),
+            (left, y + 1),
+            (middle, y - 1),
+            (middle, y + 1),
+            (right, y - 2),
+            (left, y - 2),
+            (right, y + 2),
+            (left, y + 2),
+        ];
+        self.put(words, style, places, free)
+    }
+
+    /// Keeps a cell free of words.
+    pub(crate) fn reserve(&mut self, (x, y): (u16, u16)) {
+        self.placed.push((Rect::new(x, y, 1, 1), String::new(), Style::new()));
+    }
+
+    /// Writes them.
+    pub(crate) fn draw(&self, buffer: &mut Buffer) {
+        for (at, words, style) in &self.placed {
+            buffer.set_string(at.x, at.y, words, *style);
+        }
+    }
+
+    /// The cells of words of that width, where they lie inside the area and over no others.
+    fn rect(&self, (x, y): (i32, i32), width: u16) -> Option<Rect> {
+        let at = Rect::new(u16::try_from(x).ok()?, u16::try_from(y).ok()?, width, 1);
+        // A cell between words of one row keeps them apart.
+        let wide = Rect::new(at.x.saturating_sub(1), at.y, width.saturating_add(2), 1);
+        let inside = self.area.intersection(at) == at;
+        (inside && !self.placed.iter().any(|(other, ..)| other.intersects(wide))).then_some(at)
+    }
+}

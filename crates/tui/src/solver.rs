@@ -1,0 +1,229 @@
+//! Solving beside the thread that draws: the newest job wins, older ones are told to stop, panics are contained.
+
+use std::{
+    sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError},
+    thread,
+};
+
+use dalembert_core::{Entry, Record, Refusal, Solution, SolveError, Stop, cases, cases::Case};
+
+use crate::{
+    panes::sources::Judged,
+    terminal::{Fault, contained, fault},
+};
+
+/// Threads beyond the first are started only when all are held by jobs that do not look for their stop.
+const MOST_THREADS: usize = 4;
+
+/// Something to be solved. Of two jobs, the one with the larger generation is newer.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// Its number.
+    pub generation: u64,
+    /// What is to be done.
+    pub work: Work,
+}
+
+/// What a job does.
+#[derive(Clone, Debug)]
+pub enum Work {
+    /// Solves a problem.
+    Solve(&'static Entry, Record),
+    /// Commits a fault.
+    Fault(Fault),
+}
+
+/// What became of a job.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// The number of the job.
+    pub generation: u64,
+    /// What was found; `None` of a job that has nothing to find.
+    pub result: Result<Option<Solution>, Failure>,
+}
+
+/// Why nothing was found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Failure {
+    /// The problem has no answer, or its inputs may not stand together.
+    Unsolved(SolveError),
+    /// The analysis panicked: a fault of the program.
+    Fault(String),
+}
+
+/// The threads that solve.
+#[derive(Debug)]
+pub struct Solver {
+    desk: Arc<Desk>,
+    report: Arc<dyn Report>,
+}
+
+/// Where outcomes go, from the thread that found them.
+trait Report: Fn(Outcome) + Send + Sync {}
+
+impl<F: Fn(Outcome) + Send + Sync> Report for F {}
+
+impl std::fmt::Debug for dyn Report {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Report")
+    }
+}
+
+#[derive(Debug, Default)]
+struct Desk {
+    state: Mutex<State>,
+    changed: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    next: Option<(Job, Arc<Stop>)>,
+    running: Vec<Arc<Stop>>,
+    threads: usize,
+    closed: bool,
+}
+
+impl Solver {
+    /// Ready for jobs; `report` is called from other threads.
+    pub fn new(report: impl Fn(Outcome) + Send + Sync + 'static) -> Self {
+        Self { desk: Arc::default(), report: Arc::new(report) }
+    }
+
+    /// Solves this, and nothing older any more.
+    pub fn submit(&self, job: Job) {
+        let mut state = self.desk.lock();
+        for stop in &state.running {
+            stop.stop();
+        }
+        state.next = Some((job, Arc::new(Stop::new())));
+        if state.running.len() == state.threads && state.threads < MOST_THREADS {
+            let (desk, report) = (self.desk.clone(), self.report.clone());
+            let thread = thread::Builder::new().name("solver".into());
+            if thread.spawn(move || work(&desk, &*report)).is_ok() {
+                state.threads += 1;
+            }
+        }
+        drop(state);
+        self.desk.changed.notify_one();
+    }
+}
+
+impl Drop for Solver {
+    fn drop(&mut self) {
+        let mut state = self.desk.lock();
+        state.closed = true;
+        for stop in &state.running {
+            stop.stop();
+        }
+        drop(state);
+        self.desk.changed.notify_all();
+    }
+}
+
+impl Desk {
+    fn lock(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Does a job on this thread. `None` when it was stopped.
+pub fn solve(job: &Job, stop: &Stop) -> Option<Outcome> {
+    let result = match &job.work {
+        Work::Solve(entry, record) => match contained(|| entry.solve(record, stop)) {
+            Ok(Ok(solution)) => Ok(Some(solution)),
+            Ok(Err(SolveError::Refused(Refusal::Stopped))) => return None,
+            Ok(Err(error)) => Err(Failure::Unsolved(error)),
+            Err(panic) => Err(Failure::Fault(panic)),
+        },
+        Work::Fault(kind) => {
+            contained(|| fault(*kind, || stop.check().is_err())).map(|()| None).map_err(Failure::Fault)
+        }
+    };
+    Some(Outcome { generation: job.generation, result })
+}
+
+/// The cases of an analysis, each compared with what was printed.
+pub fn judge(entry: &'static Entry) -> Vec<Judged> {
+    let judged = |case: Case| {
+        // A panic shows in the tab of results as well; here the case stays without a verdict.
+        let verdicts = contained(|| case.verify(entry)).ok();
+        Judged { case, verdicts }
+    };
+    cases::cases(entry).unwrap_or_default().into_iter().map(judged).collect()
+}
+
+fn work(desk: &Desk, report: &dyn Report) {
+    let mut state = desk.lock();
+    loop {
+        if state.closed {
+            return;
+        }
+        let Some((job, stop)) = state.next.take() else {
+            state = desk.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
+            continue;
+        };
+        state.running.push(stop.clone());
+        drop(state);
+        if let Some(outcome) = solve(&job, &stop) {
+            report(outcome);
+        }
+        state = desk.lock();
+        state.running.retain(|running| !Arc::ptr_eq(running, &stop));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::{
+        sync::mpsc,
+        time::{Duration, Instant},
+    };
+
+    use super::*;
+
+    fn job(generation: u64, kind: Fault) -> Job {
+        Job { generation, work: Work::Fault(kind) }
+    }
+
+    fn solver() -> (Solver, mpsc::Receiver<Outcome>) {
+        let (sender, outcomes) = mpsc::channel();
+        let solver = Solver::new(move |outcome| {
+            let _ = sender.send(outcome);
+        });
+        (solver, outcomes)
+    }
+
+    #[test]
+    fn the_newest_job_does_not_wait_for_one_that_looks_for_its_stop() {
+        let (solver, outcomes) = solver();
+        let start = Instant::now();
+        for generation in 1..=20 {
+            solver.submit(job(generation, Fault::Slow));
+            thread::sleep(Duration::from_millis(10));
+        }
+        solver.submit(job(21, Fault::Analysis));
+        let newest = outcomes.iter().find(|outcome| outcome.generation == 21);
+        assert!(start.elapsed() < Duration::from_millis(800), "{:?}", start.elapsed());
+        assert!(matches!(newest.map(|outcome| outcome.result), Some(Err(Failure::Fault(panic))) if panic.contains("requested")));
+    }
+
+    #[test]
+    fn a_job_that_never_looks_holds_nobody_else() {
+        let (solver, outcomes) = solver();
+        solver.submit(job(1, Fault::Stubborn));
+        thread::sleep(Duration::from_millis(50));
+        let start = Instant::now();
+        solver.submit(job(2, Fault::Analysis));
+        assert_eq!(outcomes.recv().map(|outcome| outcome.generation), Ok(2));
+        assert!(start.elapsed() < Duration::from_millis(500), "{:?}", start.elapsed());
+    }
+
+    #[test]
+    fn a_panic_leaves_the_thread_at_work() {
+        let (solver, outcomes) = solver();
+        for generation in 1..=3 {
+            solver.submit(job(generation, Fault::Analysis));
+            assert_eq!(outcomes.recv().map(|outcome| outcome.generation), Ok(generation));
+        }
+    }
+}

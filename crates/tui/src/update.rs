@@ -1,0 +1,297 @@
+//! What happens to the model: messages in, effects out.
+
+mod bench;
+mod dialog;
+mod files;
+mod picker;
+
+use std::path::PathBuf;
+
+use dalembert_core::{Entry, Language, Text, cases};
+use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use tui_input::{Input, InputRequest};
+
+use crate::{
+    bench::Bench,
+    dialog::{Answer, Dialog, Purpose},
+    form,
+    keys::{Action, Place},
+    model::{After, Effect, Model, Msg, Screen},
+    panes::sources::Judged,
+    solver::{Failure, Outcome},
+};
+
+/// The first effects: a file or an analysis to begin with, if there is one.
+pub fn start(model: &mut Model, file: Option<PathBuf>, analysis: Option<&'static Entry>) -> Vec<Effect> {
+    match (file, analysis) {
+        (Some(path), _) => vec![Effect::Open(path)],
+        (None, Some(entry)) => open_case(model, entry, 0),
+        (None, None) => picker::preview(model),
+    }
+}
+
+/// Changes the model by what happened, and says what is to be done outside of it.
+pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
+    match msg {
+        Msg::Key(key) => {
+            model.notice = None;
+            press(model, key)
+        }
+        Msg::Paste(text) => paste(model, &text),
+        Msg::Resize(columns, rows) => {
+            model.size = (columns, rows);
+            Vec::new()
+        }
+        Msg::Solved(outcome) => {
+            solved(model, outcome);
+            Vec::new()
+        }
+        Msg::Judged(id, judged) => {
+            if let Some(bench) = model.bench.as_mut().filter(|bench| bench.entry.about.id == id) {
+                bench.cases = judged;
+            }
+            Vec::new()
+        }
+        Msg::Saved { path, text, result } => files::saved(model, path, text, result),
+        Msg::Opened { path, result } => files::opened(model, path, result),
+        Msg::Crashed(sessions) => {
+            files::crashed(model, sessions);
+            Vec::new()
+        }
+        Msg::Notice(text) => {
+            model.complain(Text::new("{text}").with("text", text));
+            Vec::new()
+        }
+    }
+}
+
+fn press(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
+    let place = model.place();
+    match place.action(key) {
+        Some(action) => act(model, place, action),
+        None => match place {
+            Place::Picker | Place::Form | Place::Pane | Place::List | Place::Help => {
+                bench::begin_by_typing(model, place, key)
+            }
+            Place::Sheet => {
+                dialog::edit_sheet(model, key);
+                Vec::new()
+            }
+            Place::Filter | Place::Edit | Place::Prompt => match request(key) {
+                Some(request) => type_in(model, &[request]),
+                None => Vec::new(),
+            },
+        },
+    }
+}
+
+/// Does what a key of a place means.
+fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
+    match action {
+        Action::Quit => return quit(model),
+        Action::Suspend => return vec![Effect::Suspend],
+        Action::Redraw => return vec![Effect::Redraw],
+        Action::Help if place != Place::Help => model.dialog = Some(Dialog::Help { scroll: 0 }),
+        Action::Palette => model.dialog = Some(Dialog::palette()),
+        Action::Language => model.speak(match model.locale.language {
+            Language::English => Language::Portuguese,
+            Language::Portuguese => Language::English,
+        }),
+        Action::Open => {
+            model.dialog = Some(Dialog::Prompt { purpose: Purpose::Open, input: Input::default(), error: None });
+        }
+        _ => {
+            return match place {
+                Place::Picker | Place::Filter => picker::act(model, action),
+                Place::Form | Place::Edit | Place::Pane => bench::act(model, place, action),
+                Place::List | Place::Prompt | Place::Sheet | Place::Help => dialog::act(model, action),
+            };
+        }
+    }
+    Vec::new()
+}
+
+/// Ends the program, or asks what becomes of unsaved work.
+fn quit(model: &mut Model) -> Vec<Effect> {
+    if let Some(bench) = &mut model.bench {
+        bench.form.keep();
+    }
+    leave(model, After::Quit)
+}
+
+/// Does what comes after the problem is left, or asks what becomes of unsaved work.
+fn leave(model: &mut Model, after: After) -> Vec<Effect> {
+    let unsaved = model.bench.as_ref().is_some_and(Bench::is_unsaved) && !model.readonly;
+    if !unsaved {
+        return go_on(model, after);
+    }
+    let (save, discard) = match after {
+        After::Quit => ("save and quit", "quit without saving"),
+        _ => ("save and go on", "go on without saving"),
+    };
+    model.dialog = Some(Dialog::Ask {
+        question: "The problem has changes that are not saved.".into(),
+        answers: vec![
+            (save, Answer::SaveThen(after.clone())),
+            (discard, Answer::DiscardThen(after)),
+            ("stay", Answer::Cancel),
+        ],
+        chosen: 0,
+    });
+    Vec::new()
+}
+
+/// Does what was put off until unsaved work was saved or given up.
+fn go_on(model: &mut Model, after: After) -> Vec<Effect> {
+    match after {
+        After::Stay => Vec::new(),
+        After::Quit => vec![Effect::Forget, Effect::Quit],
+        After::Case(entry, case) => show_case(model, entry, case),
+        After::File(path) => vec![Effect::Open(path)],
+    }
+}
+
+/// Opens a case of an analysis, or asks what becomes of unsaved work.
+fn open_case(model: &mut Model, entry: &'static Entry, case: usize) -> Vec<Effect> {
+    leave(model, After::Case(entry, case))
+}
+
+fn show_case(model: &mut Model, entry: &'static Entry, case: usize) -> Vec<Effect> {
+    let cases = judged_later(model, entry);
+    let (title, draft) = match cases.get(case) {
+        Some(judged) => (judged.case.name.clone(), judged.case.draft.clone()),
+        None => (String::new(), dalembert_core::Draft::blank(&entry.shape())),
+    };
+    let mut bench = Bench::new(entry, title, draft, cases);
+    bench.case = case;
+    show(model, bench)
+}
+
+/// The cases of an analysis, not compared yet.
+fn judged_later(model: &Model, entry: &'static Entry) -> Vec<Judged> {
+    let known = model.listings.iter().find(|listing| listing.entry.about.id == entry.about.id);
+    let cases = known.map_or_else(|| cases::cases(entry).unwrap_or_default(), |listing| listing.cases.clone());
+    cases.into_iter().map(|case| Judged { case, verdicts: None }).collect()
+}
+
+/// Puts a problem on the screen and solves it.
+fn show(model: &mut Model, mut bench: Bench) -> Vec<Effect> {
+    bench.plot_state.marker = model.marker;
+    model.bench = Some(bench);
+    model.screen = Screen::Bench;
+    model.dialog = None;
+    bench::changed(model)
+}
+
+fn solved(model: &mut Model, outcome: Outcome) {
+    if let Err(Failure::Fault(panic)) = &outcome.result {
+        let text = Text::new("this analysis failed (a fault of the program); your inputs are kept: {panic}");
+        model.complain(text.with("panic", panic));
+    }
+    match (&mut model.picker.preview, &mut model.bench) {
+        (_, Some(bench)) if bench.found.state == crate::bench::State::Solving(outcome.generation) => {
+            bench::take(bench, outcome);
+        }
+        (Some(preview), _) if preview.generation == outcome.generation => {
+            preview.solution = outcome.result.ok().flatten();
+        }
+        _ => {}
+    }
+}
+
+fn paste(model: &mut Model, text: &str) -> Vec<Effect> {
+    if let Some(Dialog::Sheet(sheet)) = &mut model.dialog {
+        sheet.insert(text);
+        return Vec::new();
+    }
+    if model.place() == Place::Form {
+        return bench::paste(model, text);
+    }
+    if !model.place().is_text() {
+        return Vec::new();
+    }
+    let (line, cut) = form::as_line(text);
+    if cut {
+        model.complain(too_long());
+    }
+    let requests: Vec<InputRequest> = line.chars().map(InputRequest::InsertChar).collect();
+    type_in(model, &requests)
+}
+
+fn too_long() -> Text {
+    Text::new("the pasted text was cut: a line holds at most {most} characters").with("most", form::LONGEST)
+}
+
+/// Types in the text that has the keys.
+fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Effect> {
+    let handle = |input: &mut Input| {
+        let mut changed = false;
+        for request in requests {
+            changed |= input.handle(*request).is_some_and(|state| state.value);
+        }
+        changed
+    };
+    match &mut model.dialog {
+        Some(Dialog::Palette { input, chosen }) => {
+            if handle(input) {
+                *chosen = 0;
+            }
+        }
+        Some(Dialog::Prompt { input, error, .. }) => {
+            if handle(input) {
+                *error = None;
+            }
+        }
+        Some(_) => {}
+        None if model.screen == Screen::Picker => {
+            if handle(&mut model.picker.filter) {
+                model.picker.chosen = 0;
+                model.picker.case = None;
+                return picker::preview(model);
+            }
+        }
+        None => {
+            if let Some(bench) = &mut model.bench
+                && let Some(edit) = &mut bench.form.edit
+                && (edit.input.value().len() < form::LONGEST || !matches!(requests, [InputRequest::InsertChar(_)]))
+                && handle(&mut edit.input)
+            {
+                bench.form.typed();
+                return bench::changed(model);
+            }
+        }
+    }
+    Vec::new()
+}
+
+/// What a key means in a line of text.
+fn request(key: KeyEvent) -> Option<InputRequest> {
+    let control = key.modifiers.contains(KeyModifiers::CONTROL);
+    let alt = key.modifiers.contains(KeyModifiers::ALT);
+    Some(match key.code {
+        KeyCode::Char('a') if control => InputRequest::GoToStart,
+        KeyCode::Char('e') if control => InputRequest::GoToEnd,
+        KeyCode::Char('b') if control => InputRequest::GoToPrevChar,
+        KeyCode::Char('f') if control => InputRequest::GoToNextChar,
+        KeyCode::Char('d') if control => InputRequest::DeleteNextChar,
+        KeyCode::Char('h') if control => InputRequest::DeletePrevChar,
+        KeyCode::Char('w') if control => InputRequest::DeletePrevWord,
+        KeyCode::Char('u') if control => InputRequest::DeleteFromStart,
+        KeyCode::Char('k') if control => InputRequest::DeleteTillEnd,
+        KeyCode::Char('y') if control => InputRequest::Yank,
+        KeyCode::Char('b') if alt => InputRequest::GoToPrevWord,
+        KeyCode::Char('f') if alt => InputRequest::GoToNextWord,
+        KeyCode::Char(character) if !control && !alt => InputRequest::InsertChar(character),
+        KeyCode::Left if control || alt => InputRequest::GoToPrevWord,
+        KeyCode::Right if control || alt => InputRequest::GoToNextWord,
+        KeyCode::Left => InputRequest::GoToPrevChar,
+        KeyCode::Right => InputRequest::GoToNextChar,
+        KeyCode::Home => InputRequest::GoToStart,
+        KeyCode::End => InputRequest::GoToEnd,
+        KeyCode::Backspace if control || alt => InputRequest::DeletePrevWord,
+        KeyCode::Backspace => InputRequest::DeletePrevChar,
+        KeyCode::Delete if control => InputRequest::DeleteNextWord,
+        KeyCode::Delete => InputRequest::DeleteNextChar,
+        _ => return None,
+    })
+}

@@ -1,0 +1,390 @@
+//! Keys of a problem.
+
+use dalembert_core::{Draft, Shape, Text, file};
+use ratatui::{
+    crossterm::event::{KeyCode, KeyEvent},
+    layout::Rect,
+};
+use tui_input::InputRequest;
+
+use super::{files, request, too_long, type_in};
+use crate::{
+    bench::{Bench, Focus, State, Tab},
+    dialog::{Choice, Chosen, Dialog, Sheet},
+    form::{self, Line, Role},
+    glyphs::filter_untrusted,
+    keys::{Action, Place},
+    layout,
+    model::{Effect, Model, Screen},
+    plot,
+    solver::{Job, Outcome, Work},
+    view,
+};
+
+/// The share of an axis that a key moves the cursor of a plot by.
+const CURSOR_STEP: f64 = 0.01;
+
+pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
+    match action {
+        Action::Save => return files::save(model),
+        Action::SaveAs => return files::ask_path(model),
+        Action::NextTab => return turn(model, 1),
+        Action::PreviousTab => return turn(model, -1),
+        Action::Copy => return copy(model),
+        _ => {}
+    }
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    match action {
+        Action::NextPane | Action::PreviousPane => {
+            bench.focus = match bench.focus {
+                Focus::Form => Focus::Pane,
+                Focus::Pane => Focus::Form,
+            };
+            Vec::new()
+        }
+        Action::Undo => after(model, |bench| bench.form.undo(), "there is nothing to undo"),
+        Action::Redo => after(model, |bench| bench.form.redo(), "there is nothing to redo"),
+        _ => match place {
+            Place::Edit => edit(model, action),
+            Place::Pane => pane(model, action),
+            _ => form(model, action),
+        },
+    }
+}
+
+/// The inputs are others now: they are read, and solved or found wrong; nothing older counts any more.
+pub(super) fn changed(model: &mut Model) -> Vec<Effect> {
+    let generation = model.next_generation();
+    let readonly = model.readonly;
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let mut effects = Vec::new();
+    bench.found.failure = None;
+    match bench.form.draft.read(&bench.entry.shape()) {
+        Ok(record) => {
+            bench.errors.clear();
+            bench.found.state = State::Solving(generation);
+            effects.push(Effect::Solve(Job { generation, work: Work::Solve(bench.entry, record) }));
+        }
+        Err(errors) => {
+            bench.errors = errors;
+            bench.found.state = State::Unread;
+        }
+    }
+    if !readonly {
+        effects.push(kept(bench));
+    }
+    effects
+}
+
+/// What is to be remembered against a crash.
+pub(super) fn kept(bench: &Bench) -> Effect {
+    if !bench.is_unsaved() {
+        return Effect::Forget;
+    }
+    let over = bench.file.as_ref().map_or("", |file| file.text.as_str());
+    Effect::Keep {
+        original: bench.file.as_ref().map(|file| file.path.clone()),
+        text: file::write(&bench.problem(), over),
+    }
+}
+
+/// Takes the outcome of the newest job.
+pub(super) fn take(bench: &mut Bench, outcome: Outcome) {
+    bench.found.state = State::Current;
+    match outcome.result {
+        Ok(solution) => {
+            bench.found.solution = solution.or(bench.found.solution.take());
+            bench.found.failure = None;
+        }
+        Err(failure) => bench.found.failure = Some(failure),
+    }
+    if !bench.tabs().contains(&bench.tab) {
+        bench.tab = Tab::Results;
+    }
+}
+
+/// A digit on a field of numbers begins a new text.
+pub(super) fn begin_by_typing(model: &mut Model, place: Place, key: KeyEvent) -> Vec<Effect> {
+    let Some(bench) = model.bench.as_mut().filter(|_| place == Place::Form) else { return Vec::new() };
+    let begins = matches!(key.code, KeyCode::Char(c) if c.is_ascii_digit() || matches!(c, '(' | '.' | ',' | '−' | '√'));
+    match request(key) {
+        Some(request @ InputRequest::InsertChar(_)) if begins && bench.form.begin(Some(String::new())) => {
+            type_in(model, &[request])
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// A text pasted on a field takes its place.
+pub(super) fn paste(model: &mut Model, text: &str) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    match bench.form.line().map(|line| (line.path, line.role)) {
+        Some((path, Role::Table { .. })) => {
+            let mut sheet = Sheet::new(path.clone(), "");
+            sheet.insert(text);
+            after(model, |bench| bench.form.set(&path, sheet.text()), "")
+        }
+        Some((path, Role::Leaf { .. })) => {
+            let (line, cut) = form::as_line(text);
+            if cut {
+                model.complain(too_long());
+            }
+            after(model, |bench| bench.form.set(&path, line), "")
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Changes the form and solves; says `nothing` where there was nothing to change.
+fn after(model: &mut Model, change: impl FnOnce(&mut Bench) -> bool, nothing: &'static str) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    if change(bench) {
+        return changed(model);
+    }
+    if !nothing.is_empty() {
+        model.say(nothing);
+    }
+    Vec::new()
+}
+
+fn form(model: &mut Model, action: Action) -> Vec<Effect> {
+    let page = isize::try_from(model.size.1.saturating_sub(6).max(1)).unwrap_or(1);
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let form = &mut bench.form;
+    match action {
+        Action::Up => form.step(-1),
+        Action::Down => form.step(1),
+        Action::PageUp => form.step(-page),
+        Action::PageDown => form.step(page),
+        Action::First => form.step(isize::MIN),
+        Action::Last => form.step(isize::MAX),
+        Action::Enter => return enter(model),
+        Action::Clear => {
+            if form.begin(Some(String::new())) {
+                return changed(model);
+            }
+        }
+        Action::Left => return after(model, |bench| bench.form.cycle(-1), ""),
+        Action::Right => return after(model, |bench| bench.form.cycle(1), ""),
+        Action::Toggle => return after(model, |bench| bench.form.toggle(), ""),
+        Action::Nudge(tenths) => {
+            return after(model, |bench| bench.form.nudge(tenths), "this is no number with a last digit");
+        }
+        Action::NextUnit => return after(model, |bench| bench.form.next_unit(), "this has no other unit"),
+        Action::AddRow => return after(model, |bench| bench.form.add_row(), "there is no list here"),
+        Action::DuplicateRow => return after(model, |bench| bench.form.duplicate_row(), "there is no row here"),
+        Action::DeleteRow => return after(model, |bench| bench.form.delete_row(), "there is no row here"),
+        Action::MoveRowUp => return after(model, |bench| bench.form.move_row(-1), "this row cannot go further"),
+        Action::MoveRowDown => return after(model, |bench| bench.form.move_row(1), "this row cannot go further"),
+        Action::Back => model.screen = Screen::Picker,
+        _ => {}
+    }
+    Vec::new()
+}
+
+fn enter(model: &mut Model) -> Vec<Effect> {
+    let locale = model.locale;
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let Some(Line { path, role, .. }) = bench.form.line() else { return Vec::new() };
+    match role {
+        Role::Leaf { shape: Shape::Flag, .. } | Role::Absent => return after(model, |bench| bench.form.toggle(), ""),
+        Role::Leaf { shape: Shape::Reference(list), text, .. } => {
+            let names = bench.form.names(list);
+            let chosen = names.iter().position(|name| *name == text).unwrap_or(0);
+            let options: Vec<Choice> = names
+                .into_iter()
+                .map(|name| {
+                    let label = filter_untrusted(&name).into_owned();
+                    Choice { label, help: String::new(), value: Chosen::Text(name) }
+                })
+                .collect();
+            match options.is_empty() {
+                true => _ = bench.form.begin(None),
+                false => model.dialog = Some(Dialog::Choice { path, options, chosen }),
+            }
+        }
+        Role::Leaf { .. } => _ = bench.form.begin(None),
+        Role::Table { .. } => {
+            let text = match bench.form.draft.at(&bench.entry.shape(), &path) {
+                Ok((Draft::Leaf(text), _)) => text.clone(),
+                _ => String::new(),
+            };
+            model.dialog = Some(Dialog::Sheet(Sheet::new(path, &text)));
+        }
+        Role::Choice { variants, chosen } => {
+            let options = variants
+                .iter()
+                .enumerate()
+                .map(|(at, variant)| Choice {
+                    label: Text::from(variant.label).render(&locale),
+                    help: Text::from(variant.help).render(&locale),
+                    value: Chosen::Alternative(at),
+                })
+                .collect();
+            model.dialog = Some(Dialog::Choice { path, options, chosen });
+        }
+        Role::Rows { .. } => return after(model, |bench| bench.form.add_row(), ""),
+        Role::Group { .. } => bench.form.step(1),
+    }
+    Vec::new()
+}
+
+fn edit(model: &mut Model, action: Action) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    match action {
+        Action::Enter => bench.form.keep(),
+        Action::Back => {
+            bench.form.drop_edit();
+            return changed(model);
+        }
+        Action::Down | Action::Up => {
+            bench.form.keep();
+            bench.form.step(if action == Action::Down { 1 } else { -1 });
+        }
+        _ => {}
+    }
+    Vec::new()
+}
+
+fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
+    let height = isize::try_from(shown_lines(model)).unwrap_or(1).max(1);
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let in_plot = bench.tab == Tab::Plot;
+    match action {
+        Action::Back => {
+            if in_plot && bench.plot_state.cursor.is_some() {
+                bench.plot_state = bench.plot_state.without_cursor();
+            } else {
+                bench.focus = Focus::Form;
+            }
+        }
+        Action::Left if in_plot => move_cursor(bench, -CURSOR_STEP),
+        Action::Right if in_plot => move_cursor(bench, CURSOR_STEP),
+        Action::PageUp if in_plot => move_cursor(bench, -10.0 * CURSOR_STEP),
+        Action::PageDown if in_plot => move_cursor(bench, 10.0 * CURSOR_STEP),
+        Action::First if in_plot => move_cursor(bench, -1.0),
+        Action::Last if in_plot => move_cursor(bench, 1.0),
+        Action::NextMarker => {
+            bench.plot_state = bench.plot_state.next_marker();
+            model.marker = bench.plot_state.marker;
+        }
+        Action::NextExhibit => match bench.tab {
+            Tab::Plot => bench.plot = next(bench.plot, bench.plots().count()),
+            Tab::Drawing => bench.drawing = next(bench.drawing, bench.drawings().count()),
+            _ => {}
+        },
+        Action::Enter if bench.tab == Tab::Sources => return load_case(model),
+        Action::Up | Action::Down if bench.tab == Tab::Sources => {
+            let last = bench.cases.len().saturating_sub(1);
+            bench.case = if action == Action::Up { bench.case.saturating_sub(1) } else { (bench.case + 1).min(last) };
+            reveal_case(model);
+        }
+        Action::Up => scroll(model, -1),
+        Action::Down => scroll(model, 1),
+        Action::PageUp => scroll(model, -height),
+        Action::PageDown => scroll(model, height),
+        Action::First => scroll(model, isize::MIN),
+        Action::Last => scroll(model, isize::MAX),
+        _ => {}
+    }
+    Vec::new()
+}
+
+fn next(at: usize, of: usize) -> usize {
+    if of == 0 { 0 } else { (at.min(of - 1) + 1) % of }
+}
+
+fn move_cursor(bench: &mut Bench, share: f64) {
+    let state: plot::State = bench.plot_state;
+    if let Some(plot) = Bench::nth(bench.plots(), bench.plot) {
+        bench.plot_state = state.moved(plot, share);
+    }
+}
+
+fn turn(model: &mut Model, by: isize) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let tabs = bench.tabs();
+    let at = tabs.iter().position(|tab| *tab == bench.tab).unwrap_or(0);
+    bench.tab = tabs[(at as isize + by).rem_euclid(tabs.len() as isize) as usize];
+    let (columns, rows) = model.size;
+    if layout::bench(Rect::new(0, 0, columns, rows), bench.focus).pane.is_none() {
+        bench.focus = Focus::Pane;
+    }
+    if bench.tab == Tab::Sources && !bench.judging {
+        bench.judging = true;
+        return vec![Effect::Judge(bench.entry)];
+    }
+    Vec::new()
+}
+
+fn load_case(model: &mut Model) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let Some(case) = bench.cases.get(bench.case).map(|judged| judged.case.clone()) else { return Vec::new() };
+    let untouched = !bench.is_unsaved() && bench.file.is_none();
+    bench.form.replace(case.draft);
+    bench.title.clone_from(&case.name);
+    if untouched {
+        bench.mark_saved();
+    }
+    model.say(Text::new("{case} is loaded; z brings the inputs back").with("case", filter_untrusted(&case.name)));
+    changed(model)
+}
+
+/// The area of the shown tab.
+fn area(model: &Model) -> Option<Rect> {
+    let bench = model.bench.as_ref()?;
+    let (columns, rows) = model.size;
+    let areas = layout::bench(Rect::new(0, 0, columns, rows), Focus::Pane);
+    view::area_of_tab(model, bench, &areas)
+}
+
+fn shown_lines(model: &Model) -> usize {
+    area(model).map_or(1, |area| usize::from(area.height))
+}
+
+fn scroll(model: &mut Model, by: isize) {
+    let (Some(area), Some(bench)) = (area(model), &model.bench) else { return };
+    let tab = bench.tab;
+    let lines = view::page(model, bench, tab, area.width).lines.len();
+    let last = lines.saturating_sub(usize::from(area.height));
+    let to = bench.scroll[tab as usize].min(last).saturating_add_signed(by).min(last);
+    if let Some(bench) = &mut model.bench {
+        bench.scroll[tab as usize] = to;
+    }
+}
+
+/// Scrolls so that the chosen case is seen from its first line.
+fn reveal_case(model: &mut Model) {
+    let (Some(area), Some(bench)) = (area(model), &model.bench) else { return };
+    let page = view::page(model, bench, Tab::Sources, area.width);
+    let height = usize::from(area.height);
+    let begin = page.starts.get(bench.case).copied().unwrap_or(0);
+    let end = page.starts.get(bench.case + 1).copied().unwrap_or(page.lines.len());
+    let now = bench.scroll[Tab::Sources as usize];
+    let to = if begin < now || end - begin >= height { begin } else { now.max(end.saturating_sub(height)) };
+    if let Some(bench) = &mut model.bench {
+        bench.scroll[Tab::Sources as usize] = if bench.case == 0 { 0 } else { to };
+    }
+}
+
+fn copy(model: &mut Model) -> Vec<Effect> {
+    let Some(bench) = &model.bench else { return Vec::new() };
+    if bench.is_stale() {
+        model.complain("nothing is copied: what is shown does not belong to these inputs");
+        return Vec::new();
+    }
+    let text = match Bench::nth(bench.plots(), bench.plot) {
+        Some(plot) if bench.tab == Tab::Plot => plot::readout(plot, &bench.plot_state, &model.locale).unwrap_or_default(),
+        _ if bench.tab.is_picture() => String::new(),
+        _ => {
+            let page = view::page(model, bench, bench.tab, 100);
+            page.lines.iter().map(|line| format!("{line}").trim_end().to_owned() + "\n").collect()
+        }
+    };
+    if text.trim().is_empty() {
+        model.say("there is no text to copy here");
+        return Vec::new();
+    }
+    model.say("copied");
+    vec![Effect::Copy(text)]
+}

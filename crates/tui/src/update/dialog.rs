@@ -1,0 +1,191 @@
+//! Keys of what lies over a screen.
+
+use std::path::PathBuf;
+
+use dalembert_core::Text;
+use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+
+use super::{act as act_there, bench, files, go_on};
+use crate::{
+    bench::Focus,
+    dialog::{Answer, Chosen, Dialog, Purpose, offered},
+    keys::{Action, Place},
+    model::{After, Effect, Model, Screen},
+    solver::{Job, Work},
+    terminal::Fault,
+    view,
+};
+
+pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
+    let page = usize::from(model.size.1.saturating_sub(4).max(1));
+    match (action, &mut model.dialog) {
+        (Action::Back, _) => close(model),
+        (Action::Enter, _) => enter(model),
+        (_, Some(Dialog::Help { scroll })) => {
+            let last = view::longest_scroll_of_help(model.screen, model.size, &model.look, &model.locale);
+            *scroll = match action {
+                Action::Up => scroll.saturating_sub(1),
+                Action::Down => (*scroll + 1).min(last),
+                Action::PageUp => scroll.saturating_sub(page),
+                Action::PageDown => (*scroll + page).min(last),
+                Action::First => 0,
+                Action::Last => last,
+                _ => *scroll,
+            };
+            Vec::new()
+        }
+        _ => {
+            choose(model, action);
+            Vec::new()
+        }
+    }
+}
+
+/// Keys in a text of many lines.
+pub(super) fn edit_sheet(model: &mut Model, key: KeyEvent) {
+    let Some(Dialog::Sheet(sheet)) = &mut model.dialog else { return };
+    match key.code {
+        KeyCode::Char(character) if key.modifiers.difference(KeyModifiers::SHIFT).is_empty() => {
+            sheet.insert(character.encode_utf8(&mut [0; 4]));
+        }
+        KeyCode::Tab => sheet.insert("\t"),
+        KeyCode::Enter => sheet.insert("\n"),
+        KeyCode::Backspace => sheet.delete_before(),
+        KeyCode::Delete => sheet.delete_here(),
+        KeyCode::Up => sheet.step(-1, 0),
+        KeyCode::Down => sheet.step(1, 0),
+        KeyCode::Left => sheet.step(0, -1),
+        KeyCode::Right => sheet.step(0, 1),
+        KeyCode::PageUp => sheet.step(-10, 0),
+        KeyCode::PageDown => sheet.step(10, 0),
+        KeyCode::Home => sheet.step(0, isize::MIN),
+        KeyCode::End => sheet.step(0, isize::MAX),
+        _ => {}
+    }
+}
+
+/// Follows an answer to a question.
+fn answer(model: &mut Model, answer: Answer) -> Vec<Effect> {
+    match answer {
+        Answer::Cancel => {
+            model.after_save = After::Stay;
+            Vec::new()
+        }
+        Answer::SaveThen(after) => {
+            model.after_save = after;
+            files::save(model)
+        }
+        Answer::DiscardThen(after) => {
+            let mut effects = vec![Effect::Forget];
+            model.bench = None;
+            model.screen = Screen::Picker;
+            effects.extend(go_on(model, after));
+            effects
+        }
+        Answer::Overwrite(path) => files::overwrite(model, path),
+        Answer::SaveAs => files::ask_path(model),
+        Answer::Reload(path) => {
+            model.after_save = After::Stay;
+            vec![Effect::Open(path)]
+        }
+        Answer::Restore(crashed) => files::restore(model, *crashed),
+        Answer::Forget(sessions) => sessions.into_iter().map(Effect::Discard).collect(),
+    }
+}
+
+fn close(model: &mut Model) -> Vec<Effect> {
+    match model.dialog.take() {
+        Some(Dialog::Sheet(sheet)) => {
+            let done = model.bench.as_mut().is_some_and(|bench| bench.form.set(&sheet.path, sheet.text()));
+            if done { bench::changed(model) } else { Vec::new() }
+        }
+        Some(Dialog::Prompt { .. } | Dialog::Ask { .. }) => {
+            model.after_save = After::Stay;
+            Vec::new()
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn choose(model: &mut Model, action: Action) {
+    let offers = match &model.dialog {
+        Some(Dialog::Palette { input, .. }) => offered(model, input.value()).len(),
+        _ => 0,
+    };
+    let (chosen, count) = match &mut model.dialog {
+        Some(Dialog::Palette { chosen, .. }) => (chosen, offers),
+        Some(Dialog::Choice { chosen, options, .. }) => (chosen, options.len()),
+        Some(Dialog::Ask { chosen, answers, .. }) => (chosen, answers.len()),
+        _ => return,
+    };
+    let last = count.saturating_sub(1);
+    *chosen = match action {
+        Action::Up => chosen.saturating_sub(1),
+        Action::Down => (*chosen + 1).min(last),
+        Action::First => 0,
+        Action::Last => last,
+        _ => *chosen,
+    };
+}
+
+fn enter(model: &mut Model) -> Vec<Effect> {
+    match model.dialog.take() {
+        Some(Dialog::Palette { input, chosen }) => command(model, input.value(), chosen),
+        Some(Dialog::Choice { path, options, chosen }) => {
+            let Some(bench) = &mut model.bench else { return Vec::new() };
+            let done = match options.into_iter().nth(chosen).map(|choice| choice.value) {
+                Some(Chosen::Alternative(at)) => bench.form.choose(&path, at),
+                Some(Chosen::Text(text)) => bench.form.set(&path, text),
+                None => false,
+            };
+            if done { bench::changed(model) } else { Vec::new() }
+        }
+        Some(Dialog::Ask { answers, chosen, .. }) => match answers.into_iter().nth(chosen) {
+            Some((_, given)) => answer(model, given),
+            None => Vec::new(),
+        },
+        Some(Dialog::Prompt { purpose, input, .. }) => {
+            let typed = input.value().trim();
+            if typed.is_empty() {
+                let error = Some("type the name of a file".into());
+                model.dialog = Some(Dialog::Prompt { purpose, input, error });
+                return Vec::new();
+            }
+            match purpose {
+                Purpose::SaveAs => files::save_as(model, PathBuf::from(typed)),
+                Purpose::Open => super::leave(model, After::File(PathBuf::from(typed))),
+            }
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// A line of the palette.
+fn command(model: &mut Model, typed: &str, chosen: usize) -> Vec<Effect> {
+    if let Some(kind) = typed.trim().strip_prefix("fault ").filter(|_| model.faults) {
+        return match kind.parse::<Fault>() {
+            Ok(fault) if fault.belongs_to_solver() => {
+                let generation = model.next_generation();
+                vec![Effect::Solve(Job { generation, work: Work::Fault(fault) })]
+            }
+            Ok(fault) => vec![Effect::Fault(fault)],
+            Err(why) => {
+                model.complain(Text::new("{text}").with("text", why));
+                Vec::new()
+            }
+        };
+    }
+    let Some((place, binding)) = offered(model, typed).into_iter().nth(chosen) else {
+        let shown = crate::glyphs::filter_untrusted(typed).chars().take(60).collect::<String>();
+        model.complain(Text::new("there is no action `{typed}`").with("typed", shown));
+        return Vec::new();
+    };
+    if let Some(bench) = &mut model.bench {
+        match place {
+            Place::Form => bench.focus = Focus::Form,
+            Place::Pane => bench.focus = Focus::Pane,
+            _ => {}
+        }
+    }
+    act_there(model, place, binding.action)
+}

@@ -1,0 +1,247 @@
+//! Problem files: opening, saving, and what a crashed session left.
+
+use std::path::{Path, PathBuf};
+
+use dalembert_core::{
+    Text,
+    file::{self, Problem},
+};
+
+use super::{go_on, judged_later, show};
+use crate::{
+    bench::{Bench, OpenFile},
+    dialog::{Answer, Dialog, Purpose},
+    files::{Before, Crashed, FileError, Fingerprint, LARGEST, Opened},
+    glyphs::filter_untrusted,
+    model::{Effect, Model},
+};
+
+/// So many faults of a file are listed.
+const MOST_FAULTS: usize = 8;
+
+/// Saves the problem in its file, or asks for one.
+pub(super) fn save(model: &mut Model) -> Vec<Effect> {
+    if model.readonly {
+        model.complain("nothing is saved: the program was started read-only");
+        return Vec::new();
+    }
+    match model.bench.as_ref().and_then(|bench| bench.file.as_ref()) {
+        Some(file) => {
+            let before = file.fingerprint.map_or(Before::Absent, Before::Was);
+            write(model, file.path.clone(), before)
+        }
+        None => ask_path(model),
+    }
+}
+
+/// Saves under another name, which must be free.
+pub(super) fn save_as(model: &mut Model, path: PathBuf) -> Vec<Effect> {
+    let path = if path.extension().is_none() { path.with_extension("toml") } else { path };
+    let own = model.bench.as_ref().and_then(|bench| bench.file.as_ref()).filter(|file| file.path == path);
+    let before = own.and_then(|file| file.fingerprint).map_or(Before::Absent, Before::Was);
+    write(model, path, before)
+}
+
+/// Saves over whatever is there.
+pub(super) fn overwrite(model: &mut Model, path: PathBuf) -> Vec<Effect> {
+    write(model, path, Before::Whatever)
+}
+
+/// Asks for a path to save under.
+pub(super) fn ask_path(model: &mut Model) -> Vec<Effect> {
+    if model.readonly {
+        return save(model);
+    }
+    let Some(bench) = &model.bench else { return Vec::new() };
+    let proposed = match &bench.file {
+        Some(file) => file.path.display().to_string(),
+        None => format!("{}.toml", bench.entry.about.id.rsplit('/').next().unwrap_or("problem")),
+    };
+    let input = proposed.into();
+    model.dialog = Some(Dialog::Prompt { purpose: Purpose::SaveAs, input, error: None });
+    Vec::new()
+}
+
+pub(super) fn saved(
+    model: &mut Model,
+    path: PathBuf,
+    text: String,
+    result: Result<Fingerprint, FileError>,
+) -> Vec<Effect> {
+    match result {
+        Ok(fingerprint) => {
+            let Some(bench) = &mut model.bench else { return Vec::new() };
+            bench.file = Some(OpenFile { path: path.clone(), text, fingerprint: Some(fingerprint) });
+            bench.mark_saved();
+            model.say(Text::new("saved as {file}").with("file", shown(&path)));
+            let after = std::mem::take(&mut model.after_save);
+            let mut effects = vec![Effect::Forget];
+            effects.extend(go_on(model, after));
+            effects
+        }
+        Err(FileError::Changed(_) | FileError::Removed(_)) => {
+            ask(model, "{file} was changed by another program since it was opened.", &path, vec![
+                ("save under another name", Answer::SaveAs),
+                ("read it again; changes here are lost", Answer::Reload(path.clone())),
+                ("write over it", Answer::Overwrite(path.clone())),
+                ("stay", Answer::Cancel),
+            ]);
+            Vec::new()
+        }
+        Err(FileError::Exists(_)) => {
+            ask(model, "{file} exists already.", &path, vec![
+                ("save under another name", Answer::SaveAs),
+                ("write over it", Answer::Overwrite(path.clone())),
+                ("stay", Answer::Cancel),
+            ]);
+            Vec::new()
+        }
+        Err(error) => {
+            let input = path.display().to_string().into();
+            model.dialog = Some(Dialog::Prompt { purpose: Purpose::SaveAs, input, error: Some(words(&error)) });
+            Vec::new()
+        }
+    }
+}
+
+pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, FileError>) -> Vec<Effect> {
+    let opened = match result {
+        Ok(opened) => opened,
+        Err(error) => {
+            let input = path.display().to_string().into();
+            model.dialog = Some(Dialog::Prompt { purpose: Purpose::Open, input, error: Some(words(&error)) });
+            return super::picker::preview(model);
+        }
+    };
+    match file::parse(&opened.text) {
+        Ok(problem) => {
+            let mut bench = bench_of(model, problem);
+            bench.file = Some(OpenFile { path, text: opened.text, fingerprint: Some(opened.fingerprint) });
+            show(model, bench)
+        }
+        Err(errors) => {
+            let title = Text::new("{file} cannot be opened as a problem").with("file", shown(&path));
+            let line = |span: &Option<std::ops::Range<usize>>| {
+                let at = span.as_ref()?.start.min(opened.text.len());
+                Some(1 + opened.text.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count())
+            };
+            let mut lines: Vec<String> = errors
+                .iter()
+                .take(MOST_FAULTS)
+                .map(|error| {
+                    let text = match line(&error.span) {
+                        Some(line) => Text::new("line {line}: {why}").with("line", line),
+                        None => Text::new("{why}"),
+                    };
+                    filter_untrusted(&text.with_text("why", error.why.clone()).render(&model.locale)).into_owned()
+                })
+                .collect();
+            if errors.len() > MOST_FAULTS {
+                let more = Text::new("and {more} more").with("more", errors.len() - MOST_FAULTS);
+                lines.push(more.render(&model.locale));
+            }
+            model.dialog = Some(Dialog::Message { title, lines });
+            super::picker::preview(model)
+        }
+    }
+}
+
+/// Asks what becomes of the work of sessions that ended without saving.
+pub(super) fn crashed(model: &mut Model, sessions: Vec<Crashed>) {
+    let Some(newest) = sessions.first().cloned() else { return };
+    let name = newest.original.as_deref().map_or_else(
+        || Text::new("a problem without a file"),
+        |path| Text::new("{file}").with("file", shown(path)),
+    );
+    let minutes = newest.kept.elapsed().map_or(0, |past| past.as_secs() / 60);
+    let question = Text::new("An earlier session ended without saving {name}, {minutes} min ago; its work was kept.");
+    model.dialog = Some(Dialog::Ask {
+        question: question.with_text("name", name).with("minutes", minutes),
+        answers: vec![
+            ("take it up", Answer::Restore(Box::new(newest))),
+            ("ask again at the next start", Answer::Cancel),
+            ("throw it away", Answer::Forget(sessions)),
+        ],
+        chosen: 0,
+    });
+}
+
+/// Takes up the work of a crashed session; it is unsaved.
+pub(super) fn restore(model: &mut Model, crashed: Crashed) -> Vec<Effect> {
+    match file::parse(&crashed.text) {
+        Ok(problem) => {
+            let mut restored = bench_of(model, problem);
+            // What the file holds now is not known: saving asks before it writes over it.
+            restored.file = crashed.original.clone().map(|path| OpenFile {
+                path,
+                text: crashed.text.clone(),
+                fingerprint: None,
+            });
+            restored.mark_unsaved();
+            let mut effects = show(model, restored);
+            effects.push(Effect::Discard(crashed));
+            model.say("the work of the earlier session is here, not saved yet");
+            effects
+        }
+        Err(_) => {
+            model.complain("the work of the earlier session cannot be read; it is left where it is");
+            Vec::new()
+        }
+    }
+}
+
+/// What went wrong with a file, in the person's language.
+pub(super) fn words(error: &FileError) -> Text {
+    let text = |template, path: &Path| Text::new(template).with("file", shown(path));
+    match error {
+        FileError::Missing(path) => text("there is no file {file}: check the name and the folder", path),
+        FileError::Folder(path) => text("{file} is a folder: name a file in it", path),
+        FileError::NotOrdinary { path, .. } => text("{file} is no ordinary file: name another one", path),
+        FileError::TooLarge(path) => {
+            text("{file} is larger than {most} MiB: it is no problem file", path).with("most", LARGEST >> 20)
+        }
+        FileError::NotUtf8 { path, byte, line, .. } => {
+            text("{file} is not UTF-8 text: byte {byte}, in line {line}, begins no character", path)
+                .with("byte", byte)
+                .with("line", line)
+        }
+        FileError::ReadOnly(path) => text("{file} is read-only: save under another name", path),
+        FileError::Changed(path) | FileError::Removed(path) => {
+            text("{file} was changed by another program since it was opened.", path)
+        }
+        FileError::Exists(path) => text("{file} exists already.", path),
+        FileError::NoAutosave(why) => {
+            Text::new("unsaved work is not kept against a crash: {why}; save often").with("why", why)
+        }
+        FileError::Failed { path, source, .. } => {
+            text("{file} could not be read or written: {why}", path).with("why", source)
+        }
+    }
+}
+
+/// The text of a problem goes to a file, with its comments.
+fn write(model: &mut Model, path: PathBuf, before: Before) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    bench.form.keep();
+    let over = bench.file.as_ref().map_or("", |file| file.text.as_str());
+    let text = file::write(&bench.problem(), over);
+    vec![Effect::Save { path, text, before }]
+}
+
+fn bench_of(model: &Model, problem: Problem) -> Bench {
+    let cases = judged_later(model, problem.entry);
+    let mut bench = Bench::new(problem.entry, problem.title, problem.draft, cases);
+    bench.show = problem.show;
+    bench
+}
+
+fn ask(model: &mut Model, question: &'static str, path: &Path, answers: Vec<(&'static str, Answer)>) {
+    let question = Text::new(question).with("file", shown(path));
+    model.dialog = Some(Dialog::Ask { question, answers, chosen: 0 });
+}
+
+/// The name of a file for people.
+fn shown(path: &Path) -> String {
+    filter_untrusted(&path.display().to_string()).replace('\n', "\u{FFFD}")
+}
+

@@ -1,0 +1,111 @@
+//! The screens, drawn from the model alone.
+
+mod bars;
+mod dialog;
+mod form;
+mod pane;
+mod picker;
+mod text;
+
+use dalembert_core::Text;
+use ratatui::{
+    Frame,
+    buffer::Buffer,
+    layout::{Position, Rect},
+    text::Line,
+    widgets::{Block, BorderType, Widget},
+};
+
+pub(crate) use self::{
+    dialog::longest_scroll_of_help,
+    pane::{area_of_tab, page},
+};
+use crate::{
+    layout,
+    look::{Glyph, Look},
+    model::Model,
+};
+
+/// The least screen that shows more than a name.
+const LEAST: (u16, u16) = (16, 4);
+
+/// Draws everything.
+pub fn view(model: &Model, frame: &mut Frame<'_>) {
+    let area = frame.area();
+    let buffer = frame.buffer_mut();
+    if area.is_empty() {
+        return;
+    }
+    if area.width < LEAST.0 || area.height < LEAST.1 {
+        buffer.set_stringn(area.x, area.y, "dalembert", area.width.into(), model.look.title());
+        return;
+    }
+    let mut cursor = match model.shown_bench() {
+        Some(bench) => {
+            let areas = layout::bench(area, bench.focus);
+            bars::title(model, areas.title, buffer);
+            let cursor = areas.form.and_then(|area| form::draw(model, bench, area, buffer));
+            pane::draw(model, bench, &areas, buffer);
+            bars::help(model, areas.help, buffer);
+            bars::footer(model, areas.footer, buffer);
+            cursor
+        }
+        None => {
+            let [title, body, help, footer] = layout::frame(area);
+            bars::title(model, title, buffer);
+            let cursor = picker::draw(model, body, buffer);
+            bars::help(model, help, buffer);
+            bars::footer(model, footer, buffer);
+            cursor
+        }
+    };
+    if let Some(dialog) = &model.dialog {
+        cursor = dialog::draw(model, dialog, area, buffer);
+    }
+    if let Some(position) = cursor.filter(|position| area.contains(*position)) {
+        frame.set_cursor_position(position);
+    }
+}
+
+/// A frame with a title, and what is left inside.
+fn boxed(title: Line<'_>, focused: bool, look: &Look, area: Rect, buffer: &mut Buffer) {
+    if layout::framed(area) {
+        let kind = if look.ascii { BorderType::Plain } else { BorderType::Rounded };
+        Block::bordered().border_type(kind).border_style(look.border(focused)).render(area, buffer);
+        let room = area.width.saturating_sub(4);
+        buffer.set_line(area.x + 2, area.y, &title, room);
+    } else {
+        buffer.set_line(area.x, area.y, &title, area.width);
+    }
+}
+
+/// Says at the lower edge of a frame that there are lines above and below.
+fn scroll_mark(first: usize, shown: usize, of: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
+    if of <= shown || !layout::framed(area) {
+        return;
+    }
+    let up = if first > 0 { look.glyph(Glyph::Up) } else { " " };
+    let down = if first + shown < of { look.glyph(Glyph::Down) } else { " " };
+    let mark = format!(" {}–{}/{of} {up}{down} ", first + 1, (first + shown).min(of));
+    let width = text::width(&mark) as u16;
+    if width + 4 <= area.width {
+        buffer.set_string(area.right() - width - 2, area.bottom() - 1, mark, look.dim());
+    }
+}
+
+/// Draws lines from the first that is shown.
+fn draw_lines(lines: &[Line<'_>], first: usize, area: Rect, buffer: &mut Buffer) {
+    for (y, line) in (area.y..area.bottom()).zip(lines.iter().skip(first)) {
+        buffer.set_line(area.x, y, line, area.width);
+    }
+}
+
+/// A word of the interface in the person's language.
+fn word(english: &'static str, model: &Model) -> String {
+    Text::from(english).render(&model.locale)
+}
+
+/// Where the cursor of a text stands on the screen.
+fn cursor_at(x: u16, y: u16) -> Option<Position> {
+    Some(Position { x, y })
+}

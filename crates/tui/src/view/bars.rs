@@ -1,0 +1,171 @@
+//! The lines at the edges: what is worked on, what the field means, what keys do.
+
+use dalembert_core::{Shape, Text};
+use ratatui::{
+    buffer::Buffer,
+    layout::Rect,
+    text::{Line, Span},
+};
+
+use super::{
+    text::{fit, width},
+    word,
+};
+use crate::{
+    bench::{Bench, State},
+    form::{self, Role},
+    glyphs::filter_untrusted,
+    keys::Place,
+    look::Glyph,
+    model::Model,
+};
+
+/// The name of the program, the analysis, the problem and its file.
+pub(super) fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let look = &model.look;
+    let mut spans = vec![Span::styled(" dalembert", look.title())];
+    let mut right = String::new();
+    if let Some(bench) = model.shown_bench() {
+        let gap = format!(" {} ", look.glyph(Glyph::Closed));
+        spans.push(Span::styled(gap.clone(), look.dim()));
+        spans.push(Span::styled(Text::from(bench.entry.about.title).render(&model.locale), look.title()));
+        if !bench.title.is_empty() {
+            spans.push(Span::styled(gap, look.dim()));
+            spans.push(Span::raw(filter_untrusted(&bench.title).into_owned()));
+        }
+        right = file_name(model, bench);
+    }
+    let room = usize::from(area.width);
+    let right_room = width(&right).min(room / 2);
+    let right = fit(&right, right_room, look);
+    let left: String = spans.iter().map(|span| span.content.as_ref()).collect();
+    let left_room = room.saturating_sub(right_room + 2);
+    if width(&left) > left_room {
+        spans = vec![Span::styled(fit(&left, left_room, look), look.title())];
+    }
+    buffer.set_line(area.x, area.y, &Line::from(spans), area.width);
+    let style = if model.shown_bench().is_some_and(Bench::is_unsaved) { look.warning() } else { look.dim() };
+    buffer.set_string(area.right().saturating_sub(width(&right) as u16 + 1), area.y, right, style);
+}
+
+/// What the field under the cursor means and how its text is read.
+pub(super) fn help(model: &Model, area: Rect, buffer: &mut Buffer) {
+    if area.is_empty() {
+        return;
+    }
+    let look = &model.look;
+    let text = match model.shown_bench() {
+        Some(bench) => match bench.place() {
+            Place::Pane => about_pane(model, bench),
+            _ => about_field(model, bench),
+        },
+        None => String::new(),
+    };
+    let room = usize::from(area.width).saturating_sub(2);
+    buffer.set_string(area.x + 1, area.y, fit(&text, room, look), look.dim());
+}
+
+/// A notice, or the most useful keys.
+pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
+    if area.is_empty() {
+        return;
+    }
+    let look = &model.look;
+    let room = usize::from(area.width).saturating_sub(2);
+    if let Some(notice) = &model.notice {
+        let text = filter_untrusted(&notice.text.render(&model.locale)).replace('\n', " ");
+        let style = if notice.wrong { look.error() } else { look.good() };
+        buffer.set_string(area.x + 1, area.y, fit(&text, room, look), style);
+        return;
+    }
+    buffer.set_line(area.x + 1, area.y, &hints(model, model.place(), room), area.width.saturating_sub(1));
+}
+
+/// As many keys of a place as there is room for.
+fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
+    let mut line = Line::default();
+    let mut left = room;
+    for binding in place.bindings().filter(|binding| !binding.hint.is_empty()) {
+        let keys = match binding.hint {
+            "±" => "+ -".to_owned(),
+            "tabs" => "[ ]".to_owned(),
+            _ => binding.keys.first().map_or_else(String::new, |key| key.name()),
+        };
+        let hint = if binding.hint == "±" { word("nudge", model) } else { word(binding.hint, model) };
+        let gap = if line.spans.is_empty() { 0 } else { 2 };
+        let cells = gap + width(&keys) + 1 + width(&hint);
+        if cells > left {
+            break;
+        }
+        left -= cells;
+        if gap > 0 {
+            line.push_span(Span::raw("  "));
+        }
+        line.push_span(Span::styled(keys, model.look.key()));
+        line.push_span(Span::styled(format!(" {hint}"), model.look.dim()));
+    }
+    line
+}
+
+fn about_field(model: &Model, bench: &Bench) -> String {
+    let Some(line) = bench.form.line() else { return String::new() };
+    let say = |text: &'static str| Text::from(text).render(&model.locale);
+    let mut parts = Vec::new();
+    let label = say(line.field.label);
+    match &line.role {
+        Role::Choice { variants, chosen } => {
+            let variant = variants.get(*chosen);
+            parts.push(format!("{label}: {}", variant.map_or_else(String::new, |variant| say(variant.label))));
+            parts.extend(variant.map(|variant| say(variant.help)));
+        }
+        Role::Rows { .. } => parts.extend([label, say(line.field.help), word("a adds a row", model)]),
+        Role::Group { .. } if line.number.is_some() => {
+            parts.extend([label, word("a add, d duplicate, x delete, J K move", model)]);
+        }
+        Role::Table { .. } => parts.extend([label, say(line.field.help), word("Enter edits; paste replaces", model)]),
+        Role::Absent => parts.extend([label, say(line.field.help), word("Space puts it in", model)]),
+        Role::Group { .. } => parts.extend([label, say(line.field.help)]),
+        Role::Leaf { shape, text } => {
+            let read = form::echo(text, shape, model.locale.style).map(|echo| format!("= {echo}"));
+            parts.extend(read);
+            parts.push(label);
+            parts.push(say(line.field.help));
+            if let Shape::Quantity(measure) | Shape::Vector(measure, _) = shape {
+                let unit = measure.own_unit().pretty();
+                if !unit.is_empty() {
+                    parts.push(Text::new("a number alone is in {unit}").with("unit", unit).render(&model.locale));
+                }
+            }
+        }
+    }
+    parts.retain(|part| !part.is_empty());
+    parts.join(&format!(" {} ", model.look.glyph(Glyph::Dot)))
+}
+
+fn about_pane(model: &Model, bench: &Bench) -> String {
+    use crate::bench::Tab;
+    let hint = match bench.tab {
+        Tab::Plot => "← → move a cursor that reads the curves; m other marks; n next plot",
+        Tab::Drawing => "n next drawing",
+        Tab::Sources => "↑ ↓ choose a case; Enter loads it",
+        Tab::Results | Tab::Working | Tab::Table => "",
+    };
+    if hint.is_empty() { String::new() } else { word(hint, model) }
+}
+
+fn file_name(model: &Model, bench: &Bench) -> String {
+    let name = match &bench.file {
+        Some(file) => {
+            let name = file.path.file_name().unwrap_or(file.path.as_os_str());
+            filter_untrusted(&name.to_string_lossy()).replace('\n', "\u{FFFD}")
+        }
+        None if bench.is_unsaved() => word("not saved", model),
+        None => String::new(),
+    };
+    let solving = match bench.found.state {
+        State::Solving(_) => format!("{}  ", word("solving", model)),
+        _ => String::new(),
+    };
+    let dot = if bench.is_unsaved() { format!("{} ", model.look.glyph(Glyph::Full)) } else { String::new() };
+    format!("{solving}{dot}{name}")
+}

@@ -1,0 +1,257 @@
+//! What lies over a screen.
+
+use dalembert_core::{Locale, Text};
+use ratatui::{
+    buffer::Buffer,
+    layout::{Position, Rect},
+    style::Style,
+    text::{Line, Span},
+    widgets::{Clear, Widget},
+};
+use tui_input::Input;
+
+use super::{
+    bars, boxed, cursor_at, draw_lines, scroll_mark,
+    text::{fit, padded, width, wrapped},
+    word,
+};
+use crate::{
+    dialog::{Choice, Dialog, Purpose, Sheet, offered},
+    glyphs::filter_untrusted,
+    keys::{ALWAYS, Binding, COMMON, Place},
+    layout,
+    look::{Glyph, Look},
+    model::{Model, Screen},
+};
+
+/// So many actions are offered at once.
+const OFFERED: usize = 8;
+/// The widest box.
+const WIDEST: u16 = 76;
+
+/// Draws a dialog; answers where its cursor stands.
+pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Buffer) -> Option<Position> {
+    let [_, _, _, footer] = layout::frame(screen);
+    match dialog {
+        Dialog::Help { scroll } => {
+            let lines = help_lines(model.screen, &model.look, &model.locale, layout::inside(screen).width.into());
+            Clear.render(screen, buffer);
+            framed(model, &word("Help", model), screen, buffer);
+            let inner = layout::inside(screen);
+            draw_lines(&lines, *scroll, inner, buffer);
+            scroll_mark(*scroll, inner.height.into(), lines.len(), &model.look, screen, buffer);
+            None
+        }
+        Dialog::Palette { input, chosen } => draw_palette(model, input, *chosen, screen, footer, buffer),
+        Dialog::Choice { options, chosen, .. } => {
+            draw_choice(model, options, *chosen, screen, buffer);
+            bars::footer(model, footer, buffer);
+            None
+        }
+        Dialog::Prompt { purpose, input, error } => {
+            let title = match purpose {
+                Purpose::SaveAs => "Save as",
+                Purpose::Open => "Open a problem file",
+            };
+            let error: Vec<Line<'static>> = error.iter().flat_map(|error| {
+                let text = filter_untrusted(&error.render(&model.locale)).into_owned();
+                wrapped(&text, usize::from(box_width(screen)).saturating_sub(4))
+            }).map(|text| Line::styled(text, model.look.error())).collect();
+            let area = centred(screen, 3 + error.len());
+            Clear.render(area, buffer);
+            framed(model, &word(title, model), area, buffer);
+            let inner = layout::inside(area);
+            draw_lines(&error, 0, Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner }, buffer);
+            bars::footer(model, footer, buffer);
+            draw_input(model, input, "", Rect { height: inner.height.min(1), ..inner }, buffer)
+        }
+        Dialog::Ask { question, answers, chosen } => {
+            let room = usize::from(box_width(screen)).saturating_sub(4);
+            let mut lines: Vec<Line<'static>> = wrapped(&filter_untrusted(&question.render(&model.locale)), room)
+                .into_iter()
+                .map(Line::from)
+                .collect();
+            lines.push(Line::default());
+            for (n, (name, _)) in answers.iter().enumerate() {
+                lines.push(option(model, &word(name, model), n == *chosen, room));
+            }
+            draw_box(model, "", &lines, screen, buffer);
+            bars::footer(model, footer, buffer);
+            None
+        }
+        Dialog::Message { title, lines } => {
+            let room = usize::from(box_width(screen)).saturating_sub(4);
+            let mut shown: Vec<Line<'static>> = wrapped(&title.render(&model.locale), room)
+                .into_iter()
+                .map(|text| Line::styled(text, model.look.error()))
+                .collect();
+            shown.extend(lines.iter().flat_map(|line| wrapped(line, room)).map(Line::from));
+            draw_box(model, "", &shown, screen, buffer);
+            bars::footer(model, footer, buffer);
+            None
+        }
+        Dialog::Sheet(sheet) => {
+            Clear.render(screen, buffer);
+            let cursor = draw_sheet(model, sheet, Rect { height: screen.height.saturating_sub(1), ..screen }, buffer);
+            bars::footer(model, footer, buffer);
+            cursor
+        }
+    }
+}
+
+/// The most that the help can be scrolled.
+pub(crate) fn longest_scroll_of_help(screen: Screen, size: (u16, u16), look: &Look, locale: &Locale) -> usize {
+    let inner = layout::inside(Rect::new(0, 0, size.0, size.1));
+    help_lines(screen, look, locale, inner.width.into()).len().saturating_sub(inner.height.into())
+}
+
+/// What every key does, place by place.
+fn help_lines(screen: Screen, look: &Look, locale: &Locale, room: usize) -> Vec<Line<'static>> {
+    let places: &[Place] = match screen {
+        Screen::Picker => &[Place::Picker, Place::Filter, Place::Prompt],
+        Screen::Bench => &[Place::Form, Place::Edit, Place::Pane, Place::Sheet],
+    };
+    let say = |text: &'static str| Text::from(text).render(locale);
+    let mut lines = Vec::new();
+    let mut section = |name: &'static str, bindings: &mut dyn Iterator<Item = &'static Binding>| {
+        if !lines.is_empty() {
+            lines.push(Line::default());
+        }
+        lines.push(Line::styled(say(name), look.title()));
+        for binding in bindings {
+            let keys = binding.keys.iter().map(|key| key.name()).collect::<Vec<_>>().join("  ");
+            let keys = padded(&keys, 18.min(room / 2), look);
+            let left = room.saturating_sub(width(&keys) + 3);
+            for (n, text) in wrapped(&say(binding.name), left).into_iter().enumerate() {
+                let keys = if n == 0 { keys.clone() } else { " ".repeat(width(&keys)) };
+                lines.push(Line::from(vec![Span::styled(format!("  {keys} "), look.key()), Span::raw(text)]));
+            }
+        }
+    };
+    for place in places {
+        section(place.name(), &mut place.table().iter());
+    }
+    section("Everywhere", &mut COMMON.iter().chain(ALWAYS));
+    lines.push(Line::default());
+    for text in [
+        "A quantity is a number and a unit: 20.3 mm, 1000 rpm, 200 kN/mm^2, 5 kg*mm, 2*pi*50 rad/s, 1/2 in. Comma and point are both decimal marks. A vector: (300; 200) m/s.",
+        "A digit typed on a field replaces its text; everything is solved again as you type. Rows are added with a, also below the heading of their list.",
+    ] {
+        lines.extend(wrapped(&say(text), room).into_iter().map(|text| Line::styled(text, look.dim())));
+    }
+    lines
+}
+
+/// The typed line at the foot of the screen, and what it may mean above it.
+fn draw_palette(model: &Model, input: &Input, chosen: usize, screen: Rect, footer: Rect, buffer: &mut Buffer) -> Option<Position> {
+    let look = &model.look;
+    let offers = offered(model, input.value());
+    let rows = offers.len().min(OFFERED).min(usize::from(screen.height.saturating_sub(4)));
+    let columns = screen.width.min(56);
+    let area = Rect::new(screen.x, footer.y.saturating_sub(rows as u16 + 2), columns, rows as u16 + 2);
+    if rows > 0 {
+        Clear.render(area, buffer);
+        framed(model, &word("Actions", model), area, buffer);
+        let inner = layout::inside(area);
+        let first = chosen.min(offers.len() - 1).saturating_sub(rows - 1);
+        let room = usize::from(inner.width);
+        for ((n, (_, binding)), y) in offers.iter().enumerate().skip(first).zip(inner.y..inner.bottom()) {
+            let keys = binding.keys.first().map_or_else(String::new, |key| key.name());
+            let style = if n == chosen { look.focus() } else { Style::new() };
+            let name = padded(&word(binding.name, model), room.saturating_sub(10), look);
+            let line = Line::from(vec![Span::styled(name, style), Span::styled(format!("  {keys}"), look.key())]);
+            buffer.set_line(inner.x, y, &line, inner.width);
+        }
+        scroll_mark(first, rows, offers.len(), look, area, buffer);
+    }
+    Clear.render(footer, buffer);
+    draw_input(model, input, ":", footer, buffer)
+}
+
+/// A line of text with its cursor.
+fn draw_input(model: &Model, input: &Input, before: &str, area: Rect, buffer: &mut Buffer) -> Option<Position> {
+    if area.is_empty() {
+        return None;
+    }
+    let offset = width(before);
+    let room = usize::from(area.width).saturating_sub(offset + 1);
+    let scroll = input.visual_scroll(room);
+    let text: String = input.value().chars().skip(scroll).take(room).collect();
+    buffer.set_stringn(area.x, area.y, before, area.width.into(), model.look.key());
+    buffer.set_stringn(area.x + offset as u16, area.y, filter_untrusted(&text), room, Style::new());
+    cursor_at(area.x + (offset + input.visual_cursor().saturating_sub(scroll).min(room)) as u16, area.y)
+}
+
+fn draw_choice(model: &Model, options: &[Choice], chosen: usize, screen: Rect, buffer: &mut Buffer) {
+    let look = &model.look;
+    let room = usize::from(box_width(screen)).saturating_sub(4);
+    let help: Vec<Line<'static>> = options
+        .get(chosen)
+        .filter(|choice| !choice.help.is_empty())
+        .map(|choice| wrapped(&choice.help, room))
+        .unwrap_or_default()
+        .into_iter()
+        .map(|text| Line::styled(text, look.dim()))
+        .collect();
+    let most = usize::from(screen.height.saturating_sub(4)).saturating_sub(help.len() + 1).max(1);
+    let first = (chosen + 1).saturating_sub(most);
+    let mut lines: Vec<Line<'static>> = options
+        .iter()
+        .enumerate()
+        .skip(first)
+        .take(most)
+        .map(|(n, choice)| option(model, &choice.label, n == chosen, room))
+        .collect();
+    if !help.is_empty() {
+        lines.push(Line::default());
+        lines.extend(help);
+    }
+    draw_box(model, &word("Choose", model), &lines, screen, buffer);
+}
+
+fn draw_sheet(model: &Model, sheet: &Sheet, area: Rect, buffer: &mut Buffer) -> Option<Position> {
+    let look = &model.look;
+    framed(model, &sheet.path, area, buffer);
+    let inner = layout::inside(area);
+    let height = usize::from(inner.height).max(1);
+    let first = sheet.row.saturating_sub(height / 2).min(sheet.lines.len().saturating_sub(height));
+    let room = usize::from(inner.width).saturating_sub(1);
+    for (y, line) in (inner.y..inner.bottom()).zip(sheet.lines.iter().skip(first)) {
+        let seen: String = line.chars().take(room + 1).collect();
+        buffer.set_string(inner.x, y, fit(&filter_untrusted(&seen), room, look), Style::new());
+    }
+    scroll_mark(first, height, sheet.lines.len(), look, area, buffer);
+    cursor_at(inner.x + sheet.column.min(room) as u16, inner.y + (sheet.row - first) as u16)
+}
+
+fn option(model: &Model, name: &str, chosen: bool, room: usize) -> Line<'static> {
+    let look = &model.look;
+    let pointer = if chosen { look.glyph(Glyph::Pointer) } else { " " };
+    let style = if chosen { look.focus() } else { Style::new() };
+    Line::from(vec![
+        Span::styled(format!("{pointer} "), look.border(true)),
+        Span::styled(format!(" {} ", fit(name, room.saturating_sub(4), look)), style),
+    ])
+}
+
+fn draw_box(model: &Model, title: &str, lines: &[Line<'static>], screen: Rect, buffer: &mut Buffer) {
+    let area = centred(screen, lines.len() + 2);
+    Clear.render(area, buffer);
+    framed(model, title, area, buffer);
+    draw_lines(lines, 0, layout::inside(area), buffer);
+}
+
+fn framed(model: &Model, title: &str, area: Rect, buffer: &mut Buffer) {
+    let title = if title.is_empty() { String::new() } else { format!(" {title} ") };
+    boxed(Line::styled(title, model.look.title()), true, &model.look, area, buffer);
+}
+
+fn box_width(screen: Rect) -> u16 {
+    screen.width.saturating_sub(4).min(WIDEST).max(screen.width.min(16))
+}
+
+fn centred(screen: Rect, height: usize) -> Rect {
+    let width = box_width(screen);
+    let height = u16::try_from(height).unwrap_or(u16::MAX).min(screen.height.saturating_sub(1)).max(screen.height.min(3));
+    Rect::new(screen.x + (screen.width - width) / 2, screen.y + screen.height.saturating_sub(height) / 3, width, height)
+}

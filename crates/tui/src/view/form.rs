@@ -1,0 +1,288 @@
+//! The inputs.
+
+use dalembert_core::{Shape, Text, Value, draft};
+use ratatui::{
+    buffer::Buffer,
+    layout::{Position, Rect},
+    style::{Modifier, Style},
+    text::{Line as Shown, Span},
+};
+
+use super::{
+    boxed, cursor_at, scroll_mark,
+    text::{fit, padded, width, wrapped},
+    word,
+};
+use crate::{
+    bench::{Bench, Focus},
+    form::{self, Line, Role, errors_of},
+    glyphs::filter_untrusted,
+    layout,
+    look::Glyph,
+    model::Model,
+};
+
+/// Lines of an error on a field that has not the cursor.
+const SHORT_ERROR: usize = 2;
+/// Lines of an error on the field under the cursor.
+const LONG_ERROR: usize = 6;
+/// Cells before every line, for the pointer.
+const POINTER: usize = 2;
+
+/// The cells of the columns.
+struct Columns {
+    label: usize,
+    symbol: usize,
+    value: usize,
+}
+
+/// Draws the form; answers where the cursor of an edit stands.
+pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer) -> Option<Position> {
+    let look = &model.look;
+    let focused = bench.focus == Focus::Form;
+    let mut title = vec![Span::styled(format!(" {} ", word("Inputs", model)), look.border(focused).patch(look.title()))];
+    if !bench.errors.is_empty() {
+        let count = Text::new("{count} to be put right").with("count", bench.errors.len()).render(&model.locale);
+        title.push(Span::styled(format!("{} {count} ", look.glyph(Glyph::Bad)), look.error()));
+    }
+    boxed(Shown::from(title), focused, look, area, buffer);
+    let mut inner = layout::inside(area);
+    if layout::framed(area) {
+        // The pointer is margin enough.
+        inner.x -= 1;
+        inner.width += 2;
+    }
+    let lines = bench.form.lines();
+    let columns = columns(model, &lines, inner.width.into());
+    let mut rows: Vec<Shown<'static>> = Vec::new();
+    let mut cursor = None;
+    let (mut begin, mut end) = (0, 0);
+    for (n, line) in lines.iter().enumerate() {
+        let under_cursor = n == bench.form.cursor;
+        if under_cursor {
+            begin = rows.len();
+        }
+        let (row, column) = draw_line(model, bench, line, under_cursor, &columns);
+        if let Some(column) = column {
+            cursor = Some((rows.len(), column));
+        }
+        rows.push(row);
+        rows.extend(draw_errors(model, bench, line, under_cursor, inner.width.into()));
+        if under_cursor {
+            end = rows.len();
+        }
+    }
+    let height = usize::from(inner.height);
+    let last = rows.len().saturating_sub(height);
+    // The line of the cursor stays near the middle, with all of its error.
+    let first = begin.saturating_sub(height / 2).max(end.saturating_sub(height)).min(begin).min(last);
+    super::draw_lines(&rows, first, inner, buffer);
+    scroll_mark(first, height, rows.len(), look, area, buffer);
+    let (row, column) = cursor?;
+    let y = row.checked_sub(first).filter(|y| *y < height)?;
+    cursor_at(inner.x + column.min(usize::from(inner.width).saturating_sub(1)) as u16, inner.y + y as u16)
+}
+
+fn columns(model: &Model, lines: &[Line], room: usize) -> Columns {
+    let room = room.saturating_sub(POINTER);
+    let leaves = || lines.iter().filter(|line| matches!(line.role, Role::Leaf { .. } | Role::Table { .. }));
+    let label = leaves().map(|line| indent(line) + width(&label(model, line))).max().unwrap_or(0);
+    let symbol = leaves().map(|line| width(line.field.symbol)).max().unwrap_or(0).min(6);
+    let symbol = if room < 30 { 0 } else { symbol };
+    let gaps = 1 + usize::from(symbol > 0);
+    let most = (room * 45 / 100).max(room.saturating_sub(30 + symbol + gaps));
+    let label = label.min(most);
+    Columns { label, symbol, value: room.saturating_sub(label + symbol + gaps) }
+}
+
+fn indent(line: &Line) -> usize {
+    usize::from(line.depth.min(8)) * 2
+}
+
+fn label(model: &Model, line: &Line) -> String {
+    let label = Text::from(line.field.label).render(&model.locale);
+    match line.number {
+        Some(number) if matches!(line.role, Role::Leaf { .. }) => format!("{label} {number}"),
+        Some(number) => number.to_string(),
+        None => label,
+    }
+}
+
+/// A line, and the column of the cursor where it is edited.
+fn draw_line(
+    model: &Model,
+    bench: &Bench,
+    line: &Line,
+    under_cursor: bool,
+    columns: &Columns,
+) -> (Shown<'static>, Option<usize>) {
+    let look = &model.look;
+    let focused = under_cursor && bench.focus == Focus::Form;
+    let wrong = errors_of(&bench.errors, &line.path).next().is_some();
+    let pointer = match (under_cursor, wrong) {
+        (true, _) => Span::styled(format!("{} ", look.glyph(Glyph::Pointer)), look.border(focused)),
+        (false, true) => Span::styled(format!("{} ", look.glyph(Glyph::Bad)), look.error()),
+        (false, false) => Span::raw("  "),
+    };
+    let mut shown = Shown::from(vec![pointer]);
+    let spaces = " ".repeat(indent(line));
+    let name = format!("{spaces}{}", label(model, line));
+    let room = columns.label + columns.symbol + usize::from(columns.symbol > 0) + 1 + columns.value;
+    let picked = if focused { look.focus() } else { Style::new() };
+    let open = look.glyph(Glyph::Open);
+    match &line.role {
+        Role::Leaf { shape, text } => {
+            shown.push_span(Span::styled(
+                padded(&name, columns.label, look),
+                if focused { look.title() } else { Style::new() },
+            ));
+            if columns.symbol > 0 {
+                shown.push_span(" ");
+                shown.push_span(Span::styled(padded(line.field.symbol, columns.symbol, look), look.symbol()));
+            }
+            shown.push_span(" ");
+            let before = shown.width();
+            if let Some(edit) = bench.form.edit.as_ref().filter(|edit| edit.path == line.path) {
+                let cells = columns.value.saturating_sub(1);
+                let scroll = edit.input.visual_scroll(cells);
+                let text = filter_untrusted(edit.input.value()).into_owned();
+                let seen = text.chars().skip(chars_in(&text, scroll)).collect::<String>();
+                let style = Style::new().add_modifier(Modifier::UNDERLINED);
+                shown.push_span(Span::styled(padded_plain(&seen, columns.value), style));
+                let column = before + edit.input.visual_cursor().saturating_sub(scroll);
+                return (shown, Some(column));
+            }
+            push_value(model, line, shape, text, wrong, picked, columns.value, &mut shown);
+        }
+        Role::Choice { variants, chosen } => {
+            let value = variants.get(*chosen).map_or_else(String::new, |variant| {
+                Text::from(variant.label).render(&model.locale)
+            });
+            let left = columns.label + columns.symbol + usize::from(columns.symbol > 0);
+            let narrow = width(&value) + 2 > columns.value;
+            let name = if narrow { fit(&name, left, look) } else { padded(&name, left, look) };
+            let left = width(&name);
+            shown.push_span(Span::styled(name, look.title()));
+            shown.push_span(" ");
+            let value = fit(&value, room.saturating_sub(left + 3), look);
+            shown.push_span(Span::styled(value, picked));
+            shown.push_span(Span::styled(format!(" {open}"), look.dim()));
+        }
+        Role::Table { lines } => {
+            shown.push_span(padded(&name, columns.label + columns.symbol + usize::from(columns.symbol > 0), look));
+            shown.push_span(" ");
+            let count = Text::new("{count} lines").with("count", lines).render(&model.locale);
+            shown.push_span(Span::styled(fit(&count, columns.value.saturating_sub(2), look), picked));
+            shown.push_span(Span::styled(format!(" {open}"), look.dim()));
+        }
+        Role::Group { summary } => {
+            let name = fit(&name, room, look);
+            let left = room.saturating_sub(width(&name) + 2);
+            shown.push_span(Span::styled(name, look.title().patch(picked)));
+            let summary = filter_untrusted(summary).into_owned();
+            shown.push_span(Span::styled(format!("  {}", fit(&summary, left, look)), look.dim()));
+        }
+        Role::Rows { count } => {
+            let name = fit(&name, room.saturating_sub(5), look);
+            shown.push_span(Span::styled(name, look.title().patch(picked)));
+            shown.push_span(Span::styled(format!("  {count}"), look.dim()));
+        }
+        Role::Absent => {
+            let left_out = word("left out", model);
+            let name = fit(&name, room.saturating_sub(width(&left_out) + 2), look);
+            shown.push_span(Span::styled(name, picked));
+            shown.push_span(Span::styled(format!("  {left_out}"), look.dim()));
+        }
+    }
+    (shown, None)
+}
+
+#[expect(clippy::too_many_arguments, reason = "a line of a form has this many sides")]
+fn push_value(
+    model: &Model,
+    line: &Line,
+    shape: &Shape,
+    text: &str,
+    wrong: bool,
+    picked: Style,
+    room: usize,
+    shown: &mut Shown<'static>,
+) {
+    let look = &model.look;
+    // A text of any length is typed; no more of it is looked at than can be seen.
+    let seen: String = text.chars().take(4 * room + 4).collect();
+    let seen = filter_untrusted(&seen).replace('\n', " ");
+    if seen.trim().is_empty() {
+        let hint = match shape {
+            _ if line.optional => word("left out", model),
+            Shape::Quantity(measure) | Shape::Vector(measure, _) => measure.own_unit().pretty(),
+            _ => String::new(),
+        };
+        let hint = if hint.is_empty() { word("empty", model) } else { hint };
+        shown.push_span(Span::styled(fit(&hint, room, look), look.dim().patch(picked)));
+        return;
+    }
+    let style = if wrong { look.error() } else { Style::new() };
+    match shape {
+        Shape::Flag => {
+            let on = matches!(draft::read_leaf(text, shape, ""), Ok(Value::Flag(true)));
+            let (glyph, name) = if on { (Glyph::Full, "yes") } else { (Glyph::Hollow, "no") };
+            let value = if wrong { seen } else { format!("{} {}", look.glyph(glyph), word(name, model)) };
+            shown.push_span(Span::styled(fit(&value, room, look), style.patch(picked)));
+        }
+        Shape::Reference(_) => {
+            shown.push_span(Span::styled(fit(&seen, room.saturating_sub(2), look), style.patch(picked)));
+            shown.push_span(Span::styled(format!(" {}", look.glyph(Glyph::Open)), look.dim()));
+        }
+        _ => {
+            let value = fit(&seen, room, look);
+            let left = room.saturating_sub(width(&value) + 4);
+            shown.push_span(Span::styled(value, style.patch(picked)));
+            if let Some(echo) = form::echo(text, shape, model.locale.style).filter(|echo| width(echo) <= left) {
+                shown.push_span(Span::styled(format!("  = {echo}"), look.dim()));
+            }
+        }
+    }
+}
+
+/// What is wrong with the field, below its line.
+fn draw_errors(model: &Model, bench: &Bench, line: &Line, under_cursor: bool, room: usize) -> Vec<Shown<'static>> {
+    let look = &model.look;
+    let most = if under_cursor { LONG_ERROR } else { SHORT_ERROR };
+    let before = (indent(line) + POINTER).min(room / 4);
+    let mut shown = Vec::new();
+    for error in errors_of(&bench.errors, &line.path) {
+        let text = filter_untrusted(&error.why.render(&model.locale)).into_owned();
+        let mut lines = wrapped(&text, room.saturating_sub(before));
+        if lines.len() > most {
+            lines.truncate(most);
+            if let Some(last) = lines.last_mut() {
+                *last = fit(&format!("{last} {}", look.glyph(Glyph::Ellipsis)), room.saturating_sub(before), look);
+            }
+        }
+        shown.extend(lines.into_iter().map(|text| {
+            Shown::from(vec![Span::raw(" ".repeat(before)), Span::styled(text, look.error().remove_modifier(Modifier::BOLD))])
+        }));
+    }
+    shown
+}
+
+/// The characters that take the first `cells` cells.
+fn chars_in(text: &str, cells: usize) -> usize {
+    let mut seen = 0;
+    text.chars()
+        .take_while(|character| {
+            let inside = seen < cells;
+            seen += unicode_width::UnicodeWidthChar::width(*character).unwrap_or(0);
+            inside
+        })
+        .count()
+}
+
+/// Cut without a mark: the cursor is in it, and shows that there is more.
+fn padded_plain(text: &str, room: usize) -> String {
+    let mut shown: String = text.chars().take(chars_in(text, room)).collect();
+    let missing = room.saturating_sub(width(&shown));
+    shown.extend(std::iter::repeat_n(' ', missing));
+    shown
+}

@@ -1,0 +1,249 @@
+//! What was found: the tabs, side by side where there is room.
+
+use dalembert_core::{FieldError, Text};
+use ratatui::{
+    buffer::Buffer,
+    layout::Rect,
+    style::Modifier,
+    text::{Line, Span},
+};
+
+use super::{
+    boxed, draw_lines, scroll_mark,
+    text::{fit, width, wrapped},
+    word,
+};
+use crate::{
+    bench::{Bench, Focus, State, Tab},
+    drawing,
+    glyphs::filter_untrusted,
+    layout::{self, Areas},
+    look::{Glyph, Look},
+    model::Model,
+    panes::{self, Page, results, sources, working},
+    plot,
+    solver::Failure,
+};
+
+/// Draws every pane of what was found.
+pub(super) fn draw(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buffer) {
+    let Some(pane) = areas.pane else { return };
+    let Some(picture) = areas.picture else {
+        draw_tab(model, bench, bench.tab, &tab_bar(model, bench, pane.width), pane, buffer);
+        return;
+    };
+    if bench.tab == Tab::Table || bench.tab == Tab::Sources {
+        draw_tab(model, bench, bench.tab, &tab_bar(model, bench, pane.width), pane, buffer);
+    } else {
+        let [upper, lower] = stacked(model, bench, pane);
+        draw_tab(model, bench, Tab::Results, &tab_bar(model, bench, upper.width), upper, buffer);
+        draw_tab(model, bench, Tab::Working, &tab_title(model, bench, Tab::Working), lower, buffer);
+    }
+    let [upper, lower] = pictures(bench, picture);
+    draw_tab(model, bench, Tab::Plot, &tab_title(model, bench, Tab::Plot), upper, buffer);
+    if !lower.is_empty() {
+        draw_tab(model, bench, Tab::Drawing, &tab_title(model, bench, Tab::Drawing), lower, buffer);
+    }
+}
+
+/// The inside of the pane that shows the chosen tab.
+pub(crate) fn area_of_tab(model: &Model, bench: &Bench, areas: &Areas) -> Option<Rect> {
+    let pane = areas.pane?;
+    let area = match (areas.picture, bench.tab) {
+        (None, _) | (_, Tab::Table | Tab::Sources) => pane,
+        (Some(_), Tab::Results) => stacked(model, bench, pane)[0],
+        (Some(_), Tab::Working) => stacked(model, bench, pane)[1],
+        (Some(picture), Tab::Plot) => pictures(bench, picture)[0],
+        (Some(picture), Tab::Drawing) => pictures(bench, picture)[1],
+    };
+    Some(layout::inside(area))
+}
+
+/// The lines of a tab; a picture has none.
+pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
+    let (look, locale) = (&model.look, &model.locale);
+    let solution = bench.found.solution.as_ref();
+    let stale = |lines: Vec<Line<'static>>| if bench.is_stale() { results::stale(lines, look, locale, width) } else { lines };
+    match tab {
+        Tab::Results => {
+            let mut lines = why_not(model, bench, width);
+            if let Some(solution) = solution {
+                if !lines.is_empty() {
+                    lines.push(Line::default());
+                }
+                lines.extend(stale(results::lines(solution, look, locale, width)));
+            }
+            Page { lines, starts: Vec::new() }
+        }
+        Tab::Working => match solution {
+            Some(solution) => {
+                let page = working::lines(solution, look, locale, width);
+                let before = page.lines.len();
+                let lines = stale(page.lines);
+                let more = lines.len() - before;
+                Page { lines, starts: page.starts.into_iter().map(|start| start + more).collect() }
+            }
+            None => nothing(model, bench, width),
+        },
+        Tab::Table => {
+            let mut lines = Vec::new();
+            for table in bench.tables() {
+                if !lines.is_empty() {
+                    lines.push(Line::default());
+                }
+                lines.extend(panes::table::lines(table, look, locale, width));
+            }
+            if lines.is_empty() { nothing(model, bench, width) } else { Page { lines: stale(lines), starts: Vec::new() } }
+        }
+        Tab::Sources => {
+            let chosen = (bench.focus == Focus::Pane).then_some(bench.case);
+            sources::lines(bench.entry, &bench.cases, chosen, look, locale, width)
+        }
+        Tab::Plot | Tab::Drawing => Page::default(),
+    }
+}
+
+fn stacked(model: &Model, bench: &Bench, pane: Rect) -> [Rect; 2] {
+    let lines = page(model, bench, Tab::Results, layout::inside(pane).width).lines.len();
+    layout::stack(pane, lines)
+}
+
+fn pictures(bench: &Bench, picture: Rect) -> [Rect; 2] {
+    layout::pictures(picture, bench.plots().next().is_some(), bench.drawings().next().is_some())
+}
+
+fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area: Rect, buffer: &mut Buffer) {
+    let (look, locale) = (&model.look, &model.locale);
+    let focused = bench.focus == Focus::Pane && bench.tab == tab;
+    boxed(title.clone(), focused, look, area, buffer);
+    let inner = layout::inside(area);
+    if inner.is_empty() {
+        return;
+    }
+    if !tab.is_picture() {
+        let lines = page(model, bench, tab, inner.width).lines;
+        let height = usize::from(inner.height);
+        let first = bench.scroll[tab as usize].min(lines.len().saturating_sub(height));
+        draw_lines(&lines, first, inner, buffer);
+        scroll_mark(first, height, lines.len(), look, area, buffer);
+        return;
+    }
+    let stale = bench.is_stale();
+    let mut room = inner;
+    if stale && bench.found.solution.is_some() && room.height > 3 {
+        let note = word("of the last valid inputs", model);
+        buffer.set_string(room.x, room.y, fit(&note, room.width.into(), look), look.warning());
+        room.y += 1;
+        room.height -= 1;
+    }
+    let drawn = match tab {
+        Tab::Plot => Bench::nth(bench.plots(), bench.plot)
+            .map(|plot| plot::render(plot, &bench.plot_state, look, locale, room, buffer)),
+        _ => Bench::nth(bench.drawings(), bench.drawing)
+            .map(|drawing| drawing::render(drawing, look, locale, room, buffer)),
+    };
+    if drawn.is_none() {
+        draw_lines(&nothing(model, bench, inner.width).lines, 0, inner, buffer);
+    } else if stale {
+        buffer.set_style(room, look.dim());
+    }
+}
+
+/// Why the present inputs have no solution: what cannot be read, a refusal, a fault of the program.
+fn why_not(model: &Model, bench: &Bench, width: u16) -> Vec<Line<'static>> {
+    let (look, locale) = (&model.look, &model.locale);
+    if bench.found.state == State::Unread {
+        return bench.errors.iter().flat_map(|error| unread(model, error, width)).collect();
+    }
+    match &bench.found.failure {
+        None => Vec::new(),
+        Some(Failure::Unsolved(error)) => results::refusal(error, look, locale, width),
+        Some(Failure::Fault(panic)) => {
+            let text = Text::new("this analysis failed (a fault of the program); your inputs are kept: {panic}");
+            let text = text.with("panic", filter_untrusted(panic)).render(locale);
+            wrapped(&text, width.into()).into_iter().map(|text| Line::styled(text, look.error())).collect()
+        }
+    }
+}
+
+fn unread(model: &Model, error: &FieldError, width: u16) -> Vec<Line<'static>> {
+    let look = &model.look;
+    let text = Text::new("{where}: {why}").with("where", &error.path).with_text("why", error.why.clone());
+    let text = filter_untrusted(&text.render(&model.locale)).into_owned();
+    let glyph = look.glyph(Glyph::Bad);
+    wrapped(&text, usize::from(width).saturating_sub(2))
+        .into_iter()
+        .enumerate()
+        .map(|(n, text)| {
+            let mark = if n == 0 { format!("{glyph} ") } else { "  ".to_owned() };
+            Line::from(vec![Span::styled(mark, look.error()), Span::raw(text)])
+        })
+        .collect()
+}
+
+/// What a tab says that has nothing to show.
+fn nothing(model: &Model, bench: &Bench, width: u16) -> Page {
+    let why = match (&bench.found.solution, bench.found.state) {
+        (Some(_), _) => "there is nothing to show here",
+        (None, State::Solving(_)) => "solving",
+        (None, State::Unread) => "the inputs are not complete yet",
+        (None, State::Current) => "there is no solution",
+    };
+    let lines = wrapped(&word(why, model), width.into());
+    Page { lines: lines.into_iter().map(|text| Line::styled(text, model.look.dim())).collect(), starts: Vec::new() }
+}
+
+/// The names of the tabs, the chosen one marked; where there is no room for all, those around it.
+fn tab_bar(model: &Model, bench: &Bench, columns: u16) -> Line<'static> {
+    let tabs = bench.tabs();
+    let names: Vec<String> = tabs.iter().map(|tab| word(tab.name(), model)).collect();
+    let chosen = tabs.iter().position(|tab| *tab == bench.tab).unwrap_or(0);
+    let room = usize::from(columns).saturating_sub(4);
+    let cells = |range: std::ops::Range<usize>| names[range].iter().map(|name| width(name) + 1).sum::<usize>() + 1;
+    let (mut first, mut end) = (0, names.len());
+    // Where not all fit, the far ones go first, and arrows say so.
+    while cells(first..end) + 2 * usize::from(first > 0 || end < names.len()) > room && end - first > 1 {
+        if end - 1 > chosen && (end - 1 - chosen >= chosen - first) {
+            end -= 1;
+        } else {
+            first += 1;
+        }
+    }
+    let look = &model.look;
+    let focused = bench.focus == Focus::Pane;
+    let mut line = Line::from(" ");
+    if first > 0 {
+        line.push_span(Span::styled(format!("{} ", look.glyph(Glyph::Left)), look.dim()));
+    }
+    for (n, name) in names.iter().enumerate().take(end).skip(first) {
+        let style = match (n == chosen, focused) {
+            (true, true) => look.border(true).patch(look.title()).add_modifier(Modifier::REVERSED),
+            (true, false) => look.title().add_modifier(Modifier::UNDERLINED),
+            (false, _) => look.dim(),
+        };
+        line.push_span(Span::styled(name.clone(), style));
+        line.push_span(" ");
+    }
+    if end < names.len() {
+        line.push_span(Span::styled(format!("{} ", look.glyph(Glyph::Right)), look.dim()));
+    }
+    line
+}
+
+/// The name of a tab that has a frame of its own, and which of several it shows.
+fn tab_title(model: &Model, bench: &Bench, tab: Tab) -> Line<'static> {
+    let look: &Look = &model.look;
+    let focused = bench.focus == Focus::Pane && bench.tab == tab;
+    let (at, of) = match tab {
+        Tab::Plot => (bench.plot, bench.plots().count()),
+        Tab::Drawing => (bench.drawing, bench.drawings().count()),
+        _ => (0, 0),
+    };
+    let many = if of > 1 { format!("{}/{of} ", at.min(of - 1) + 1) } else { String::new() };
+    let style = match (focused, bench.tab == tab) {
+        (true, _) => look.border(true).patch(look.title()).add_modifier(Modifier::REVERSED),
+        (false, true) => look.title().add_modifier(Modifier::UNDERLINED),
+        _ => look.dim(),
+    };
+    Line::from(vec![Span::raw(" "), Span::styled(word(tab.name(), model), style), Span::raw(" "), Span::styled(many, look.dim())])
+}

@@ -1,0 +1,21 @@
+//! The books and notes that the analyses of rigid bodies follow.
+
+use dalembert_core::Source;
+
+/// J. A. Riul, course notes, Unit II.
+pub(crate) static RIUL: Source = Source {
+    short: "Riul II",
+    full: "J. A. Riul, Dinâmica das Máquinas, course notes, Unit II: virtual work, balancing, rigid bodies in space",
+};
+
+/// F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Dynamics.
+pub(crate) static BEER: Source = Source {
+    short: "Beer & Johnston",
+    full: "F. P. Beer, E. R. Johnston Jr., P. J. Cornwell, B. P. Self, Vector Mechanics for Engineers: Dynamics, 11th ed., McGraw-Hill, 2016",
+};
+
+/// I. E. Irodov, Problems in General Physics.
+pub(crate) static IRODOV: Source = Source {
+    short: "Irodov",
+    full: "I. E. Irodov, Problems in General Physics, translated by Y. Atanov, Mir Publishers, Moscow, 1981",
+};

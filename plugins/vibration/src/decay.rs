@@ -1,0 +1,74 @@
+//! Free decay: the damping that successive amplitudes tell of.
+
+use dalembert_core::{Inputs, Worksheet};
+use dalembert_mechanics::sdof;
+
+use crate::sources::RAO;
+
+/// Amplitudes of a free decay.
+#[derive(Clone, Debug, Inputs)]
+pub struct Decay {
+    /// Ratio of the first amplitude to the last.
+    /// 1 stands for a motion that does not decay.
+    #[input("(x₁/xₙ)", "1", min = 1)]
+    pub amplitude_ratio: f64,
+    /// Counted.
+    pub counted: Counted,
+}
+
+/// What lies between the first amplitude and the last.
+#[derive(Clone, Debug, Inputs)]
+pub enum Counted {
+    /// Cycles between the two amplitudes
+    Cycles {
+        /// Number of cycles.
+        #[input("N", "1", positive)]
+        cycles: f64,
+    },
+    /// Successive amplitudes, both ends included
+    /// Seven successive amplitudes span six cycles.
+    Amplitudes {
+        /// Number of amplitudes.
+        #[input("n", "1", min = 2)]
+        amplitudes: f64,
+    },
+}
+
+/// The damping ratio of a decay, with the steps that lead to it.
+pub(crate) struct Decrement<N> {
+    /// Cycles between the two amplitudes.
+    pub(crate) cycles: N,
+    /// Logarithmic decrement.
+    pub(crate) decrement: N,
+    /// Damping ratio.
+    pub(crate) damping_ratio: N,
+}
+
+/// Writes `N`, `δ` and `ζ`.
+#[inline]
+pub(crate) fn decrement<W: Worksheet>(given: &DecayGiven<W>, sheet: W) -> Decrement<W::Num> {
+    let cycles = match &given.counted {
+        CountedGiven::Cycles { cycles } => *cycles,
+        CountedGiven::Amplitudes { amplitudes } => {
+            sheet.step("N", "1", *amplitudes - 1.0, "Successive amplitudes are one cycle apart")
+        }
+    };
+    let decrement = sheet.step(
+        "δ",
+        "1",
+        sdof::logarithmic_decrement(given.amplitude_ratio, cycles),
+        ("Logarithmic decrement", RAO.at("§2.6.3")),
+    );
+    let damping_ratio = sheet.step(
+        "ζ",
+        "1",
+        sdof::damping_ratio_from_decrement(decrement),
+        ("Damping ratio of that decrement", RAO.at("§2.6.3")),
+    );
+    sheet.check(
+        "the damping ratio gives the decrement back",
+        sdof::decrement_from_damping_ratio(damping_ratio),
+        decrement,
+    );
+    Decrement { cycles, decrement, damping_ratio }
+}

@@ -1,0 +1,332 @@
+//! Stiffness, mass and damping of one degree of freedom from its measured frequency response.
+
+use dalembert_core::{
+    About, Analysis, Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series,
+    TableExhibit, Text, Worksheet, register,
+};
+use dalembert_mechanics::{Real, identification, sdof};
+
+mod table;
+
+use crate::sources::{EWINS, LISTS, RAO};
+
+/// What was measured, and the force whose response is asked for.
+#[derive(Clone, Debug, Inputs)]
+pub struct FrequencyResponseIdentification {
+    /// Measurement.
+    pub measurement: Measurement,
+    /// Amplitude of the force.
+    /// Where it is given, the amplitude at resonance is answered in metres too.
+    #[input("F₀", "N", positive)]
+    pub force: Option<f64>,
+}
+
+/// What was measured of the receptance, the amplitude of the motion over that of the force.
+#[derive(Clone, Debug, Inputs)]
+pub enum Measurement {
+    /// Static value and peak
+    Points {
+        /// Static receptance.
+        /// Deflection under a constant force, over that force.
+        #[input("H₀", "m/N", positive)]
+        static_receptance: f64,
+        /// Receptance at the peak.
+        #[input("Hₚ", "m/N", positive)]
+        peak_receptance: f64,
+        /// Frequency of the peak.
+        #[input("ωₚ", "rad/s", positive)]
+        peak_frequency: f64,
+    },
+    /// Table of the frequency response
+    Table {
+        /// Points.
+        /// In any order; at least five, with the peak among them and not at an end.
+        #[input(table)]
+        points: Vec<MeasuredPoint>,
+    },
+}
+
+/// A point of the measured response.
+#[derive(Clone, Debug, Inputs)]
+pub struct MeasuredPoint {
+    /// Frequency.
+    #[input("ω", "rad/s", nonnegative)]
+    pub frequency: f64,
+    /// Receptance.
+    #[input("H", "m/N", positive)]
+    pub receptance: f64,
+}
+
+register!(FrequencyResponseIdentification);
+
+impl Analysis for FrequencyResponseIdentification {
+    const ABOUT: About = About {
+        id: "vibration/frequency-response-identification",
+        title: "Identification from a frequency response",
+        summary: "Stiffness, mass and damping of one degree of freedom from a measured receptance, and the amplitude at resonance.",
+        keywords: "frf receptance sweep modal half-power bandwidth peak suspension ensaio resposta em frequência \
+                   suspensão identificação ressonância receptância 06/1",
+        sources: &[&RAO, &EWINS, &LISTS],
+        cases: include_str!("../cases/frequency_response_identification.toml"),
+    };
+
+    fn solve<W: Worksheet>(
+        &self,
+        given: &FrequencyResponseIdentificationGiven<W>,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let (system, peak) = match (&self.measurement, &given.measurement) {
+            (Measurement::Table { points }, _) => table::identify(points, sheet)?,
+            (_, MeasurementGiven::Points { static_receptance, peak_receptance, peak_frequency }) => {
+                let peak = Peak { receptance: *peak_receptance, frequency: *peak_frequency };
+                (from_points(*static_receptance, peak, sheet)?, peak)
+            }
+            (Measurement::Points { .. }, MeasurementGiven::Table { .. }) => {
+                unreachable!("what is given is made from what was measured")
+            }
+        };
+        let System { stiffness, mass, damping, damping_ratio, natural } = system;
+        sheet.answer("stiffness", "Stiffness", stiffness);
+        sheet.answer("natural_frequency", "Natural frequency", natural);
+        sheet.answer("damping_ratio", "Damping ratio", damping_ratio);
+        sheet.answer("mass", "Mass", mass);
+        sheet.answer("damping", "Damping coefficient", damping);
+        textbook(&system, peak, sheet);
+        resonance(given.force, &system, peak, sheet);
+        if damping_ratio.value() > 0.1 {
+            sheet.warn(|| {
+                Text::new(
+                    "the damping ratio is above 0.1: the textbook reading, peak frequency = natural frequency, is \
+                     off by more than 1 % in frequency and 2 % in mass",
+                )
+            });
+        }
+        let numbers = (stiffness.value(), mass.value(), damping.value());
+        sheet.show(|| Exhibit::Plot(self.response(numbers, (peak.frequency.value(), peak.receptance.value()))));
+        sheet.show(|| Exhibit::Drawing(drawing()));
+        Ok(())
+    }
+}
+
+/// One degree of freedom, identified.
+#[derive(Clone, Copy)]
+struct System<N> {
+    stiffness: N,
+    mass: N,
+    damping: N,
+    damping_ratio: N,
+    natural: N,
+}
+
+/// The peak of a receptance.
+#[derive(Clone, Copy)]
+struct Peak<N> {
+    receptance: N,
+    frequency: N,
+}
+
+/// The exact reading of static value and peak.
+fn from_points<W: Worksheet>(
+    static_receptance: W::Num,
+    peak: Peak<W::Num>,
+    sheet: W,
+) -> Result<System<W::Num>, Refusal> {
+    let stiffness = sheet.step(
+        "k",
+        "N/m",
+        sdof::stiffness_from_static_receptance(static_receptance),
+        ("At rest the springs alone hold the force: the receptance is 1/k", RAO.at("§3.4")),
+    );
+    let magnification = sheet.step(
+        "Mₚ",
+        "1",
+        peak.receptance / static_receptance,
+        ("Height of the peak over the static value", RAO.at("§3.4")),
+    );
+    let damping_ratio = sdof::damping_ratio_from_peak(magnification).ok_or_else(|| {
+        Refusal::because(
+            "the peak is not above the static value, so there is no resonance: write the larger receptance as the peak",
+        )
+    })?;
+    let damping_ratio = sheet.step(
+        "ζ",
+        "1",
+        damping_ratio,
+        ("The peak is 1/(2ζ√(1 − ζ²)), a quadratic equation in ζ²; its smaller root", RAO.at("§3.4")),
+    );
+    let natural = sheet.step(
+        "ωₙ",
+        "rad/s",
+        sdof::natural_frequency_from_force_peak(peak.frequency, damping_ratio),
+        ("The peak lies at ωₙ√(1 − 2ζ²), below the natural frequency", RAO.at("§3.4")),
+    );
+    let mass = sheet.step(
+        "m",
+        "kg",
+        sdof::mass_from_natural_frequency(stiffness, natural),
+        ("Mass that has this natural frequency", RAO.at("§2.2")),
+    );
+    let damping = sheet.step(
+        "c",
+        "N*s/m",
+        sdof::damping_from_ratio(damping_ratio, stiffness, mass),
+        ("Damping coefficient", RAO.at("§2.6")),
+    );
+    sheet.check(
+        "mass from the parabola of 1/H² over ω² through static value and peak",
+        (W::Num::from(1.0) / static_receptance.powi(2) - W::Num::from(1.0) / peak.receptance.powi(2)).sqrt()
+            / peak.frequency.powi(2),
+        mass,
+    );
+    sheet.check(
+        "damping from mass, stiffness and peak",
+        identification::damping_from_mass_and_peak(mass, stiffness, peak.receptance, peak.frequency),
+        damping,
+    );
+    Ok(hold_at_peak(System { stiffness, mass, damping, damping_ratio, natural }, peak, sheet))
+}
+
+/// Holds a system to the peak it was found from: the height, and the slope there.
+fn hold_at_peak<W: Worksheet>(system: System<W::Num>, peak: Peak<W::Num>, sheet: W) -> System<W::Num> {
+    let System { stiffness, mass, damping, .. } = system;
+    sheet.check(
+        "the receptance of stiffness, mass and damping at the peak is the measured one",
+        sdof::receptance(stiffness, mass, damping, peak.frequency),
+        peak.receptance,
+    );
+    sheet.check(
+        "the response is level at the peak: k = m ωₚ² + c²/(2m)",
+        mass * peak.frequency.powi(2) + damping.powi(2) / (mass * 2.0),
+        stiffness,
+    );
+    system
+}
+
+/// The reading of most textbooks, which takes the frequency of the peak as the natural one, beside the exact one.
+fn textbook<W: Worksheet>(system: &System<W::Num>, peak: Peak<W::Num>, sheet: W) {
+    let mass = sheet.step(
+        "m′",
+        "kg",
+        sdof::mass_from_natural_frequency(system.stiffness, peak.frequency),
+        ("Textbook reading: the frequency of the peak taken as the natural one", RAO.at("§3.4")),
+    );
+    let damping = sheet.step(
+        "c′",
+        "N*s/m",
+        sdof::damping_from_resonant_receptance(peak.receptance, peak.frequency),
+        ("Textbook reading: at resonance the damper alone holds the force", RAO.at("§3.4")),
+    );
+    let mass_error = sheet.step(
+        "Δm",
+        "%",
+        (mass - system.mass) / system.mass,
+        "How far the textbook reading of the mass is off",
+    );
+    let damping_error = sheet.step(
+        "Δc",
+        "%",
+        (damping - system.damping) / system.damping,
+        "How far the textbook reading of the damping is off",
+    );
+    sheet.answer("textbook_mass", "Mass, peak taken as natural frequency", mass);
+    sheet.answer("textbook_damping", "Damping, peak taken as natural frequency", damping);
+    sheet.answer("textbook_mass_error", "Error of that mass", mass_error);
+    sheet.answer("textbook_damping_error", "Error of that damping", damping_error);
+}
+
+/// The amplitude at resonance: for each newton, and for the force where it is given.
+fn resonance<W: Worksheet>(force: Option<W::Num>, system: &System<W::Num>, peak: Peak<W::Num>, sheet: W) {
+    let for_each_newton = sheet.step(
+        "X/F₀",
+        "mm/N",
+        peak.receptance,
+        ("Largest amplitude for each newton of the force", RAO.at("§3.4")),
+    );
+    sheet.answer("resonant_receptance", "Amplitude at resonance for each unit of force", for_each_newton);
+    let Some(force) = force else { return };
+    let largest = sheet.step(
+        "Xₚ",
+        "mm",
+        peak.receptance * force,
+        ("Largest amplitude under this force", RAO.at("§3.4")),
+    );
+    let natural = sheet.step(
+        "Xₙ",
+        "mm",
+        force / (system.damping * system.natural),
+        ("Amplitude at the natural frequency, where the damper alone holds the force", RAO.at("§3.4")),
+    );
+    sheet.check(
+        "amplitude at the natural frequency from the static deflection over 2ζ",
+        force / system.stiffness / (system.damping_ratio * 2.0),
+        natural,
+    );
+    sheet.answer("resonant_amplitude", "Largest amplitude under the force", largest);
+    sheet.answer("natural_amplitude", "Amplitude at the natural frequency", natural);
+}
+
+impl FrequencyResponseIdentification {
+    /// What was measured, and the response of what was identified.
+    fn response(&self, (stiffness, mass, damping): (f64, f64, f64), peak: (f64, f64)) -> Plot {
+        let measured: Vec<(f64, f64)> = match &self.measurement {
+            Measurement::Points { static_receptance, .. } => vec![(0.0, *static_receptance), peak],
+            Measurement::Table { points } => {
+                points.iter().map(|point| (point.frequency, point.receptance)).collect()
+            }
+        };
+        let last = measured.iter().fold(2.0 * peak.0, |last, point| last.max(point.0));
+        let at = |n: u16| {
+            let frequency = last * f64::from(n) / 500.0;
+            (frequency, sdof::receptance(stiffness, mass, damping, frequency))
+        };
+        Plot::new(
+            "Receptance against frequency",
+            Axis::linear("frequency", "rad/s"),
+            Axis::log("receptance", "mm/N"),
+            vec![
+                Series::line("identified", (0..=500).map(at).collect()),
+                Series::dots("measured", measured),
+            ],
+        )
+        .mark("peak", peak)
+    }
+}
+
+/// The mass, spring and damper that stand for what was measured.
+fn drawing() -> Drawing {
+    let shapes = vec![
+        DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
+        DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
+        DrawnShape::Label((-0.9, -0.95), Text::from("k")),
+        DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
+        DrawnShape::Label((0.75, -0.95), Text::from("c")),
+        DrawnShape::Block((-0.8, -0.4), (0.8, 0.4), Ink::Body),
+        DrawnShape::Label((0.0, 0.0), Text::from("m")),
+        DrawnShape::Arrow((0.0, 0.4), (0.0, 1.2), Ink::Force),
+        DrawnShape::Label((0.1, 1.2), Text::from("F₀ cos ωt")),
+        DrawnShape::Arrow((1.1, -0.2), (1.1, 0.5), Ink::Motion),
+        DrawnShape::Label((1.2, 0.5), Text::from("x")),
+    ];
+    Drawing { title: "One degree of freedom".into(), shapes }
+}
+
+/// The methods side by side.
+fn comparison(rows: Vec<(Text, [f64; 5])>) -> TableExhibit {
+    let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+    let row = |(method, numbers): (Text, [f64; 5])| {
+        std::iter::once(Cell::Text(method)).chain(numbers.map(Cell::Number)).collect()
+    };
+    TableExhibit {
+        title: "Three ways to read the response".into(),
+        columns: vec![
+            column("method", ""),
+            column("stiffness", "N/m"),
+            column("mass", "kg"),
+            column("damping", "N*s/m"),
+            column("damping ratio", "1"),
+            column("natural frequency", "rad/s"),
+        ],
+        rows: rows.into_iter().map(row).collect(),
+        foot: Vec::new(),
+    }
+}

@@ -1,0 +1,116 @@
+//! Drawings of springs and networks of springs.
+
+use dalembert_core::{DrawnShape, Ink, Point, Symbol, Text, printer};
+
+use super::{Spring, symbol};
+
+/// Height of one spring, and the width it takes up.
+const HEIGHT: f64 = 1.2;
+const WIDTH: f64 = 1.6;
+
+/// The size of a spring or a network that is drawn hanging down: width and height.
+pub(crate) fn size(spring: &Spring) -> (f64, f64) {
+    match spring {
+        Spring::Series { members } => members.iter().map(size).fold((0.0, 0.0), |all, one| (f64::max(all.0, one.0), all.1 + one.1)),
+        Spring::Parallel { members } => members.iter().map(size).fold((0.0, 0.0), |all, one| (all.0 + one.0, f64::max(all.1, one.1))),
+        _ => (WIDTH, HEIGHT),
+    }
+}
+
+/// A spring or a network hanging down from `top`, filling its size in height or more.
+pub(crate) fn hanging(spring: &Spring, top: Point, height: f64, place: &[usize], shapes: &mut Vec<DrawnShape>) {
+    let line = |from: Point, to: Point| DrawnShape::Polyline(vec![from, to], Ink::Body);
+    match spring {
+        Spring::Series { members } => {
+            let stretch = height / size(spring).1.max(HEIGHT);
+            let mut at = top;
+            for (n, member) in members.iter().enumerate() {
+                let height = size(member).1 * stretch;
+                hanging(member, at, height, &[place, &[n + 1]].concat(), shapes);
+                at.1 -= height;
+            }
+        }
+        Spring::Parallel { members } => {
+            let gap = 0.1 * height;
+            let widths: Vec<f64> = members.iter().map(|member| size(member).0).collect();
+            let all: f64 = widths.iter().sum();
+            let mut left = top.0 - all / 2.0;
+            let mut ends = Vec::new();
+            for (n, (member, width)) in members.iter().zip(&widths).enumerate() {
+                let x = left + width / 2.0;
+                hanging(member, (x, top.1 - gap), height - 2.0 * gap, &[place, &[n + 1]].concat(), shapes);
+                ends.push(x);
+                left += width;
+            }
+            if let (Some(&first), Some(&last)) = (ends.first(), ends.last()) {
+                for y in [top.1 - gap, top.1 - height + gap] {
+                    shapes.push(line((first, y), (last, y)));
+                }
+            }
+            shapes.push(line(top, (top.0, top.1 - gap)));
+            shapes.push(line((top.0, top.1 - height + gap), (top.0, top.1 - height)));
+        }
+        single => {
+            let end = (top.0, top.1 - height);
+            shapes.push(DrawnShape::Spring(top, end));
+            let label = (top.0 + 0.35, top.1 - height / 2.0);
+            shapes.push(DrawnShape::Label(label, caption(single, symbol("k", place))));
+        }
+    }
+}
+
+/// What carries a machine whose lower side lies between `(−0.6, −0.4)` and `(0.6, −0.4)`.
+pub(crate) fn carrying(spring: &Spring) -> Vec<DrawnShape> {
+    let beam = |from: f64, to: f64| DrawnShape::Polyline(vec![(from, -0.5), (to, -0.5)], Ink::Body);
+    let left_clamp = |x: f64| DrawnShape::Ground((x, 0.5), (x, -1.5));
+    let right_clamp = |x: f64| DrawnShape::Ground((x, -1.5), (x, 0.5));
+    // Where the supports stand, with the load at zero.
+    let supports = |length: f64, distance: Option<f64>| {
+        let share = distance.map_or(0.5, |distance| (distance / length).clamp(0.15, 0.85));
+        (-5.0 * share, 5.0 - 5.0 * share)
+    };
+    match spring {
+        Spring::Cantilever { .. } => vec![left_clamp(-3.0), beam(-3.0, 0.6)],
+        Spring::SimplySupported { length, distance, .. } => {
+            let (from, to) = supports(*length, *distance);
+            vec![beam(from, to), DrawnShape::Pin((from, -0.5)), DrawnShape::Pin((to, -0.5))]
+        }
+        Spring::Clamped { length, distance, .. } => {
+            let (from, to) = supports(*length, *distance);
+            vec![left_clamp(from), right_clamp(to), beam(from, to)]
+        }
+        Spring::ClampedPinned { length, distance, .. } => {
+            let (from, to) = supports(*length, *distance);
+            vec![left_clamp(from), beam(from, to), DrawnShape::Pin((to, -0.5))]
+        }
+        Spring::Overhang { length, overhang, .. } => {
+            let span = (1.8 * length / overhang).clamp(1.2, 4.0);
+            vec![beam(-1.8 - span, 0.6), DrawnShape::Pin((-1.8 - span, -0.5)), DrawnShape::Pin((-1.8, -0.5))]
+        }
+        Spring::Series { .. } | Spring::Parallel { .. } => {
+            let height = size(spring).1;
+            let mut shapes = vec![DrawnShape::Ground((-1.2, -0.5 - height), (1.2, -0.5 - height))];
+            hanging(spring, (0.0, -0.4), height + 0.1, &[], &mut shapes);
+            shapes
+        }
+        _ => vec![
+            DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
+            DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
+            DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
+        ],
+    }
+}
+
+/// `k₁,₂ (cantilever)`
+fn caption(spring: &Spring, name: Symbol) -> Text {
+    let kind: &'static str = match spring {
+        Spring::Stiffness { .. } => return Text::new(printer::symbol(&name)),
+        Spring::Cantilever { .. } => "cantilever",
+        Spring::Column { .. } => "column",
+        Spring::Bar { .. } => "bar",
+        Spring::TorsionBar { .. } => "torsion bar",
+        Spring::Helical { .. } => "helical spring",
+        _ => "beam",
+    };
+    Text::new("{symbol}: {kind}").with("symbol", printer::symbol(&name)).with_text("kind", kind)
+}

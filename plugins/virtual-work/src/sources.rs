@@ -1,0 +1,21 @@
+//! The books and notes that the analyses by virtual work follow.
+
+use dalembert_core::Source;
+
+/// J. A. Riul, course notes, Unit II.
+pub(crate) static RIUL: Source = Source {
+    short: "Riul II",
+    full: "J. A. Riul, Dinâmica das Máquinas, course notes, Unit II: virtual work, balancing, rigid bodies in space",
+};
+
+/// J. J. Uicker, G. R. Pennock, J. E. Shigley, Theory of Machines and Mechanisms.
+pub(crate) static SHIGLEY: Source = Source {
+    short: "Shigley",
+    full: "J. J. Uicker, G. R. Pennock, J. E. Shigley, Theory of Machines and Mechanisms, 4th ed., Oxford University Press, 2011",
+};
+
+/// F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics.
+pub(crate) static BEER: Source = Source {
+    short: "Beer & Johnston",
+    full: "F. P. Beer, E. R. Johnston Jr., D. F. Mazurek, Vector Mechanics for Engineers: Statics, 12th ed., McGraw-Hill, 2019",
+};

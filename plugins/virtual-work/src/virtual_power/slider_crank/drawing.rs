@@ -1,0 +1,57 @@
+//! The sketch of the slider-crank.
+
+use dalembert_core::{Drawing, DrawnShape, Ink, Reference, Text, exhibit::Point as At};
+use nalgebra::Vector3;
+
+use super::{super::Point, SliderCrank, VirtualPower};
+
+/// The mechanism with the velocities that were given and the forces on rod and slider; arrows of each kind are in
+/// scale with each other.
+pub(super) fn draw(
+    problem: &VirtualPower,
+    mechanism: &SliderCrank,
+    (crank, rod, crank_angle, rod_angle): (f64, f64, f64, f64),
+) -> Drawing {
+    let a = (crank * crank_angle.cos(), crank * crank_angle.sin());
+    let b = (a.0 + rod * rod_angle.cos(), a.1 + rod * rod_angle.sin());
+    let g = (f64::midpoint(a.0, b.0), f64::midpoint(a.1, b.1));
+    let size = 0.12 * crank.max(0.4 * rod);
+    let mut shapes = vec![
+        DrawnShape::Polyline(vec![(-crank, b.1), (b.0 + 4.0 * size, b.1)], Ink::Faint),
+        DrawnShape::Circle((0.0, 0.0), crank, Ink::Faint),
+        DrawnShape::Pin((0.0, 0.0)),
+        DrawnShape::Polyline(vec![(0.0, 0.0), a, b], Ink::Body),
+        DrawnShape::Block((b.0 - 1.5 * size, b.1 - size), (b.0 + 1.5 * size, b.1 + size), Ink::Body),
+        DrawnShape::Circle(a, 0.3 * size, Ink::Body),
+        DrawnShape::Circle(g, 0.3 * size, Ink::Body),
+        DrawnShape::Label((a.0, a.1 + size), "A".into()),
+        DrawnShape::Label((b.0 + 0.3 * size, b.1 + 1.3 * size), "B".into()),
+        DrawnShape::Label((g.0, g.1 + size), "G".into()),
+    ];
+    let velocity = |body: Reference| problem.bodies[body.0].velocity;
+    let mut arrows = |arrows: &[(At, Vector3<f64>, Text)], ink: Ink| {
+        let largest = arrows.iter().fold(0.0f64, |most, (_, vector, _)| most.max(vector.norm()));
+        for (tail, vector, name) in arrows.iter().filter(|(_, vector, _)| vector.norm() > 0.0) {
+            let arrow = vector * (5.0 * size / largest);
+            let head = (tail.0 + arrow.x, tail.1 + arrow.y);
+            shapes.push(DrawnShape::Arrow(*tail, head, ink));
+            shapes.push(DrawnShape::Label((head.0, head.1 + 0.6 * size), name.clone()));
+        }
+    };
+    arrows(
+        &[(g, velocity(mechanism.rod), "V_G".into()), (b, velocity(mechanism.slider), "V_B".into())],
+        Ink::Motion,
+    );
+    let forces: Vec<(At, Vector3<f64>, Text)> = problem
+        .forces
+        .iter()
+        .filter_map(|force| {
+            let Point::MassCentre { body } = force.point else { return None };
+            let at = if body == mechanism.slider { b } else { g };
+            let known = body == mechanism.slider || body == mechanism.rod;
+            known.then(|| (at, force.force, Text::new("{x}").with("x", &force.name)))
+        })
+        .collect();
+    arrows(&forces, Ink::Force);
+    Drawing { title: "The slider-crank with given velocities and forces".into(), shapes }
+}

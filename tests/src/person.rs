@@ -1,0 +1,246 @@
+//! A person before the workbench: types keys, reads the screen.
+//!
+//! ```
+//! use dalembert_tests::person::Person;
+//!
+//! let mut person = Person::at(80, 24);
+//! assert!(person.sees().contains("Rotating unbalance"));
+//! ```
+//!
+//! Effects are carried out at once and on this thread, files against the real file system: nothing sleeps, nothing
+//! races. The terminal alone is missing.
+
+use std::path::PathBuf;
+
+use dalembert_core::{Language, Stop, find, registry};
+use dalembert_plugins as _;
+use dalembert_tui::{
+    Effect, Model, Msg, files,
+    glyphs::{Capabilities, Colors, Glyphs, PlotMarker, sweep},
+    look::Look,
+    solver::{judge, solve},
+    start, update, view,
+};
+use ratatui::{
+    Terminal,
+    backend::TestBackend,
+    buffer::Buffer,
+    crossterm::event::{KeyCode, KeyEvent, KeyModifiers},
+    style::Modifier,
+};
+
+/// A person at a screen.
+pub struct Person {
+    /// What the workbench knows.
+    pub model: Model,
+    /// Whether the program has ended.
+    pub has_left: bool,
+    /// What was copied last.
+    pub clipboard: String,
+    /// The unsaved work that would outlive a crash.
+    pub kept: Option<String>,
+    terminal: Terminal<TestBackend>,
+    capabilities: Capabilities,
+}
+
+impl Person {
+    /// Before a screen of so many columns and rows that can show everything, on the list of analyses.
+    pub fn at(columns: u16, rows: u16) -> Self {
+        Self::before(columns, rows, Language::English, Capabilities { colors: Colors::Sixteen, ..Capabilities::default() })
+    }
+
+    /// The same, in Portuguese.
+    pub fn in_portuguese(columns: u16, rows: u16) -> Self {
+        Self::before(columns, rows, Language::Portuguese, Capabilities { colors: Colors::Sixteen, ..Capabilities::default() })
+    }
+
+    /// The same, before a screen that knows ASCII and no colours.
+    pub fn in_ascii(columns: u16, rows: u16) -> Self {
+        let plain = Capabilities { glyphs: Glyphs::Ascii, colors: Colors::None, marker: PlotMarker::Ascii };
+        Self::before(columns, rows, Language::English, plain)
+    }
+
+    fn before(columns: u16, rows: u16, language: Language, capabilities: Capabilities) -> Self {
+        let mut model = Model::new(registry(), language, Look::new(&capabilities), capabilities.marker);
+        model.size = (columns, rows);
+        let terminal = Terminal::new(TestBackend::new(columns, rows)).expect("a test terminal");
+        let effects = start(&mut model, None, None);
+        let mut person =
+            Self { model, has_left: false, clipboard: String::new(), kept: None, terminal, capabilities };
+        person.perform(effects);
+        person
+    }
+
+    /// Opens the first case of an analysis.
+    #[must_use]
+    pub fn opens(mut self, id: &str) -> Self {
+        let effects = start(&mut self.model, None, Some(find(id).expect("the analysis is linked")));
+        self.perform(effects);
+        self
+    }
+
+    /// Opens a problem file.
+    #[must_use]
+    pub fn opens_file(mut self, path: impl Into<PathBuf>) -> Self {
+        let effects = start(&mut self.model, Some(path.into()), None);
+        self.perform(effects);
+        self
+    }
+
+    /// Types text and `<named>` keys: `<down>`, `<enter>`, `<del>`, `<s-tab>`, `<c-c>`, `<a-up>`, `<f1>`, `<lt>`.
+    pub fn types(&mut self, keys: &str) -> &mut Self {
+        for key in keys_of(keys) {
+            self.happens(Msg::Key(key));
+        }
+        self
+    }
+
+    /// Pastes a text.
+    pub fn pastes(&mut self, text: &str) -> &mut Self {
+        self.happens(Msg::Paste(text.to_owned()));
+        self
+    }
+
+    /// Drags the window to another size.
+    pub fn resizes(&mut self, columns: u16, rows: u16) -> &mut Self {
+        self.terminal.backend_mut().resize(columns, rows);
+        self.happens(Msg::Resize(columns, rows));
+        self
+    }
+
+    /// Something happens.
+    pub fn happens(&mut self, msg: Msg) -> &mut Self {
+        let effects = update(&mut self.model, msg);
+        self.perform(effects);
+        self
+    }
+
+    /// The screen as text.
+    pub fn sees(&mut self) -> String {
+        self.draws();
+        let buffer = self.terminal.backend().buffer();
+        let width = usize::from(buffer.area.width).max(1);
+        let rows = buffer.content.chunks(width).map(|row| row.iter().map(|cell| cell.symbol()).collect::<String>());
+        rows.map(|row| row.trim_end().to_owned() + "\n").collect()
+    }
+
+    /// The screen with its colours.
+    pub fn draws(&mut self) -> &Buffer {
+        let (model, capabilities) = (&self.model, &self.capabilities);
+        self.terminal
+            .draw(|frame| {
+                view(model, frame);
+                sweep(frame.buffer_mut(), capabilities);
+            })
+            .expect("a test terminal draws");
+        self.terminal.backend().buffer()
+    }
+
+    /// Whether the first place of a text on the screen is drawn dim: passed over, not current.
+    pub fn sees_dim(&mut self, text: &str) -> bool {
+        let screen = self.sees();
+        let row = screen.lines().position(|line| line.contains(text)).expect("the text is on the screen");
+        let line = screen.lines().nth(row).unwrap_or_default();
+        let column = line[..line.find(text).unwrap_or(0)].chars().count();
+        let cell = &self.terminal.backend().buffer()[(column as u16, row as u16)];
+        cell.modifier.contains(Modifier::DIM)
+    }
+
+    fn perform(&mut self, effects: Vec<Effect>) {
+        for effect in effects {
+            let msg = match effect {
+                Effect::Solve(job) => match solve(&job, &Stop::new()) {
+                    Some(outcome) => Msg::Solved(outcome),
+                    None => continue,
+                },
+                Effect::Judge(entry) => Msg::Judged(entry.about.id, judge(entry)),
+                Effect::Save { path, text, before } => {
+                    let result = files::save(&path, &text, before);
+                    Msg::Saved { path, text, result }
+                }
+                Effect::Open(path) => {
+                    let result = files::read(&path);
+                    Msg::Opened { path, result }
+                }
+                Effect::Keep { text, .. } => {
+                    self.kept = Some(text);
+                    continue;
+                }
+                Effect::Forget => {
+                    self.kept = None;
+                    continue;
+                }
+                Effect::Discard(crashed) => {
+                    crashed.discard().expect("the file of the test can be removed");
+                    continue;
+                }
+                Effect::Copy(text) => {
+                    self.clipboard = text;
+                    continue;
+                }
+                Effect::Quit => {
+                    self.has_left = true;
+                    continue;
+                }
+                Effect::Fault(_) | Effect::Suspend | Effect::Redraw => continue,
+            };
+            self.happens(msg);
+        }
+    }
+}
+
+fn keys_of(text: &str) -> Vec<KeyEvent> {
+    let mut keys = Vec::new();
+    let mut rest = text;
+    while let Some(character) = rest.chars().next() {
+        match rest.strip_prefix('<').and_then(|named| named.split_once('>')) {
+            Some((name, after)) => {
+                keys.push(named(name));
+                rest = after;
+            }
+            None => {
+                keys.push(KeyEvent::new(KeyCode::Char(character), KeyModifiers::NONE));
+                rest = &rest[character.len_utf8()..];
+            }
+        }
+    }
+    keys
+}
+
+fn named(name: &str) -> KeyEvent {
+    let (mut modifiers, mut base) = (KeyModifiers::NONE, name);
+    while let Some((modifier, rest)) = base.split_once('-').filter(|(modifier, rest)| modifier.len() == 1 && !rest.is_empty()) {
+        modifiers |= match modifier {
+            "s" => KeyModifiers::SHIFT,
+            "a" => KeyModifiers::ALT,
+            "c" => KeyModifiers::CONTROL,
+            _ => panic!("no key is called <{name}>"),
+        };
+        base = rest;
+    }
+    let code = match base {
+        "tab" if modifiers.contains(KeyModifiers::SHIFT) => KeyCode::BackTab,
+        "tab" => KeyCode::Tab,
+        "enter" => KeyCode::Enter,
+        "esc" => KeyCode::Esc,
+        "bs" => KeyCode::Backspace,
+        "del" => KeyCode::Delete,
+        "up" => KeyCode::Up,
+        "down" => KeyCode::Down,
+        "left" => KeyCode::Left,
+        "right" => KeyCode::Right,
+        "home" => KeyCode::Home,
+        "end" => KeyCode::End,
+        "pgup" => KeyCode::PageUp,
+        "pgdn" => KeyCode::PageDown,
+        "space" => KeyCode::Char(' '),
+        "lt" => KeyCode::Char('<'),
+        "f1" => KeyCode::F(1),
+        "f2" => KeyCode::F(2),
+        _ => match base.chars().next().filter(|_| base.chars().count() == 1) {
+            Some(character) => KeyCode::Char(character),
+            None => panic!("no key is called <{name}>"),
+        },
+    };
+    KeyEvent::new(code, modifiers)
+}

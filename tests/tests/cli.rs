@@ -1,0 +1,581 @@
+//! The command line, run as a person or a script runs it: what is printed, where, and with which exit status.
+
+use std::{
+    fs,
+    io::Write as _,
+    path::{Path, PathBuf},
+    process::{Command, Output, Stdio},
+};
+
+use dalembert_core::{Draft, Field, Limit, Measure, Shape, cases, draft::read_leaf, registry};
+use dalembert_plugins as _;
+use dalembert_tests::pty;
+use serde_json::Value as Json;
+
+const FAN: &str = "vibration/rotating-unbalance";
+
+/// Runs the program without a terminal, in English unless the environment says otherwise.
+fn run(arguments: &[&str], environment: &[(&str, &str)]) -> Output {
+    let mut command = Command::new(pty::program());
+    command
+        .args(arguments)
+        .stdin(Stdio::null())
+        .env_remove("LC_ALL")
+        .env_remove("LC_MESSAGES")
+        .env("LANG", "C.UTF-8");
+    command.envs(environment.iter().copied());
+    command.output().expect("the program runs")
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).expect("what is printed is UTF-8")
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).expect("what is printed is UTF-8")
+}
+
+/// What a successful run prints.
+fn printed(arguments: &[&str]) -> String {
+    let output = run(arguments, &[]);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
+    let text = stdout(&output);
+    assert!(!text.contains('\x1b'), "{arguments:?} prints control sequences");
+    text
+}
+
+fn json(arguments: &[&str]) -> Json {
+    serde_json::from_str(&printed(arguments)).expect("what is printed is JSON")
+}
+
+/// The error of a run that fails with this status; nothing else is printed.
+fn refused(arguments: &[&str], status: i32) -> String {
+    let output = run(arguments, &[]);
+    let error = stderr(&output);
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {error}");
+    assert!(!error.contains("panicked") && !error.contains('\x1b'), "{error}");
+    assert!(!error.trim().is_empty());
+    if status == 2 {
+        assert_eq!(stdout(&output), "", "{arguments:?}");
+    }
+    error
+}
+
+/// A problem file with this text, in a folder that goes with the guard.
+fn file(text: &[u8]) -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let path = folder.path().join("problem.toml");
+    fs::write(&path, text).expect("the folder is ours");
+    let path = path.to_str().expect("the path is UTF-8").to_owned();
+    (folder, path)
+}
+
+const PROBLEM: &str = r#"analysis = "vibration/rotating-unbalance"
+title = "Fan of the paint shop"
+
+[inputs]
+mass = "40 kg"
+unbalance = "0.1 kg*m"
+speed = "1000 rpm"
+support.stiffness = { stiffness = "451.389 kN/m" }
+damping.ratio = { ratio = 0.0617 }
+
+[show]
+amplitude = "um"
+"#;
+
+/// The lines of a text from the one that begins so, up to a blank line.
+fn part<'t>(text: &'t str, begin: &str) -> String {
+    let lines: Vec<&'t str> = text
+        .lines()
+        .skip_while(|line| !line.starts_with(begin))
+        .take_while(|line| !line.is_empty())
+        .collect();
+    assert!(!lines.is_empty(), "`{begin}` begins no line of\n{text}");
+    lines.join("\n")
+}
+
+#[test]
+fn without_a_terminal_a_worked_solution_is_printed() {
+    let text = printed(&[]);
+    assert!(text.starts_with("Rotating unbalance\n"), "{text}");
+    assert!(text.contains("19.456 mm"));
+    let (_folder, path) = file(PROBLEM.as_bytes());
+    let text = printed(&[&path]);
+    assert!(text.contains("Fan of the paint shop"), "{text}");
+    // The file asks for micrometres.
+    assert!(part(&text, "Answers").contains("µm"), "{text}");
+    assert_eq!(text, printed(&["solve", &path]));
+    assert_eq!(printed(&[FAN]), printed(&["solve", FAN]));
+}
+
+#[test]
+fn analyses_are_listed() {
+    let text = printed(&["list"]);
+    let all = json(&["list", "--json"]);
+    let all = all.as_array().unwrap();
+    assert_eq!(all.len(), registry().len());
+    for entry in registry() {
+        assert!(text.contains(entry.about.id));
+        assert!(all.iter().any(|json| json["id"] == entry.about.id && json["title"] == entry.about.title));
+    }
+    let fans = json(&["list", "--json", "ventilador", "fan"]);
+    assert!(fans.as_array().unwrap().iter().any(|json| json["id"] == FAN), "{fans}");
+    assert_eq!(json(&["list", "--json", "no such thing"]), serde_json::json!([]));
+    assert!(refused(&["list", "no such thing"], 2).contains("no such thing"));
+}
+
+#[test]
+fn an_analysis_is_shown() {
+    for entry in registry() {
+        let id = entry.about.id;
+        let shown = json(&["show", id, "--json"]);
+        assert_eq!(shown["id"], id);
+        for key in ["inputs", "answers", "sources", "cases"] {
+            assert!(shown[key].as_array().is_some_and(|all| !all.is_empty()), "{id}: {key}");
+        }
+        let text = printed(&["show", id]);
+        for answer in shown["answers"].as_array().unwrap() {
+            assert!(text.contains(answer["name"].as_str().unwrap()), "{id}: {answer}");
+        }
+    }
+    let shown = json(&["show", FAN, "--json"]);
+    let mass = &shown["inputs"][0];
+    assert_eq!(
+        (&mass["name"], &mass["unit"], &mass["quantity"]),
+        (&"mass".into(), &"kg".into(), &"a mass".into())
+    );
+    assert_eq!(mass["min"], serde_json::json!({ "value": 0.0, "included": false }));
+    let text = printed(&["show", FAN]);
+    insta::assert_snapshot!("show", text.lines().take(10).collect::<Vec<_>>().join("\n"));
+    assert!(
+        refused(&["show", "vibration/rotating-unbalence"], 2)
+            .contains("did you mean `vibration/rotating-unbalance`")
+    );
+}
+
+#[test]
+fn json_of_a_solve_has_the_agreed_shape() {
+    let solved = json(&["solve", FAN, "--case", "1", "--format", "json"]);
+    let keys: Vec<&String> = solved.as_object().unwrap().keys().collect();
+    assert_eq!(keys, ["analysis", "case", "inputs", "answers", "checks", "warnings", "refusal"]);
+    assert_eq!(solved["analysis"], FAN);
+    assert_eq!(solved["refusal"], Json::Null);
+    let amplitude = &solved["answers"]["amplitude"];
+    assert_eq!(amplitude["shown"], "19.456 mm");
+    assert_eq!(amplitude["unit"], "mm");
+    assert!((amplitude["si"].as_f64().unwrap() - 0.0194564).abs() < 5e-8, "{amplitude}");
+    let speed = &solved["inputs"]["speed"];
+    assert_eq!((&speed["text"], &speed["unit"]), (&"1000 rpm".into(), &"rpm".into()));
+    assert!((speed["si"].as_f64().unwrap() - 104.71975511965978).abs() < 1e-9);
+    assert_eq!(solved["inputs"]["support"]["text"], "cantilever");
+    assert!(solved["checks"].as_array().unwrap().iter().all(|check| check["passed"] == true));
+    for entry in registry() {
+        for number in 1..=cases::cases(entry).unwrap().len() {
+            let output =
+                run(&["solve", entry.about.id, "--case", &number.to_string(), "--format", "json"], &[]);
+            let solved: Json = serde_json::from_slice(&output.stdout).expect("a refusal is JSON too");
+            let refusal = !solved["refusal"].is_null();
+            assert_eq!(output.status.code(), Some(i32::from(refusal)), "{}, case {number}", entry.about.id);
+            assert_eq!(solved["answers"].as_object().unwrap().is_empty(), refusal);
+        }
+    }
+}
+
+#[test]
+fn inputs_units_and_digits_are_changed() {
+    let solved = json(&["solve", FAN, "--set", "speed=1500 rpm", "--format", "json"]);
+    assert_eq!(solved["inputs"]["speed"]["text"], "1500 rpm");
+    // r = 1.479, far above resonance: X = (m₀e/m) r²/√((1 − r²)² + (2ζr)²).
+    assert_eq!(solved["answers"]["amplitude"]["shown"], "4.5496 mm");
+    let other =
+        json(&["solve", FAN, "--set", "support.stiffness.stiffness=451,3889 kN/m", "--format", "json"]);
+    assert_eq!(other["inputs"]["support"]["text"], "stiffness");
+    let shown = |more: &[&str]| {
+        let arguments = [&["solve", FAN, "--format", "json"], more].concat();
+        json(&arguments)["answers"]["amplitude"]["shown"].as_str().unwrap().to_owned()
+    };
+    assert_eq!(shown(&["--unit", "amplitude=um"]), "19456 µm");
+    assert_eq!(shown(&["--digits", "3"]), "19.5 mm");
+    assert_eq!(shown(&["--lang", "pt-BR"]), "19,456 mm");
+    assert_eq!(shown(&["--unit", "amplitude=um", "--ascii"]), "19456 um");
+    for (arguments, words) in [
+        (["--unit", "amplitude=kg"], "write a unit like mm"),
+        (["--unit", "amplitud=mm"], "did you mean `amplitude`"),
+        (["--unit", "amplitude=mmm"], "mmm"),
+        (["--unit", "amplitude"], "--unit amplitude=um"),
+        (["--set", "mass"], "--set mass=\"40 kg\""),
+        (["--set", "mas=4 kg"], "did you mean `mass`"),
+        (["--set", "support=rope"], "rope"),
+        (["--set", "masses[0].radius=1 m"], "masses"),
+        (["--set", "support=@/no/such/file"], "@/no/such/file"),
+        (["--case", "99"], "99"),
+        (["--case", "0"], "0"),
+        (["--digits", "40"], "40"),
+        (["--format", "docx"], "docx"),
+        (["--table", "plots"], "plots"),
+    ] {
+        let arguments = [
+            &["solve", FAN, "--format", "csv"][..if arguments[0] == "--format" { 2 } else { 4 }],
+            &arguments,
+        ]
+        .concat();
+        assert!(refused(&arguments, 2).contains(words), "{arguments:?}: {}", refused(&arguments, 2));
+    }
+}
+
+#[test]
+fn a_worked_solution_is_written_in_every_format() {
+    let text = printed(&["solve", FAN]);
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    insta::assert_snapshot!("answers", part(&text, "Answers"));
+    insta::assert_snapshot!("first_step", part(&text, "1. "));
+    let markdown = printed(&["solve", FAN, "--format", "markdown"]);
+    assert!(markdown.starts_with("# Rotating unbalance\n"));
+    assert!(markdown.contains("\n    k = 3 E I / L³\n"), "{markdown}");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("fan.md");
+    assert_eq!(printed(&["solve", FAN, "--format", "markdown", "-o", path.to_str().unwrap()]), "");
+    assert_eq!(fs::read_to_string(path).unwrap(), markdown);
+    assert!(refused(&["solve", FAN, "-o", "/no/such/folder/fan.txt"], 2).contains("/no/such/folder"));
+    for table in ["answers", "inputs", "steps", "checks", "plot-1"] {
+        let csv = printed(&["solve", FAN, "--format", "csv", "--table", table, "--lang", "pt-BR"]);
+        let lines: Vec<&str> = csv.split_terminator("\r\n").collect();
+        assert!(lines.len() > 1, "{table}: {csv}");
+        let columns = cells(lines[0]);
+        assert!(lines.iter().all(|line| cells(line) == columns), "{table}: {csv}");
+    }
+    let answers = printed(&["solve", FAN, "--format", "csv", "--lang", "pt-BR"]);
+    let amplitude = answers.lines().find(|line| line.starts_with("amplitude,")).unwrap();
+    assert!(amplitude.contains(",19.456") && amplitude.contains(",mm,0.01945"), "{amplitude}");
+}
+
+/// The number of cells of a line.
+fn cells(line: &str) -> usize {
+    let mut quoted = false;
+    1 + line
+        .chars()
+        .filter(|c| {
+            quoted ^= *c == '"';
+            *c == ',' && !quoted
+        })
+        .count()
+}
+
+#[test]
+fn both_languages_and_ascii() {
+    let portuguese = run(&["solve", FAN], &[("LANG", "pt_BR.UTF-8")]);
+    assert!(stdout(&portuguese).contains("19,456 mm"));
+    let overruled =
+        run(&["solve", FAN, "--lang", "en"], &[("LC_ALL", "pt_BR.UTF-8"), ("LANG", "pt_BR.UTF-8")]);
+    assert_eq!(stdout(&overruled), printed(&["solve", FAN]));
+    assert_eq!(printed(&["--lang", "pt-BR", "solve", FAN]), stdout(&portuguese));
+    assert!(stdout(&run(&["--help"], &[("LC_MESSAGES", "pt_BR")])).contains("Listar as análises"));
+    for entry in registry() {
+        for command in [vec!["solve"], vec!["show"], vec!["verify"]] {
+            for language in ["en", "pt-BR"] {
+                let arguments = [&command[..], &[entry.about.id, "--ascii", "--lang", language]].concat();
+                let text = printed(&arguments);
+                assert!(text.is_ascii(), "{arguments:?}: {:?}", text.lines().find(|line| !line.is_ascii()));
+                assert!(
+                    !text.contains('?'),
+                    "{arguments:?}: {:?}",
+                    text.lines().find(|line| line.contains('?'))
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn every_published_answer_is_verified() {
+    let verified = json(&["verify", "--json"]);
+    let rows = verified["rows"].as_array().unwrap();
+    let count = |verdict: &str| rows.iter().filter(|row| row["verdict"] == verdict).count();
+    for verdict in ["agreed", "disputed", "differing"] {
+        assert_eq!(verified[verdict], count(verdict));
+    }
+    assert_eq!(count("differing"), 0, "{verified:#}");
+    for row in rows {
+        let keys: Vec<&String> = row.as_object().unwrap().keys().collect();
+        assert_eq!(keys, ["analysis", "case", "source", "answer", "printed", "ours", "verdict", "why"]);
+        assert!(row["verdict"] != "disputed" || row["why"] != "", "{row}");
+    }
+    let amplitude = rows.iter().find(|row| row["analysis"] == FAN && row["answer"] == "amplitude").unwrap();
+    assert_eq!((&amplitude["printed"], &amplitude["verdict"]), (&"1.743 mm".into(), &"disputed".into()));
+    let text = printed(&["verify"]);
+    let total = format!("{} agreed, {} disputed, 0 differing", count("agreed"), count("disputed"));
+    assert_eq!(text.lines().last(), Some(total.as_str()));
+    // Nothing verified does not pass for verified.
+    assert!(refused(&["verify", "no such thing"], 2).contains("no such thing"));
+}
+
+#[test]
+fn a_schema_describes_every_problem_file() {
+    for entry in registry() {
+        let schema = json(&["schema", entry.about.id]);
+        assert_eq!(schema["properties"]["analysis"]["const"], entry.about.id);
+        let known = schema["properties"]["inputs"]["properties"].as_object().unwrap();
+        assert_eq!(known.len(), entry.fields().len());
+        for field in entry.fields() {
+            assert!(known.contains_key(field.name), "{}: {}", entry.about.id, field.name);
+        }
+        references(&schema, &schema["$defs"]);
+    }
+    let schema = json(&["schema", FAN]);
+    assert_eq!(schema["properties"]["inputs"]["properties"]["mass"]["exclusiveMinimum"], 0.0);
+    assert!(refused(&["schema", "fan"], 2).contains("fan"));
+}
+
+/// Every `$ref` names a definition.
+fn references(json: &Json, definitions: &Json) {
+    match json {
+        Json::Object(object) => {
+            if let Some(name) = object.get("$ref") {
+                let name = name.as_str().and_then(|name| name.strip_prefix("#/$defs/")).unwrap();
+                assert!(definitions[name].is_object(), "{name}");
+            }
+            object.values().for_each(|inner| references(inner, definitions));
+        }
+        Json::Array(all) => all.iter().for_each(|inner| references(inner, definitions)),
+        _ => {}
+    }
+}
+
+#[test]
+fn the_other_subcommands_print_something() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        assert!(printed(&["completions", shell]).contains("dalembert"), "{shell}");
+    }
+    assert!(printed(&["man"]).starts_with(".ie"));
+    assert!(printed(&["man", "solve"]).contains("\\-\\-set"));
+    assert!(refused(&["man", "sove"], 2).contains("did you mean `solve`"));
+    assert!(printed(&["info"]).contains(env!("CARGO_PKG_VERSION")));
+    assert!(printed(&["--version"]).contains(env!("CARGO_PKG_VERSION")));
+    for wrong in [&["--no-such-option"][..], &["solve"], &["completions", "csh"], &["--lang", "fr", "list"]] {
+        refused(wrong, 2);
+    }
+}
+
+#[test]
+fn a_reader_that_leaves_is_no_failure() {
+    let mut child = Command::new(pty::program())
+        .args(["verify", "--json"])
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_eq!(stderr(&output), "");
+}
+
+#[test]
+fn a_problem_without_an_answer_is_refused_in_words() {
+    let mut refusals = 0;
+    for entry in registry() {
+        for (n, case) in cases::cases(entry).unwrap().iter().enumerate() {
+            if let Some(words) = &case.refused {
+                refusals += 1;
+                let error = refused(&["solve", entry.about.id, "--case", &(n + 1).to_string()], 1);
+                assert!(error.to_lowercase().contains(&words.to_lowercase()), "{error}");
+            }
+        }
+    }
+    assert!(refusals > 0);
+}
+
+#[test]
+fn wrong_problem_files_are_pointed_into() {
+    let wrong = PROBLEM
+        .replace("mass = \"40 kg\"", "mass = \"40 s\"")
+        .replace("0.1 kg*m", "0.1 kgg*m")
+        .replace("ratio = 0.0617", "ratio = -1");
+    let (_folder, path) = file(wrong.as_bytes());
+    let error = refused(&["solve", &path], 2);
+    // All errors at once, each with its line and column.
+    for words in [
+        format!("{path}:5:9"),
+        "a mass is expected".into(),
+        format!("{path}:6:18"),
+        "did you mean `kg`".into(),
+        format!("{path}:9:27"),
+        "damping.ratio.ratio: must not be below zero".into(),
+    ] {
+        assert!(error.contains(&words), "{words} is missing in\n{error}");
+    }
+    let unknown = PROBLEM.replace("mass =", "mas =").replace("[show]", "[shaw]");
+    let (_folder, path) = file(unknown.as_bytes());
+    let error = refused(&["solve", &path], 2);
+    assert!(error.contains("did you mean `mass`") && error.contains(&format!("{path}:5:1")), "{error}");
+    assert!(error.contains("did you mean `show`"), "{error}");
+}
+
+#[test]
+fn files_that_are_no_problem_are_refused_in_one_message() {
+    let deep = format!("analysis = \"{FAN}\"\ninputs = {}1{}", "[".repeat(100_000), "]".repeat(100_000));
+    let dotted = format!("analysis = \"{FAN}\"\n[inputs]\n{}x = 1", "a.".repeat(100_000));
+    let long = PROBLEM.replace("40 kg", &"9".repeat(10_000_000));
+    for (text, words) in [
+        (&b"\x7fELF\x02\x01\x01\0\0\xff\xfe"[..], "not UTF-8"),
+        (b"", "analysis"),
+        (b"analysis =", ":1:"),
+        (b"inputs = 3", "analysis"),
+        (b"analysis = 3", "must be a text"),
+        (b"analysis = \"vibration/rotating-unbalence\"", "did you mean `vibration/rotating-unbalance`"),
+        (b"format = 99\nanalysis = \"x\"", "99"),
+        (b"analysis = \"vibration/rotating-unbalance\"\n[inputs]\nmass = 1\nmass = 2", "duplicate key"),
+        (deep.as_bytes(), "problem.toml"),
+        (dotted.as_bytes(), "problem.toml"),
+        (long.as_bytes(), "mass"),
+        (b"analysis = \"\x1b[31m\"", ":1:"),
+    ] {
+        let (_folder, path) = file(text);
+        let error = refused(&["solve", &path], 2);
+        assert!(error.contains(words), "{words} is missing in\n{}", &error[..error.len().min(2000)]);
+        assert!(error.len() < 4000, "{} bytes of error for {words}", error.len());
+    }
+    let (folder, path) = file(&vec![b'#'; 17 << 20]);
+    assert!(refused(&["solve", &path], 2).contains("16 MiB"));
+    assert!(refused(&["solve", folder.path().to_str().unwrap()], 2).contains("folder"));
+    assert!(refused(&["solve", "no-such-file.toml"], 2).contains("no file"));
+    assert!(refused(&["no-such-file.toml"], 2).contains("no file"));
+    assert!(refused(&["solve", "/dev/null"], 2).contains("device"));
+}
+
+/// What nobody means, in every field.
+fn nonsense() -> Vec<(&'static str, String)> {
+    vec![
+        ("empty", String::new()),
+        ("letters", "abc".into()),
+        ("wrong dimension", "3 s^5".into()),
+        ("wrong kind", "3 J/rad^2*kg".into()),
+        ("two decimal marks", "1.000,5".into()),
+        ("too large", "1e400".into()),
+        ("not a number", "nan".into()),
+        ("infinite", "inf".into()),
+        ("control characters", "3\u{7}\u{1b}[31m".into()),
+        ("invisible characters", "3\u{202e}".into()),
+        ("10 MB", "9".repeat(10_000_000)),
+    ]
+}
+
+#[test]
+fn every_kind_of_field_refuses_nonsense() {
+    static COLUMNS: &[Field] = &[Field {
+        name: "mass",
+        label: "Mass",
+        help: "",
+        symbol: "m",
+        default: None,
+        shape: Shape::Quantity(KILOGRAM),
+    }];
+    const KILOGRAM: Measure =
+        Measure { unit: "kg", kind: None, min: Limit::Excluding(0.0), max: Limit::None };
+    let any: &[&str] = &[];
+    // What a text may be: anything that is one visible line.
+    let words = &[
+        "empty",
+        "letters",
+        "wrong dimension",
+        "wrong kind",
+        "two decimal marks",
+        "too large",
+        "not a number",
+        "infinite",
+        "invisible characters",
+    ][..];
+    for (kind, shape, permitted) in [
+        ("quantity", Shape::Quantity(KILOGRAM), any),
+        ("vector", Shape::Vector(KILOGRAM, 2), any),
+        ("flag", Shape::Flag, any),
+        ("count", Shape::Count { min: 1, max: 20 }, any),
+        ("table", Shape::Table(|| COLUMNS), any),
+        ("text", Shape::Text, words),
+        ("reference", Shape::Reference("bodies"), &words[1..]),
+    ] {
+        for (what, text) in nonsense() {
+            match read_leaf(&text, &shape, "masses[1].mass") {
+                Ok(_) => assert!(permitted.contains(&what), "{kind} takes {what}"),
+                Err(errors) => {
+                    assert!(!permitted.contains(&what), "{kind} refuses {what}: {errors:?}");
+                    assert!(errors.iter().all(|err| err.path == "masses[1].mass"), "{errors:?}");
+                    let words = errors.iter().map(|err| err.why.english()).collect::<String>();
+                    assert!((5..2000).contains(&words.len()), "{kind}, {what}: {words}");
+                }
+            }
+        }
+    }
+    assert!(read_leaf("-3 kg", &Shape::Quantity(KILOGRAM), "mass").is_err());
+    assert!(read_leaf("21", &Shape::Count { min: 1, max: 20 }, "teeth").is_err());
+}
+
+#[test]
+fn nonsense_in_any_input_of_any_analysis_is_named() {
+    for entry in registry() {
+        let shape = entry.shape();
+        let case = cases::first(entry).expect("every analysis has a case");
+        let mut paths = Vec::new();
+        case.record(entry).unwrap().leaves(&mut |path, _, _| paths.push(path.to_owned()));
+        for path in paths {
+            for (what, text) in nonsense() {
+                let mut draft: Draft = case.draft.clone();
+                let errors = match draft.set(&shape, &path, &text) {
+                    Err(err) => vec![err],
+                    Ok(()) => draft.read(&shape).err().unwrap_or_default(),
+                };
+                // Other rows may refer to a name that is changed: those are named instead.
+                let about_it = errors.iter().all(|err| err.path.starts_with(&path) || !err.path.is_empty());
+                assert!(about_it, "{}: {path}, {what}: {errors:?}", entry.about.id);
+            }
+        }
+    }
+}
+
+#[test]
+fn errors_name_field_value_and_repair() {
+    for (value, repair) in [
+        ("", "for example"),
+        ("abc", "write"),
+        ("40 s", "a mass is expected"),
+        ("40 N", "weight"),
+        ("1.000,5 kg", "write"),
+        ("-3 kg", "must be above zero"),
+        ("1e400 kg", "below 1e300"),
+        ("nan", "write"),
+        ("3\u{7}", ""),
+        ("4o kg", ""),
+    ] {
+        let error = refused(&["solve", FAN, "--set", &format!("mass={value}")], 2);
+        assert!(error.starts_with("error: mass"), "{error}");
+        assert!(error.contains(repair), "{value}: {error}");
+        assert!(value.contains('\u{7}') || error.contains(value), "{value}: {error}");
+    }
+    // Several at once.
+    let error = refused(&["solve", FAN, "--set", "mass=40 s", "--set", "speed=fast", "--set", "foo=1"], 2);
+    assert_eq!(error.lines().count(), 3, "{error}");
+}
+
+#[test]
+fn a_table_is_read_from_a_file() {
+    let Some((entry, path)) = first_table() else { return };
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("no-such-data.csv");
+    let error = refused(&["solve", entry, "--set", &format!("{path}=@{}", data.display())], 2);
+    assert!(error.contains("no-such-data.csv"), "{error}");
+    let folder = tempfile::tempdir().unwrap();
+    let data: PathBuf = folder.path().join("data.csv");
+    fs::File::create(&data).unwrap().write_all(b"one; two; three; four; five\nwords\n").unwrap();
+    let error = refused(&["solve", entry, "--set", &format!("{path}=@{}", data.display())], 2);
+    assert!(error.contains("line 2"), "{error}");
+}
+
+/// An analysis that asks for a table, and where.
+fn first_table() -> Option<(&'static str, &'static str)> {
+    let present = |shape: Shape| if let Shape::Optional(inner) = shape { *inner() } else { shape };
+    registry().iter().find_map(|entry| {
+        let field = entry.fields().iter().find(|field| matches!(present(field.shape), Shape::Table(_)))?;
+        Some((entry.about.id, field.name))
+    })
+}

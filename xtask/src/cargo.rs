@@ -1,0 +1,58 @@
+//! Runs cargo and the program it builds.
+
+use std::{
+    env,
+    ffi::OsString,
+    path::{Path, PathBuf},
+    process::{Command, Stdio},
+};
+
+use anyhow::{Context, Result, bail};
+
+/// The cargo that runs this.
+pub(crate) fn cargo(folder: &Path) -> Command {
+    let program = env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
+    let mut command = Command::new(program);
+    command.current_dir(folder);
+    command
+}
+
+/// Runs a command whose output is for the person who looks on.
+pub(crate) fn run(command: &mut Command) -> Result<()> {
+    let status = command.status().with_context(|| format!("{} cannot be run", shown(command)))?;
+    if status.success() { Ok(()) } else { bail!("{} ended with {status}", shown(command)) }
+}
+
+/// Runs a command and returns what it prints; its errors go to the person who looks on.
+pub(crate) fn output(command: &mut Command) -> Result<String> {
+    let output = command
+        .stderr(Stdio::inherit())
+        .output()
+        .with_context(|| format!("{} cannot be run", shown(command)))?;
+    if !output.status.success() {
+        bail!("{} ended with {}", shown(command), output.status);
+    }
+    String::from_utf8(output.stdout).with_context(|| format!("{} does not print UTF-8", shown(command)))
+}
+
+/// The program, built without optimisation, with these arguments.
+pub(crate) fn dalembert(root: &Path, arguments: &[&str]) -> Command {
+    let mut command = cargo(root);
+    command.args(["run", "--quiet", "--package", "dalembert", "--"]).args(arguments);
+    command
+}
+
+/// Where cargo puts what it builds for the workspace in `root`.
+pub(crate) fn target(root: &Path) -> PathBuf {
+    // Paths in the variable are relative to where cargo was called.
+    env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |target| {
+        env::current_dir().map_or_else(|_| PathBuf::from(&target), |here| here.join(&target))
+    })
+}
+
+fn shown(command: &Command) -> String {
+    let program = Path::new(command.get_program()).file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let arguments = command.get_args().map(|argument| argument.to_string_lossy());
+    let words: Vec<String> = [program].into_iter().chain(arguments.map(Into::into)).collect();
+    format!("`{}`", words.join(" "))
+}

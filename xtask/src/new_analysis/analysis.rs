@@ -1,0 +1,106 @@
+//! A mass on a spring that is let go: a small analysis to begin with. Make it yours.
+//!
+//! This file is all there is: `register!` puts the analysis into the workbench, the command line, the reference
+//! and the tests. Its cases stand beside it in `cases/analysis_name.toml`.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{
+    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Source, Text,
+    Worksheet, register,
+};
+use dalembert_mechanics::{Real, sdof};
+
+/// The problem: its fields are what the form asks for. The first line of a comment is the label of its field, what
+/// follows is the help. The attribute holds the symbol in formulas, the unit, and the limits.
+#[derive(Clone, Debug, Inputs)]
+pub struct AnalysisName {
+    /// Mass.
+    #[input("m", "kg", positive)]
+    pub mass: f64,
+    /// Stiffness of the spring.
+    #[input("k", "N/m", positive)]
+    pub stiffness: f64,
+    /// Deflection at the start.
+    /// From the position of rest; the mass is let go without a push.
+    #[input("X", "m", positive, kind = "Amplitude")]
+    pub deflection: f64,
+}
+
+/// A source that several analyses follow belongs into `sources.rs` of this family.
+static TEXTBOOK: Source =
+    Source { short: "Rao", full: "S. S. Rao, Mechanical Vibrations, 5th ed., Prentice Hall, 2011" };
+
+register!(AnalysisName);
+
+impl Analysis for AnalysisName {
+    const ABOUT: About = About {
+        id: "family/analysis-name",
+        title: "Analysis name",
+        summary: "Natural frequency, period and greatest speed of a mass on a spring that is let go.",
+        keywords: "mass spring free vibration natural frequency massa mola",
+        sources: &[&TEXTBOOK],
+        cases: include_str!("../cases/analysis_name.toml"),
+    };
+
+    // Every formula is written once. Read with `f64` it is the number of a sweep; read with a term of the worksheet it
+    // is also the line of the worked solution. `given` holds the inputs as numbers of the worksheet, `self` in SI.
+    fn solve<W: Worksheet>(&self, given: &AnalysisNameGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let natural = sheet.step(
+            "ωₙ",
+            "rad/s",
+            sdof::natural_frequency(given.stiffness, given.mass),
+            ("Natural frequency without damping", TEXTBOOK.at("§2.2")),
+        );
+        let period =
+            sheet.step("T", "s", W::Num::from(TAU) / natural, ("Period of one oscillation", TEXTBOOK.at("§2.2")));
+        let speed = sheet.step(
+            "v",
+            "m/s",
+            natural * given.deflection,
+            ("Greatest speed, at the position of rest", TEXTBOOK.at("§2.2")),
+        );
+        // A second way to the same numbers: the energy of the spring becomes that of the motion.
+        sheet.check(
+            "the energy of the motion is that of the deflected spring",
+            given.mass * speed.powi(2) / 2.0,
+            given.stiffness * given.deflection.powi(2) / 2.0,
+        );
+        sheet.answer("natural_frequency", "Natural frequency", natural);
+        sheet.answer("period", "Period", period);
+        sheet.answer("greatest_speed", "Greatest speed", speed);
+        // Plots and drawings are built only when somebody looks.
+        let natural = natural.value();
+        sheet.show(|| Exhibit::Plot(self.motion(natural)));
+        sheet.show(|| Exhibit::Drawing(sketch()));
+        Ok(())
+    }
+}
+
+impl AnalysisName {
+    /// Three oscillations.
+    fn motion(&self, natural: f64) -> Plot {
+        let at = |n: u16| {
+            let time = 3.0 * TAU / natural * f64::from(n) / 300.0;
+            (time, self.deflection * (natural * time).cos())
+        };
+        Plot::new(
+            "Motion after the mass is let go",
+            Axis::linear("time", "s"),
+            Axis::linear("deflection", "mm"),
+            vec![Series::line("x", (0..=300).map(at).collect())],
+        )
+    }
+}
+
+/// The mass on its spring; metres, y up.
+fn sketch() -> Drawing {
+    let shapes = vec![
+        DrawnShape::Ground((-0.6, 0.0), (0.6, 0.0)),
+        DrawnShape::Spring((0.0, 0.0), (0.0, 1.0)),
+        DrawnShape::Block((-0.4, 1.0), (0.4, 1.6), Ink::Body),
+        DrawnShape::Arrow((0.7, 1.1), (0.7, 1.6), Ink::Motion),
+        DrawnShape::Label((0.8, 1.6), Text::from("x")),
+    ];
+    Drawing { title: "The mass on its spring".into(), shapes }
+}

@@ -1,0 +1,68 @@
+use std::env;
+
+use super::*;
+use crate::tidy::{Tree, faults};
+
+/// A repository with one family, in a folder of this test.
+fn repository(of: &str) -> PathBuf {
+    let root = env::temp_dir().join(format!("dalembert-xtask-{}-{of}", std::process::id()));
+    let _ = fs::remove_dir_all(&root);
+    for (path, text) in [
+        ("Cargo.toml", "[workspace.lints.rust]\nunsafe_code = \"forbid\"\n"),
+        ("plugins/vibration/Cargo.toml", "[lints]\nworkspace = true\n"),
+        ("plugins/vibration/src/lib.rs", "//! Vibration.\n\npub mod decay;\npub mod spring;\n\nmod sources;\n"),
+        ("plugins/vibration/src/decay.rs", "//! Decay.\n"),
+        ("plugins/vibration/locales/pt-BR.ftl", "mass = Massa\n"),
+        ("plugins/bundle/Cargo.toml", "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-vibration = { path = \"../vibration\" }\n"),
+        ("plugins/bundle/src/lib.rs", "use dalembert_vibration as _;\n"),
+        ("crates/core/locales/pt-BR.ftl", "period = Período da oscilação\n"),
+    ] {
+        write(&root.join(path), text).unwrap();
+    }
+    root
+}
+
+#[test]
+fn a_new_analysis_is_two_files_and_two_changes_and_tidy() {
+    let root = repository("sound");
+    run(&root, "vibration", "mass-on-spring").unwrap();
+    let source = read(&root.join("plugins/vibration/src/mass_on_spring.rs")).unwrap();
+    assert!(source.contains("register!(MassOnSpring);") && source.contains("\"vibration/mass-on-spring\""));
+    assert!(!source.contains("nalysisName") && !source.contains("nalysis_name") && !source.contains("nalysis-name"));
+    let library = read(&root.join("plugins/vibration/src/lib.rs")).unwrap();
+    assert_eq!(
+        library,
+        "//! Vibration.\n\npub mod decay;\npub mod mass_on_spring;\npub mod spring;\n\nmod sources;\n"
+    );
+    let translations = read(&root.join("plugins/vibration/locales/pt-BR.ftl")).unwrap();
+    assert_eq!(translations.matches("\nmass = ").count() + usize::from(translations.starts_with("mass = ")), 1);
+    assert!(translations.contains("period = Período da oscilação\n"), "{translations}");
+    assert!(translations.contains("mass-on-spring = Mass on spring\n"), "{translations}");
+    assert_eq!(faults(&Tree::read(&root).unwrap()), [""; 0]);
+    fs::remove_dir_all(&root).unwrap();
+}
+
+#[test]
+fn a_name_that_cannot_be_is_refused_and_nothing_is_written() {
+    let root = repository("refused");
+    for (family, name, words) in [
+        ("vibrations", "demo", "did you mean `vibration`?"),
+        ("vibration", "decay", "is taken: there is plugins/vibration/src/decay.rs"),
+        ("vibration", "Demo Case", "write `demo-case`"),
+        ("vibration", "match", "cannot name a file of Rust code"),
+        ("bundle", "demo", "there is no family `bundle`"),
+    ] {
+        let err = run(&root, family, name).unwrap_err().to_string();
+        assert!(err.contains(words), "{err}");
+    }
+    let files = fs::read_dir(root.join("plugins/vibration/src")).unwrap().count();
+    assert_eq!(files, 2);
+    assert_eq!(read(&root.join("plugins/vibration/locales/pt-BR.ftl")).unwrap(), "mass = Massa\n");
+    fs::remove_dir_all(&root).unwrap();
+}
+
+#[test]
+fn the_first_module_of_a_library_stands_below_its_documentation() {
+    assert_eq!(with_module("//! Vibration.\n", "demo"), "//! Vibration.\n\npub mod demo;\n");
+    assert_eq!(with_module("pub mod a;\n\nuse x;\n", "b"), "pub mod a;\npub mod b;\n\nuse x;\n");
+}

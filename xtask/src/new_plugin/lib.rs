@@ -1,0 +1,3 @@
+//! Analyses: family-title.
+
+dalembert_core::messages!("../locales/pt-BR.ftl");

@@ -1,0 +1,114 @@
+//! Each rule holds for a small sound tree and finds the fault that it is there for.
+
+use super::*;
+
+const ANALYSIS: &str = "\
+use dalembert_core::register;
+pub struct TwoPlane {}
+
+register!(TwoPlane);
+
+const ID: About = About { id: \"balancing/two-plane\", cases: include_str!(\"../cases/two_plane.toml\") };
+";
+
+const MANIFEST: &str = "\
+[lints]
+workspace = true
+
+[dependencies]
+dalembert-core.workspace = true
+nalgebra.workspace = true
+";
+
+/// A sound tree with some files in place of its own; an empty text leaves one out.
+fn tree(changes: &[(&str, &str)]) -> Tree {
+    let mut tree = Tree::of(&[
+        ("Cargo.toml", "[workspace.lints.rust]\nunsafe_code = \"forbid\"\n"),
+        ("plugins/balancing/Cargo.toml", MANIFEST),
+        ("plugins/balancing/src/lib.rs", "pub mod two_plane;\n"),
+        ("plugins/balancing/src/two_plane.rs", ANALYSIS),
+        ("plugins/balancing/cases/two_plane.toml", "[[case]]\n"),
+        (
+            "plugins/bundle/Cargo.toml",
+            "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-balancing = { path = \"../balancing\" }\n",
+        ),
+        ("plugins/bundle/src/lib.rs", "use dalembert_balancing as _;\n"),
+        ("crates/core/Cargo.toml", "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-units.workspace = true\n"),
+        ("crates/core/src/lib.rs", "use std::{fmt, sync::OnceLock};\n"),
+        ("README.md", "See `crates/core/src/lib.rs`, `plugins/NAME/src`, `crates/core`.\n"),
+    ]);
+    for (path, text) in changes {
+        tree.0.insert((*path).to_owned(), (*text).to_owned());
+        if text.is_empty() {
+            tree.0.remove(*path);
+        }
+    }
+    tree
+}
+
+/// The tree has exactly one fault, in these words.
+fn finds(changes: &[(&str, &str)], words: &str) {
+    let faults = faults(&tree(changes));
+    assert_eq!(faults.len(), 1, "{words}: {faults:#?}");
+    assert!(faults[0].contains(words), "{words}: {faults:#?}");
+}
+
+#[test]
+fn a_sound_tree_has_no_faults() {
+    assert_eq!(faults(&tree(&[])), [""; 0]);
+}
+
+#[test]
+fn an_analysis_has_one_name() {
+    let source = "plugins/balancing/src/two_plane.rs";
+    finds(&[(source, &ANALYSIS.replace("TwoPlane", "Planes"))], "two_plane.rs:4: `Planes` in a file named two_plane.rs");
+    finds(&[(source, &ANALYSIS.replace("balancing/two", "balance/two"))], "must be \"balancing/two-plane\"");
+    finds(&[(source, &format!("{ANALYSIS}register!(Other);\n"))], "a second analysis");
+    finds(&[("plugins/balancing/cases/two_plane.toml", "")], "its cases must be in");
+    finds(&[("plugins/balancing/cases/gone.toml", "[[case]]\n")], "no analysis in plugins/balancing/src/gone.rs");
+    finds(&[("plugins/balancing/src/lib.rs", "//! Nothing.\n")], "is not compiled");
+}
+
+#[test]
+fn a_plugin_is_in_the_bundle_and_nowhere_else() {
+    finds(&[("plugins/bundle/src/lib.rs", "//! None.\n")], "`use dalembert_balancing as _;` is missing");
+    let empty = "[lints]\nworkspace = true\n";
+    finds(&[("plugins/bundle/Cargo.toml", empty)], "`dalembert-balancing = { path = \"../balancing\" }` is missing");
+    finds(&[("crates/core/src/x.rs", "use dalembert_balancing as _;\n")], "crates/core/src/x.rs:1: names a plugin");
+    assert_eq!(faults(&tree(&[("crates/core/src/x.rs", "// dalembert-balancing-of-rotors\n")])), [""; 0]);
+}
+
+#[test]
+fn a_crate_depends_on_what_lies_below() {
+    let core = "crates/core/Cargo.toml";
+    let with = |line: &str| format!("[lints]\nworkspace = true\n\n[dependencies]\n{line}\n");
+    finds(&[(core, &with("dalembert-tui.workspace = true"))], "crates/core/Cargo.toml:5: may not depend on dalembert-tui");
+    finds(&[(core, &with("dalembert = { path = \"../dalembert\" }"))], "may not depend on dalembert");
+    finds(&[("plugins/balancing/Cargo.toml", &format!("{MANIFEST}ratatui = \"0.30\"\n"))], "may not depend on ratatui");
+    finds(&[("crates/new/Cargo.toml", &with(""))], "say in xtask/src/tidy/layers.rs");
+}
+
+#[test]
+fn a_pure_crate_has_no_effects() {
+    let source = "crates/core/src/x.rs";
+    finds(&[(source, "use std::{\n    fmt::{self, Write},\n    fs,\n};\n")], "std::fs has no place here");
+    finds(&[(source, "fn f() { std::fs::read(\"x\"); }\n")], "x.rs:1: std::fs");
+    finds(&[(source, "\nfn f() { println!(); }\n")], "x.rs:2: println! has no place");
+    finds(&[("crates/tui/src/x.rs", "use std::{io, net::TcpStream};\n")], "std::net has no place here");
+    let sound = "/// Not std::fs, and no println!\nuse std::{fmt::{self, fs}, io};\n#[cfg(test)]\nmod tests { use std::fs; }\n";
+    assert_eq!(faults(&tree(&[(source, sound)])), [""; 0]);
+}
+
+#[test]
+fn a_file_is_written_as_agreed() {
+    finds(&[("crates/core/src/a/mod.rs", "//! A.\n")], "write crates/core/src/a.rs");
+    finds(&[("crates/core/src/a.rs", &["// TO", "DO\n"].concat())], "is left");
+    finds(&[("crates/core/src/a.rs", &["  #[", "allow(dead_code)]\n"].concat())], "write `#[expect(");
+    finds(&[("crates/core/Cargo.toml", "[package]\n")], "write `[lints]`");
+    finds(&[("Cargo.toml", "[workspace]\n")], "must forbid unsafe code");
+    let long = "//\n".repeat(601);
+    finds(&[("crates/core/src/a.rs", &long)], "601 lines");
+    let with_reason = format!("{long}// Long because it is a table.\n");
+    assert_eq!(faults(&tree(&[("crates/core/src/a.rs", &with_reason)])), [""; 0]);
+    finds(&[("README.md", "See `crates/gone`.\n")], "README.md:1: there is no crates/gone");
+}
