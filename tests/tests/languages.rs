@@ -9,8 +9,11 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use dalembert as _;
 use dalembert_core::{Exhibit, Field, Shape, Stop, Text, cases, exhibit::Cell, registry, text};
 use dalembert_plugins as _;
+use dalembert_report as _;
+use dalembert_tui as _;
 
 #[test]
 fn every_sentence_has_its_portuguese() {

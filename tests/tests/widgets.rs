@@ -1,8 +1,8 @@
 //! The widgets of the workbench: plots, drawings and panes, as plain functions of plain data.
 
 use dalembert_core::{
-    Answer, AnswerValue, Axis, Cell, Check, Column, Draft, Drawing, DrawnShape, Entry, Exhibit, Ink, Locale, Plot, Refusal,
-    Scale, Series, Solution, SolveError, Stop, TableExhibit, Text, cases, find,
+    Answer, AnswerValue, Axis, Cell, Check, Column, Draft, Drawing, DrawnShape, Entry, Exhibit, Ink, Locale,
+    Plot, Refusal, Scale, Series, Solution, SolveError, Stop, TableExhibit, Text, cases, find,
 };
 use dalembert_mechanics::{intervals::IntervalSet, sdof};
 use dalembert_plugins as _;
@@ -41,8 +41,14 @@ fn fan() -> Plot {
 
 /// The fan with everything that a plot may hold.
 fn full() -> Plot {
-    let mut plot = fan().level("permitted", 0.005).band("keep out", 95.0, 118.0, false).band("good", 170.0, f64::INFINITY, true);
-    let measured = (1..12).map(|n| 20.0 * f64::from(n)).map(|speed| (speed, 1.02 * amplitude(speed))).collect();
+    let mut plot = fan().level("permitted", 0.005).band("keep out", 95.0, 118.0, false).band(
+        "good",
+        170.0,
+        f64::INFINITY,
+        true,
+    );
+    let measured =
+        (1..12).map(|n| 20.0 * f64::from(n)).map(|speed| (speed, 1.02 * amplitude(speed))).collect();
     plot.series.push(Series::dots("measured", measured));
     plot
 }
@@ -65,7 +71,9 @@ fn screen(width: u16, height: u16, draw: impl FnOnce(Rect, &mut Buffer)) -> Stri
 
 fn rows(buffer: &Buffer) -> Vec<String> {
     (0..buffer.area.height)
-        .map(|y| (0..buffer.area.width).map(|x| buffer[(x, y)].symbol()).collect::<String>().trim_end().to_owned())
+        .map(|y| {
+            (0..buffer.area.width).map(|x| buffer[(x, y)].symbol()).collect::<String>().trim_end().to_owned()
+        })
         .collect()
 }
 
@@ -76,7 +84,8 @@ fn text(lines: &[Line]) -> String {
 fn solved() -> (&'static Entry, Solution) {
     let entry = find("vibration/rotating-unbalance").expect("the bundle holds it");
     let case = cases::first(entry).expect("it has a case");
-    (entry, entry.solve(&case.record(entry).unwrap(), &Stop::new()).unwrap())
+    let record = case.record(entry).expect("its inputs can be read");
+    (entry, entry.solve(&record, &Stop::new()).expect("it has an answer"))
 }
 
 #[test]
@@ -90,7 +99,18 @@ fn a_plot_at_the_sizes_of_real_screens() {
     insta::assert_snapshot!("plot_small", drawn(&full(), &cursor, &UNICODE, &english, (38, 9)));
     let half = State { marker: Marker::HalfBlock, ..state };
     insta::assert_snapshot!("plot_half_blocks", drawn(&fan(), &half, &UNICODE, &english, (50, 12)));
-    insta::assert_snapshot!("plot_portuguese", drawn(&full(), &cursor, &UNICODE, &Locale::portuguese(), (60, 16)));
+}
+
+#[test]
+fn portuguese_plots_have_decimal_commas() {
+    let points = vec![(0.0, 0.0), (1.0, 1.25)];
+    let line = Plot::new("", Axis::linear("", ""), Axis::linear("", ""), vec![Series::line("", points)]);
+    let state = State { cursor: Some(1.0), ..State::default() };
+    let shown = drawn(&line, &state, &UNICODE, &Locale::portuguese(), (60, 16));
+    for words in ["0,5┤", "0,2 ", " = 1,25"] {
+        assert!(shown.contains(words), "{words} in\n{shown}");
+    }
+    assert!(!shown.contains('.'), "{shown}");
 }
 
 #[test]
@@ -104,7 +124,9 @@ fn a_peak_keeps_its_height_however_many_points_there_are() {
     plot::render(&plot, &State::default(), &UNICODE, &Locale::english(), area, &mut buffer);
     let hundred = rows(&buffer).iter().position(|row| row.starts_with("100")).expect("the axis goes to 100");
     let spike: Vec<u16> = (4..60)
-        .filter(|x| buffer[(*x, hundred as u16)].symbol().chars().all(|c| ('\u{2801}'..='\u{28FF}').contains(&c)))
+        .filter(|x| {
+            buffer[(*x, hundred as u16)].symbol().chars().all(|c| ('\u{2801}'..='\u{28FF}').contains(&c))
+        })
         .collect();
     // 56 cells of two dots behind an axis of 4: the last dot is the 111th after the first.
     assert_eq!(spike, [4 + (0.654_321f64 * 111.0).round() as u16 / 2]);
@@ -114,7 +136,8 @@ fn a_peak_keeps_its_height_however_many_points_there_are() {
 fn a_value_that_is_no_number_breaks_the_line() {
     let ramp = |gap: f64| {
         let points = (0..=40).map(|n| (f64::from(n), if n == 20 { gap } else { 10.0 })).collect();
-        let plot = Plot::new("", Axis::linear("x", ""), Axis::linear("y", ""), vec![Series::line("y", points)]);
+        let plot =
+            Plot::new("", Axis::linear("x", ""), Axis::linear("y", ""), vec![Series::line("y", points)]);
         drawn(&plot, &State::default(), &ASCII, &Locale::english(), (60, 12))
     };
     let whole = ramp(10.0);
@@ -154,10 +177,14 @@ fn any_size_and_any_numbers_will_do() {
     plots.push(odd);
     plots.push(Plot { marks: Vec::new(), levels: Vec::new(), ..line(vec![]) });
     let sizes = [(1, 1), (3, 2), (7, 3), (9, 5), (12, 4), (17, 6), (24, 8), (33, 9), (40, 11), (100, 40)];
-    for (plot, marker) in plots.iter().zip([Marker::Braille, Marker::HalfBlock, Marker::Dot, Marker::Ascii].into_iter().cycle()) {
+    for (plot, marker) in
+        plots.iter().zip([Marker::Braille, Marker::HalfBlock, Marker::Dot, Marker::Ascii].into_iter().cycle())
+    {
         for cursor in [None, Some(1.0), Some(f64::NAN), Some(-1e308), Some(0.0)] {
             for look in [UNICODE, ASCII, BARE] {
-                for (size, share) in sizes.into_iter().zip([0.01, -0.3, 7.0, f64::NAN, 0.0].into_iter().cycle()) {
+                for (size, share) in
+                    sizes.into_iter().zip([0.01, -0.3, 7.0, f64::NAN, 0.0].into_iter().cycle())
+                {
                     let state = State { cursor, marker }.moved(plot, share);
                     drawn(plot, &state, &look, &Locale::portuguese(), size);
                 }
@@ -177,7 +204,8 @@ fn labels_of_an_axis_keep_their_distance() {
     for (from, to) in [(0.0, 1.0), (-5.0, 5.0), (1e-9, 3e-7), (12345.0, 12346.0), (-2e9, 7e12), (0.1, 1e6)] {
         for scale in [Scale::Linear, Scale::Log] {
             let points = (0..=50).map(|n| (from + (to - from) * f64::from(n) / 50.0, 1.0)).collect();
-            let mut plot = Plot::new("", Axis::linear("x", ""), Axis::linear("y", ""), vec![Series::line("y", points)]);
+            let mut plot =
+                Plot::new("", Axis::linear("x", ""), Axis::linear("y", ""), vec![Series::line("y", points)]);
             plot.x.scale = scale;
             for width in 20..100 {
                 let drawn = drawn(&plot, &State::default(), &ASCII, &Locale::english(), (width, 12));
@@ -256,7 +284,8 @@ fn a_limit_far_above_is_named_at_the_edge_and_does_not_flatten_the_curve() {
 #[test]
 fn curves_are_told_apart_with_and_without_colours() {
     let mut plot = fan();
-    plot.series.push(Series::line("undamped", plot.series[0].points.iter().map(|at| (at.0, 0.5 * at.1)).collect()));
+    plot.series
+        .push(Series::line("undamped", plot.series[0].points.iter().map(|at| (at.0, 0.5 * at.1)).collect()));
     let area = Rect::new(0, 0, 70, 18);
     let colors = |look: Look| {
         let mut buffer = Buffer::empty(area);
@@ -284,7 +313,8 @@ fn the_drawing_of_the_fan() {
     });
     let machine = found.expect("the fan is drawn");
     for look in [UNICODE, ASCII] {
-        let drawn = screen(60, 20, |area, buffer| drawing::render(machine, &look, &Locale::english(), area, buffer));
+        let drawn =
+            screen(60, 20, |area, buffer| drawing::render(machine, &look, &Locale::english(), area, buffer));
         assert!(drawn.contains("m₀e"), "{drawn}");
     }
 }
@@ -325,11 +355,15 @@ fn every_shape_at_every_size() {
                 if drawing != &good && (width % 7 != 0 || height % 5 != 0) {
                     continue;
                 }
-                screen(width, height, |area, buffer| drawing::render(drawing, &look, &Locale::english(), area, buffer));
+                screen(width, height, |area, buffer| {
+                    drawing::render(drawing, &look, &Locale::english(), area, buffer);
+                });
             }
         }
     }
-    let shown = |look: &Look| screen(64, 24, |area, buffer| drawing::render(&good, look, &Locale::english(), area, buffer));
+    let shown = |look: &Look| {
+        screen(64, 24, |area, buffer| drawing::render(&good, look, &Locale::english(), area, buffer))
+    };
     insta::assert_snapshot!("drawing", shown(&UNICODE));
     insta::assert_snapshot!("drawing_ascii", shown(&ASCII));
 }
@@ -349,10 +383,18 @@ fn the_working_of_the_fan_at_every_width() {
         }
     }
     let wide = text(&working::lines(&solution, &UNICODE, &Locale::english(), 100).lines);
-    assert!(wide.contains("    k = 3 E I / L³\n      = 3 × 200 kN/mm² × 1.3×10⁻⁶ m⁴ / (1.2 m)³\n      = 451.39 kN/m\n"), "{wide}");
+    assert!(
+        wide.contains(
+            "    k = 3 E I / L³\n      = 3 × 200 kN/mm² × 1.3×10⁻⁶ m⁴ / (1.2 m)³\n      = 451.39 kN/m\n"
+        ),
+        "{wide}"
+    );
     // Narrow lines hold the same formula, in pieces.
     let narrow = text(&working::lines(&solution, &UNICODE, &Locale::english(), 38).lines);
-    assert!(narrow.contains("      = 3 × 200 kN/mm² × 1.3×10⁻⁶ m⁴\n          / (1.2 m)³\n      = 451.39 kN/m"), "{narrow}");
+    assert!(
+        narrow.contains("      = 3 × 200 kN/mm² × 1.3×10⁻⁶ m⁴\n          / (1.2 m)³\n      = 451.39 kN/m"),
+        "{narrow}"
+    );
     let portuguese = text(&working::lines(&solution, &UNICODE, &Locale::portuguese(), 60).lines);
     assert!(portuguese.contains("= 451,39 kN/m"), "{portuguese}");
 }
@@ -362,7 +404,8 @@ fn answers_stand_in_columns_with_their_checks() {
     let (_, solution) = solved();
     let shown = text(&results::lines(&solution, &UNICODE, &Locale::english(), 70));
     let column = |words: &str, of: &str| {
-        let line = shown.lines().find(|line| line.contains(words)).unwrap_or_else(|| panic!("{words} in\n{shown}"));
+        let line =
+            shown.lines().find(|line| line.contains(words)).unwrap_or_else(|| panic!("{words} in\n{shown}"));
         line.find(of).map(|at| line[..at].chars().count())
     };
     assert_eq!(column("19.456", "."), column("451.39", "."), "{shown}");
@@ -370,7 +413,11 @@ fn answers_stand_in_columns_with_their_checks() {
     assert!(shown.contains("✓ amplitude from the dynamic stiffness"), "{shown}");
     for width in 1..100u16 {
         let lines = results::lines(&solution, &UNICODE, &Locale::portuguese(), width);
-        assert!(lines.iter().all(|line| line.width() <= usize::from(width).max(16)), "{width}:\n{}", text(&lines));
+        assert!(
+            lines.iter().all(|line| line.width() <= usize::from(width).max(16)),
+            "{width}:\n{}",
+            text(&lines)
+        );
     }
 }
 
@@ -392,7 +439,12 @@ fn doubts_and_faults_are_not_passed_over() {
     assert!(place("≤ 113.4 mm") < place("· the first critical speed"));
     assert!(place("! the speed is near") < place("✗ a second way  two ways differ by 3×10⁻⁴"));
     assert!(place("✗ a second way") < place("✓"), "what failed comes first");
-    let stale = results::stale(results::lines(&solution, &UNICODE, &Locale::english(), 70), &UNICODE, &Locale::english(), 70);
+    let stale = results::stale(
+        results::lines(&solution, &UNICODE, &Locale::english(), 70),
+        &UNICODE,
+        &Locale::english(),
+        70,
+    );
     assert_eq!(stale[0].to_string(), "! of the last valid inputs");
 }
 
@@ -428,7 +480,11 @@ fn cases_are_shown_with_their_verdicts() {
     }
     for width in 24..120u16 {
         let page = sources::lines(entry, &cases, None, &UNICODE, &Locale::portuguese(), width);
-        assert!(page.lines.iter().all(|line| line.width() <= width.into()), "{width}:\n{}", text(&page.lines));
+        assert!(
+            page.lines.iter().all(|line| line.width() <= width.into()),
+            "{width}:\n{}",
+            text(&page.lines)
+        );
     }
     let waiting = sources::Judged { verdicts: None, ..cases[0].clone() };
     let shown = text(&sources::lines(entry, &[waiting], None, &UNICODE, &Locale::english(), 90).lines);
@@ -440,7 +496,12 @@ fn a_table_is_aligned_and_none_of_its_columns_is_lost() {
     let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
     let balance = TableExhibit {
         title: "Balance of moments".into(),
-        columns: vec![column("mass", ""), column("m", "kg"), column("m r cos θ", "kg*mm"), column("m r L sin θ", "kg*m^2")],
+        columns: vec![
+            column("mass", ""),
+            column("m", "kg"),
+            column("m r cos θ", "kg*mm"),
+            column("m r L sin θ", "kg*m^2"),
+        ],
         rows: vec![
             vec!["A".into(), 10.0.into(), 0.5.into(), (-0.0123).into()],
             vec!["correction".into(), 0.123.into(), (-0.0125).into(), Cell::Empty],
@@ -456,5 +517,43 @@ fn a_table_is_aligned_and_none_of_its_columns_is_lost() {
         for words in ["10", "0,123", "−12,5", "487,5", "−0,0123", "[kg·m²]"] {
             assert!(shown.contains(words), "{words} at {width} in\n{shown}");
         }
+    }
+}
+
+#[test]
+fn the_panes_speak_portuguese() {
+    let locale = Locale::portuguese();
+    let (_, mut solution) = solved();
+    solution.defects.push("k".into());
+    solution.checks.push(Check { what: "k".into(), residual: 3e-4, passed: false });
+    let shown =
+        text(&results::stale(results::lines(&solution, &UNICODE, &locale, 90), &UNICODE, &locale, 90));
+    for words in ["! dos últimos dados válidos", "✗ Falha do programa", "dois caminhos diferem em 3×10⁻⁴"]
+    {
+        assert!(shown.contains(words), "{words} in\n{shown}");
+    }
+    let error = SolveError::Refused(Refusal::NoAnswer("k".into()));
+    assert!(text(&results::refusal(&error, &UNICODE, &locale, 40)).starts_with("Não há resposta"));
+    let nothing = Plot::new("", Axis::linear("", ""), Axis::linear("", ""), Vec::new());
+    assert!(drawn(&nothing, &State::default(), &UNICODE, &locale, (40, 5)).contains("nada a desenhar"));
+    for words in [
+        "two ways agree exactly",
+        "two ways agree to {residual}",
+        "Not every input can be read",
+        "The solution was stopped.",
+        "Published cases",
+        "Books and notes",
+        "not solved yet",
+        "published",
+        "closed form",
+        "by another program",
+        "our own earlier value",
+        "printed",
+        "ours",
+        "agreed",
+        "disputed",
+        "differing",
+    ] {
+        assert!(dalembert_core::text::is_translated(words), "{words}");
     }
 }

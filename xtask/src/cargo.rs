@@ -45,13 +45,15 @@ pub(crate) fn dalembert(root: &Path, arguments: &[&str]) -> Command {
 /// Where cargo puts what it builds for the workspace in `root`.
 pub(crate) fn target(root: &Path) -> PathBuf {
     // Paths in the variable are relative to where cargo was called.
-    env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |target| {
-        env::current_dir().map_or_else(|_| PathBuf::from(&target), |here| here.join(&target))
-    })
+    env::var_os("CARGO_TARGET_DIR").map_or_else(
+        || root.join("target"),
+        |target| env::current_dir().map_or_else(|_| PathBuf::from(&target), |here| here.join(&target)),
+    )
 }
 
 fn shown(command: &Command) -> String {
-    let program = Path::new(command.get_program()).file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let program =
+        Path::new(command.get_program()).file_name().unwrap_or_default().to_string_lossy().into_owned();
     let arguments = command.get_args().map(|argument| argument.to_string_lossy());
     let words: Vec<String> = [program].into_iter().chain(arguments.map(Into::into)).collect();
     format!("`{}`", words.join(" "))

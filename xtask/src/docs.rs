@@ -1,7 +1,163 @@
-//! `cargo xtask docs`.
-use std::path::Path;
-use anyhow::Result;
-/// Writes.
-pub fn write(_: &Path) -> Result<()> { Ok(()) }
-/// Checks.
-pub fn check(_: &Path) -> Result<()> { Ok(()) }
+//! `cargo xtask docs`: the reference in docs/, written from what the built program says of itself.
+
+use std::{collections::BTreeMap, fs, path::Path};
+
+use anyhow::{Context, Result, bail};
+use serde_json::Value as Json;
+
+use crate::{
+    cargo::{self, dalembert},
+    names::title,
+    new_analysis::write as write_file,
+};
+
+mod inputs;
+
+const BEGIN: &str = "<!-- Written by `cargo xtask docs`. -->\n";
+
+/// Writes docs/reference.md and docs/units.md.
+pub fn write(root: &Path) -> Result<()> {
+    for (path, text) in generated(root)? {
+        write_file(&root.join(&path), &text)?;
+        println!("written: {path}");
+    }
+    Ok(())
+}
+
+/// Sees that what [`write`] would write is there already.
+pub fn check(root: &Path) -> Result<()> {
+    let stale: Vec<String> = generated(root)?
+        .into_iter()
+        .filter(|(path, text)| fs::read_to_string(root.join(path)).ok().as_ref() != Some(text))
+        .map(|(path, _)| path)
+        .collect();
+    if stale.is_empty() {
+        return Ok(());
+    }
+    bail!("out of date: {}; run `cargo xtask docs`", stale.join(", "))
+}
+
+/// The generated files: path and text.
+fn generated(root: &Path) -> Result<Vec<(String, String)>> {
+    let listed = json(root, &["list", "--json"])?;
+    let verdicts = verdicts(&json(root, &["verify", "--json"])?);
+    let mut families: BTreeMap<String, Vec<Json>> = BTreeMap::new();
+    for analysis in array(&listed) {
+        let id = text(analysis, "id");
+        families
+            .entry(text(analysis, "family").to_owned())
+            .or_default()
+            .push(json(root, &["show", id, "--json"])?);
+    }
+    let mut reference = format!("{BEGIN}# Every analysis\n");
+    for (family, analyses) in &families {
+        reference += &format!("\n- {}\n", title(family));
+        for analysis in analyses {
+            let (heading, id) = (text(analysis, "title"), text(analysis, "id"));
+            reference += &format!("  - [{heading}](#{}): `{id}`\n", anchor(heading));
+        }
+    }
+    for (family, analyses) in &families {
+        reference += &format!("\n# {}\n", title(family));
+        for analysis in analyses {
+            // A case may be a refusal; the first one is what the form opens with, so it has an answer.
+            let solved = json(root, &["solve", text(analysis, "id"), "--case", "1", "--format", "json"])?;
+            reference += &described(analysis, &solved, &verdicts);
+        }
+    }
+    let mut symbols = cargo::cargo(root);
+    symbols.args(["run", "--quiet", "--package", "dalembert-units", "--example", "symbols"]);
+    let units = cargo::output(&mut symbols)?;
+    let about = "# Units\n\nEvery symbol that can be read. A product is written `N*m`, `N·m` or `N m`, a quotient `m/s`, a power \
+        `m^2` or `m²`.\n";
+    Ok(vec![
+        ("docs/reference.md".to_owned(), reference),
+        ("docs/units.md".to_owned(), format!("{BEGIN}{about}{units}")),
+    ])
+}
+
+/// The section of an analysis.
+fn described(analysis: &Json, solved: &Json, verdicts: &BTreeMap<(String, String), Counts>) -> String {
+    let id = text(analysis, "id");
+    let mut section = format!("\n## {}\n\n`{id}` — {}\n", text(analysis, "title"), text(analysis, "summary"));
+    section += &format!("\n{}", inputs::table(&analysis["inputs"]));
+    section += "\n| answer | what it is | in the first case |\n|---|---|---|\n";
+    for answer in array(&analysis["answers"]) {
+        let name = text(answer, "name");
+        let shown = solved["answers"][name]["shown"].as_str().unwrap_or("—");
+        section += &format!("| `{name}` | {} | {} |\n", cell(text(answer, "label")), cell(shown));
+    }
+    section += "\nCases:\n\n";
+    for (n, case) in array(&analysis["cases"]).iter().enumerate() {
+        let (name, source) = (text(case, "name"), text(case, "source"));
+        let counts = verdicts.get(&(id.to_owned(), name.to_owned())).copied().unwrap_or_default();
+        section += &format!("{}. {name} — {source} ({}): {counts}\n", n + 1, text(case, "truth"));
+    }
+    section += "\nSources:\n\n";
+    for source in array(&analysis["sources"]) {
+        section += &format!("- {}: {}\n", text(source, "short"), text(source, "full"));
+    }
+    section
+}
+
+/// How the printed answers of a case compare with ours.
+#[derive(Clone, Copy, Default)]
+struct Counts {
+    agreed: usize,
+    disputed: usize,
+    differing: usize,
+}
+
+impl std::fmt::Display for Counts {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let all = [(self.agreed, "agreed"), (self.disputed, "disputed"), (self.differing, "differing")];
+        let words: Vec<String> = all
+            .iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, word)| format!("{count} {word}"))
+            .collect();
+        f.write_str(&words.join(", "))
+    }
+}
+
+/// Counts by analysis and case.
+fn verdicts(verified: &Json) -> BTreeMap<(String, String), Counts> {
+    let mut counts: BTreeMap<(String, String), Counts> = BTreeMap::new();
+    for row in array(&verified["rows"]) {
+        let of = counts.entry((text(row, "analysis").to_owned(), text(row, "case").to_owned())).or_default();
+        match text(row, "verdict") {
+            "agreed" => of.agreed += 1,
+            "disputed" => of.disputed += 1,
+            _ => of.differing += 1,
+        }
+    }
+    counts
+}
+
+/// What the program prints with these arguments. Words are English whatever the language of the machine.
+pub(crate) fn json(root: &Path, arguments: &[&str]) -> Result<Json> {
+    let mut command = dalembert(root, &[&["--lang", "en"], arguments].concat());
+    // The status says what was found; the text is complete in any case.
+    let output = command.stderr(std::process::Stdio::inherit()).output().context("cargo cannot be run")?;
+    serde_json::from_slice(&output.stdout)
+        .with_context(|| format!("`dalembert {}` printed no JSON", arguments.join(" ")))
+}
+
+/// The heading as GitHub and others link to it.
+fn anchor(heading: &str) -> String {
+    let words = heading.to_lowercase().replace(' ', "-");
+    words.chars().filter(|c| c.is_alphanumeric() || *c == '-' || *c == '_').collect()
+}
+
+/// Text for a cell of a table.
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|").replace('\n', " ")
+}
+
+fn text<'j>(json: &'j Json, key: &str) -> &'j str {
+    json[key].as_str().unwrap_or_default()
+}
+
+fn array(json: &Json) -> &[Json] {
+    json.as_array().map_or(&[], Vec::as_slice)
+}

@@ -17,7 +17,9 @@ pub(crate) fn check_kebab(name: &str) -> Result<()> {
         .filter(|word| !word.is_empty())
         .collect();
     match meant.join("-") {
-        meant if meant.is_empty() => bail!("`{name}` is no name: write words in lower case, like `two-plane`"),
+        meant if meant.is_empty() => {
+            bail!("`{name}` is no name: write words in lower case, like `two-plane`")
+        }
         meant => bail!("`{name}` is no name in kebab case: write `{meant}`"),
     }
 }

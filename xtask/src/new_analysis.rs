@@ -22,7 +22,8 @@ pub fn run(root: &Path, family: &str, name: &str) -> Result<()> {
     check_kebab(name)?;
     let families = families(root)?;
     if !families.iter().any(|known| known == family) {
-        let hint = nearest(family, &families).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+        let hint =
+            nearest(family, &families).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
         bail!("there is no family `{family}`{hint} (`cargo xtask new-plugin` begins one)");
     }
     let file = snake(name);

@@ -53,9 +53,12 @@ pub fn run(root: &Path, name: &str) -> Result<()> {
         &format!("dalembert-{name} = {{ path = \"../{name}\" }}"),
     )
     .context("plugins/bundle/Cargo.toml has no plugin")?;
-    let library =
-        with_line(&read(&bundle.join("src/lib.rs"))?, "use dalembert_", &format!("use dalembert_{} as _;", snake(name)))
-            .context("plugins/bundle/src/lib.rs has no plugin")?;
+    let library = with_line(
+        &read(&bundle.join("src/lib.rs"))?,
+        "use dalembert_",
+        &format!("use dalembert_{} as _;", snake(name)),
+    )
+    .context("plugins/bundle/src/lib.rs has no plugin")?;
     write(&folder.join("Cargo.toml"), &MANIFEST.replace("FAMILY", name))?;
     write(&folder.join("src/lib.rs"), &LIBRARY.replace("family-title", &title(name).to_lowercase()))?;
     write(&folder.join("locales/pt-BR.ftl"), &format!("# {}\n", title(name)))?;
@@ -88,7 +91,9 @@ mod tests {
             with,
             "//! All.\n\nuse dalembert_balancing as _;\nuse dalembert_rotors as _;\nuse dalembert_vibration as _;\n"
         );
-        assert!(with_line(text, "use dalembert_", "use dalembert_wear as _;").unwrap().ends_with("wear as _;\n"));
+        assert!(
+            with_line(text, "use dalembert_", "use dalembert_wear as _;").unwrap().ends_with("wear as _;\n")
+        );
         assert_eq!(with_line("//! None.\n", "use dalembert_", "x"), None);
     }
 }

@@ -55,17 +55,20 @@ impl Tree {
         let mut files = BTreeMap::new();
         let mut folders = vec![root.to_owned()];
         while let Some(folder) = folders.pop() {
-            for entry in fs::read_dir(&folder).with_context(|| format!("{} cannot be read", folder.display()))? {
+            for entry in
+                fs::read_dir(&folder).with_context(|| format!("{} cannot be read", folder.display()))?
+            {
                 let path = entry?.path();
                 let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 if path.is_dir() {
                     if !LEFT_OUT.contains(&name.as_str()) {
                         folders.push(path);
                     }
-                } else if READ.iter().any(|ending| path.extension().is_some_and(|have| have == *ending)) {
+                } else if READ.iter().any(|ending| ends_in(&name, ending)) {
                     let text = fs::read_to_string(&path)
                         .with_context(|| format!("{} is no UTF-8 text", path.display()))?;
-                    let below = path.strip_prefix(root).expect("a file lies below the folder it was found in");
+                    let below =
+                        path.strip_prefix(root).expect("a file lies below the folder it was found in");
                     let parts: Vec<_> = below.iter().map(|part| part.to_string_lossy()).collect();
                     files.insert(parts.join("/"), text);
                 }
@@ -95,7 +98,7 @@ impl Tree {
 
     /// The sources: path and text of every `.rs` file.
     fn sources(&self) -> impl Iterator<Item = (&str, &str)> {
-        self.iter().filter(|(path, _)| path.ends_with(".rs"))
+        self.iter().filter(|(path, _)| ends_in(path, "rs"))
     }
 
     /// The manifests of the members of the workspace: folder and text.
@@ -117,6 +120,11 @@ impl Tree {
 /// The lines of a text with their numbers, from 1.
 fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.lines().enumerate().map(|(n, line)| (n + 1, line))
+}
+
+/// Whether a file is of this kind.
+fn ends_in(path: &str, ending: &str) -> bool {
+    Path::new(path).extension().is_some_and(|have| have == ending)
 }
 
 /// The part of a source above its tests.

@@ -1,10 +1,280 @@
-//! `cargo xtask verify`.
-use std::path::Path;
-use anyhow::Result;
-/// How much.
+//! `cargo xtask verify`: everything that proves the project, cheap things first.
+
+use std::{
+    env, fs,
+    path::{Path, PathBuf},
+    process::{Command, Stdio},
+    time::{Duration, Instant, SystemTime, UNIX_EPOCH},
+};
+
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::Value as Json;
+
+use crate::{
+    cargo::{cargo, dalembert, output, run as run_command, target},
+    docs, new_analysis, tidy,
+};
+
+/// How much is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extent { /// All.
-Everything, /// Quick.
-Quick }
-/// Verifies.
-pub fn run(_: &Path, _: Extent) -> Result<()> { Ok(()) }
+pub enum Extent {
+    /// All of it.
+    Everything,
+    /// Without the steps that build the program once more.
+    Quick,
+}
+
+/// What a step finds: a few words for the summary.
+type Found = Result<String>;
+
+struct Step {
+    name: &'static str,
+    prove: fn(&Path) -> Found,
+    slow: bool,
+}
+
+const STEPS: [Step; 10] = [
+    Step { name: "tidy", prove: tree, slow: false },
+    Step { name: "spelling", prove: spelling, slow: false },
+    Step { name: "dependencies", prove: dependencies, slow: false },
+    Step { name: "formatting", prove: formatting, slow: false },
+    Step { name: "clippy", prove: clippy, slow: false },
+    Step { name: "tests", prove: tests, slow: false },
+    Step { name: "catalogue", prove: catalogue, slow: false },
+    Step { name: "documentation", prove: documentation, slow: false },
+    Step { name: "out of tree", prove: out_of_tree, slow: true },
+    Step { name: "new analysis", prove: template, slow: true },
+];
+
+/// Takes every step, goes on after one that failed, and ends with a summary of all.
+///
+/// # Errors
+/// Any step failed.
+pub fn run(root: &Path, extent: Extent) -> Result<()> {
+    let mut summary = String::new();
+    let (mut passed, mut failed) = (0, 0);
+    for step in STEPS.iter().filter(|step| extent == Extent::Everything || !step.slow) {
+        println!("\n== {}", step.name);
+        let start = Instant::now();
+        let found = (step.prove)(root);
+        let (verdict, words) = match found {
+            Ok(words) => {
+                passed += 1;
+                ("ok", words)
+            }
+            Err(err) => {
+                failed += 1;
+                ("FAILED", format!("{err:#}"))
+            }
+        };
+        println!("{verdict} {words}");
+        summary += &line(step.name, start.elapsed(), verdict, &words);
+    }
+    println!("\n== summary\n{summary}\n{passed} passed, {failed} failed");
+    if failed == 0 { Ok(()) } else { bail!("the project is not proved") }
+}
+
+fn line(name: &str, time: Duration, verdict: &str, words: &str) -> String {
+    format!(
+        "{name:<16}{:>6.1} s  {verdict:<8}{}",
+        time.as_secs_f64(),
+        words.lines().next().unwrap_or_default()
+    )
+    .trim_end()
+    .to_owned()
+        + "\n"
+}
+
+fn tree(root: &Path) -> Found {
+    tidy::run(root)?;
+    Ok(String::new())
+}
+
+/// Only where the tool is installed: nothing is fetched.
+fn spelling(root: &Path) -> Found {
+    if !installed(Command::new("typos").arg("--version")) {
+        return Ok("left out: typos is not installed".to_owned());
+    }
+    run_command(Command::new("typos").current_dir(root))?;
+    Ok(String::new())
+}
+
+/// Only where the tool is installed; without the list of advisories, which needs the network.
+fn dependencies(root: &Path) -> Found {
+    if !installed(cargo(root).args(["deny", "--version"])) {
+        return Ok("left out: cargo-deny is not installed".to_owned());
+    }
+    run_command(cargo(root).args(["deny", "--offline", "check", "bans", "licenses", "sources"]))?;
+    Ok(String::new())
+}
+
+fn formatting(root: &Path) -> Found {
+    run_command(cargo(root).args(["fmt", "--all", "--check"]))?;
+    run_command(cargo(&root.join(OUT_OF_TREE)).args(["fmt", "--check"]))?;
+    Ok(String::new())
+}
+
+fn clippy(root: &Path) -> Found {
+    run_command(cargo(root).args([
+        "clippy",
+        "--workspace",
+        "--all-targets",
+        "--locked",
+        "--",
+        "-D",
+        "warnings",
+    ]))?;
+    Ok(String::new())
+}
+
+fn tests(root: &Path) -> Found {
+    // A snapshot that is missing is a fault here, while a person who begins one gets it written.
+    run_command(
+        cargo(root).args(["test", "--workspace", "--locked", "--no-fail-fast"]).env("INSTA_UPDATE", "no"),
+    )?;
+    Ok(String::new())
+}
+
+/// Every published answer beside ours.
+fn catalogue(root: &Path) -> Found {
+    let mut table = dalembert(root, &["--lang", "en", "verify"]);
+    let shown = table.status().context("cargo cannot be run")?;
+    let counts = docs::json(root, &["verify", "--json"])?;
+    let count =
+        |name: &str| counts[name].as_u64().with_context(|| format!("`verify --json` counts no {name}"));
+    let (agreed, disputed, differing) = (count("agreed")?, count("disputed")?, count("differing")?);
+    let words = format!("{agreed} agreed, {disputed} disputed, {differing} differing");
+    ensure!(differing == 0 && agreed > 0 && shown.success(), words);
+    Ok(words)
+}
+
+fn documentation(root: &Path) -> Found {
+    run_command(
+        cargo(root).args(["doc", "--workspace", "--no-deps", "--locked"]).env("RUSTDOCFLAGS", "-D warnings"),
+    )?;
+    docs::check(root)?;
+    Ok(String::new())
+}
+
+const OUT_OF_TREE: &str = "examples/out-of-tree";
+
+/// The analysis that the program in [`OUT_OF_TREE`] adds.
+const OF_THE_LABORATORY: &str = "laboratory/torsional-pendulum";
+
+/// A laboratory's own program has its own analysis beside ours. What it shares with ours is built once.
+fn out_of_tree(root: &Path) -> Found {
+    let ours = ids(&docs::json(root, &["list", "--json"])?);
+    let theirs = |arguments: &[&str]| {
+        let mut command = cargo(&root.join(OUT_OF_TREE));
+        command
+            .env("CARGO_TARGET_DIR", target(root))
+            .args(["run", "--quiet", "--locked", "--"])
+            .args(arguments);
+        command
+    };
+    let listed = ids(&serde_json::from_str(&output(&mut theirs(&["list", "--json"]))?)?);
+    for id in ours.iter().map(String::as_str).chain([OF_THE_LABORATORY]) {
+        ensure!(listed.iter().any(|listed| listed == id), "the laboratory's program lacks {id}");
+    }
+    run_command(&mut theirs(&["solve", OF_THE_LABORATORY]))?;
+    run_command(&mut theirs(&["verify", OF_THE_LABORATORY]))?;
+    Ok(format!("{} analyses", listed.len()))
+}
+
+/// A new analysis, in a copy of the tree, is listed, solved and tested at once.
+fn template(root: &Path) -> Found {
+    const NAME: &str = "mass-that-is-let-go";
+    let id = format!("vibration/{NAME}");
+    let copy = Copy::of(root)?;
+    new_analysis::run(&copy.0, "vibration", NAME)?;
+    let here = |mut command: Command| {
+        command.env("CARGO_TARGET_DIR", target(root)).env("INSTA_UPDATE", "unseen");
+        command
+    };
+    let listed = output(&mut here(dalembert(&copy.0, &["list", "--json"])))?;
+    ensure!(ids(&serde_json::from_str(&listed)?).contains(&id), "{id} is not listed");
+    let solved: Json =
+        serde_json::from_str(&output(&mut here(dalembert(&copy.0, &["solve", &id, "--format", "json"])))?)?;
+    let frequency = solved["answers"]["natural_frequency"]["si"].as_f64();
+    ensure!(frequency == Some(20.0), "{id} answers {frequency:?} and not 20 rad/s");
+    let mut tests = cargo(&copy.0);
+    tests.args(["test", "--package", "dalembert-tests"]);
+    for of_every_analysis in ["catalogue", "invariance", "languages", "tidy"] {
+        tests.args(["--test", of_every_analysis]);
+    }
+    run_command(&mut here(tests))?;
+    run_command(cargo(&copy.0).args(["fmt", "--all", "--check"]))?;
+    Ok(String::new())
+}
+
+const VERSION_OF_COPIES: &str = "1000.0.0";
+
+/// A copy of the tree, removed in the end.
+struct Copy(PathBuf);
+
+impl Copy {
+    fn of(root: &Path) -> Result<Self> {
+        let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_nanos());
+        let copy = Self(env::temp_dir().join(format!("dalembert-template-{}-{now}", std::process::id())));
+        copy_folder(root, &copy.0)?;
+        // Another version makes the crates of the copy others than ours, so that they can be built beside ours in one
+        // folder, and all that both depend on is built once.
+        let manifest = copy.0.join("Cargo.toml");
+        let text = new_analysis::read(&manifest)?;
+        let (before, after) =
+            text.split_once("[workspace.package]\nversion = \"").context("Cargo.toml names no version")?;
+        let (_, after) = after.split_once('"').context("the version in Cargo.toml has no end")?;
+        let changed = format!("{before}[workspace.package]\nversion = \"{VERSION_OF_COPIES}\"{after}");
+        new_analysis::write(&manifest, &changed)?;
+        Ok(copy)
+    }
+}
+
+impl Drop for Copy {
+    fn drop(&mut self) {
+        // A copy that stays behind in the folder for temporary files does no harm.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn copy_folder(from: &Path, to: &Path) -> Result<()> {
+    fs::create_dir_all(to).with_context(|| format!("{} cannot be made", to.display()))?;
+    for entry in fs::read_dir(from).with_context(|| format!("{} cannot be read", from.display()))? {
+        let entry = entry?;
+        let (path, name) = (entry.path(), entry.file_name());
+        if name == "target" || name == ".git" {
+            continue;
+        }
+        if entry.file_type()?.is_dir() {
+            copy_folder(&path, &to.join(name))?;
+        } else {
+            fs::copy(&path, to.join(name)).with_context(|| format!("{} cannot be copied", path.display()))?;
+        }
+    }
+    Ok(())
+}
+
+/// The ids of what `list --json` prints.
+fn ids(listed: &Json) -> Vec<String> {
+    let all = listed.as_array().into_iter().flatten();
+    all.filter_map(|analysis| analysis["id"].as_str().map(str::to_owned)).collect()
+}
+
+fn installed(command: &mut Command) -> bool {
+    command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_of_the_summary() {
+        let time = Duration::from_millis(1250);
+        assert_eq!(line("tests", time, "ok", ""), "tests              1.2 s  ok\n");
+        assert_eq!(
+            line("tidy", time, "FAILED", "2 faults\nmore"),
+            "tidy               1.2 s  FAILED  2 faults\n"
+        );
+    }
+}

@@ -2,6 +2,9 @@
 
 use crate::{Field, FieldError, Shape, Text};
 
+/// The longest name that is compared with others, or repeated in full in an error.
+const LONGEST_NAME: usize = 100;
+
 /// A part of a path.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Segment {
@@ -94,12 +97,13 @@ fn position(fields: &[Field], name: &str, path: &str) -> Result<usize, FieldErro
 /// The error of a name that is none of `known`, with the nearest one.
 pub(crate) fn unknown<'k>(path: &str, name: &str, known: impl Iterator<Item = &'k str>) -> FieldError {
     let known: Vec<&str> = known.collect();
+    let shown = shortened(name);
     let why = match nearest(name, known.iter().copied()) {
         Some(near) => {
-            Text::new("there is no `{name}`; did you mean `{near}`?").with("name", name).with("near", near)
+            Text::new("there is no `{name}`; did you mean `{near}`?").with("name", shown).with("near", near)
         }
         None => Text::new("there is no `{name}`; write one of {known}")
-            .with("name", name)
+            .with("name", shown)
             .with("known", known.join(", ")),
     };
     FieldError::new(path, why)
@@ -107,12 +111,24 @@ pub(crate) fn unknown<'k>(path: &str, name: &str, known: impl Iterator<Item = &'
 
 /// The known name that `name` was probably meant to be.
 pub fn nearest<'k>(name: &str, known: impl Iterator<Item = &'k str>) -> Option<&'k str> {
+    // A pasted page is no slip of a name, and comparing it would take minutes.
+    if name.len() > LONGEST_NAME {
+        return None;
+    }
     let name = name.to_lowercase().replace('_', "-");
     known
         .map(|candidate| (distance(&name, &candidate.to_lowercase().replace('_', "-")), candidate))
         .min_by_key(|(distance, _)| *distance)
         .filter(|(distance, candidate)| *distance <= 1 + candidate.chars().count() / 3)
         .map(|(_, candidate)| candidate)
+}
+
+/// A name as an error repeats it.
+fn shortened(name: &str) -> String {
+    match name.char_indices().nth(LONGEST_NAME) {
+        Some((end, _)) => format!("{}…", &name[..end]),
+        None => name.to_owned(),
+    }
 }
 
 /// Edits (insert, delete, replace, swap neighbours) from one word to the other.

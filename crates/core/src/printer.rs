@@ -371,7 +371,7 @@ impl Writer<'_> {
             if self.style.ascii { "4 pi^2".into() } else { "4π²".into() }
         } else {
             // The numbers of a formula are exact: as many digits as it takes.
-            units::write_number(value, Style { digits: 12, ..self.style })
+            units::write_number(value, Style { digits: 15, ..self.style })
         }
     }
 

@@ -81,6 +81,7 @@ width = largura
 
 ## Errors
 a-problem-file-has-no-cases-leave-out-case = um arquivo de problema não tem casos; retire --case
+a-file-to-open-and-a-subcommand-cannot-stand-together-write-one-of-them = um arquivo para abrir e um subcomando não podem vir juntos; escreva um deles
 and-more-more-errors = e mais { $more } erros
 error = erro
 error-why = erro: { $why }

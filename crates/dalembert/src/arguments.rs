@@ -10,7 +10,6 @@ use dalembert_core::{Language, Locale, Text};
 #[command(
     name = "dalembert",
     version,
-    args_conflicts_with_subcommands = true,
     after_help = "Without arguments: the workbench in a terminal, a worked problem elsewhere. Exit status: 0 solved; 1 refused, or a check failed; 2 bad input or usage."
 )]
 pub(crate) struct Arguments {

@@ -45,6 +45,11 @@ pub fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments, console: &Console) -> Result<ExitCode, Failure> {
+    if arguments.command.is_some() && (arguments.problem.is_some() || arguments.readonly) {
+        return Err(Failure::input(
+            "a file to open and a subcommand cannot stand together; write one of them",
+        ));
+    }
     match &arguments.command {
         None => commands::workbench::run(arguments.problem.as_deref(), arguments.readonly, console),
         Some(Command::List(list)) => commands::list::run(list, console),

@@ -56,7 +56,8 @@ pub(crate) fn read(
     }
 }
 
-fn looks_like_an_id(named: &str) -> bool {
+/// Whether a name that is no file was meant as the id of an analysis.
+pub(crate) fn looks_like_an_id(named: &str) -> bool {
     let words =
         |part: &str| part.starts_with(|c: char| c.is_ascii_lowercase()) && !part.contains(['.', '/', '~']);
     named.split_once('/').is_some_and(|(family, name)| words(family) && words(name))

@@ -45,7 +45,7 @@ pub fn document(worked: &Worked<'_>, locale: &Locale) -> Document {
         (case, source) => format!("{case} — {source}"),
     };
     blocks.extend([case.as_str(), worked.note].into_iter().filter(|text| !text.is_empty()).map(paragraph));
-    blocks.push(Block::Heading(say("Given")));
+    blocks.push(Block::Heading(say("Given data")));
     blocks.extend(given(worked, locale));
     match worked.outcome {
         Err(why) => {

@@ -54,7 +54,9 @@ pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffe
 
 fn labels(drawing: &Drawing, locale: &Locale) -> Vec<(Point, String)> {
     let label = |shape: &DrawnShape| match shape {
-        DrawnShape::Label(at, text) if at.0.is_finite() && at.1.is_finite() => Some((*at, text.render(locale))),
+        DrawnShape::Label(at, text) if at.0.is_finite() && at.1.is_finite() => {
+            Some((*at, text.render(locale)))
+        }
         _ => None,
     };
     drawing.shapes.iter().filter_map(label).collect()
@@ -145,8 +147,8 @@ impl Fit {
         // In widths of a cell to a metre; a cell is twice as high as wide.
         let scale = (room_across / across / bounds.width()).min(2.0 * room_down / down / bounds.height());
         Self {
-            middle: ((bounds.left + bounds.right) / 2.0, (bounds.bottom + bounds.top) / 2.0),
-            centre: ((width - 1.0 + (left - right) * across) / 2.0, (height - 1.0) / 2.0),
+            middle: (f64::midpoint(bounds.left, bounds.right), f64::midpoint(bounds.bottom, bounds.top)),
+            centre: (f64::midpoint(left * across, width - 1.0 - right * across), (height - 1.0) / 2.0),
             scale: (scale * across, scale * down / 2.0),
         }
     }

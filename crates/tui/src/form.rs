@@ -19,7 +19,7 @@ pub const LONGEST: usize = 2_000;
 /// So many changes can be taken back.
 const MOST_UNDO: usize = 500;
 /// Digits of a value that is written in another unit.
-const CONVERTED_DIGITS: u8 = 12;
+const CONVERTED_DIGITS: u8 = 9;
 
 /// A form.
 #[derive(Clone, Debug)]
@@ -35,6 +35,8 @@ pub struct Form {
     redo: Vec<Draft>,
     /// What the last change was, so that many alike are taken back together.
     last: Option<Change>,
+    /// The field whose unit was changed last: from what text, and to what.
+    converted: Option<Converted>,
     /// The alternatives that were left, by path and place, to come back to.
     left: HashMap<(String, usize), Draft>,
 }
@@ -50,10 +52,20 @@ pub struct Edit {
     before: Draft,
 }
 
+/// A text in another unit than it was typed in: the quantity is that of the text as it was typed, however often its
+/// unit is changed.
+#[derive(Clone, Debug)]
+struct Converted {
+    path: String,
+    typed: String,
+    shown: String,
+}
+
 /// What changed last.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Change {
     Nudge(String),
+    Unit(String),
     Other,
 }
 
@@ -77,6 +89,7 @@ impl Form {
             undo: Vec::new(),
             redo: Vec::new(),
             last: None,
+            converted: None,
             left: HashMap::new(),
         }
     }
@@ -336,8 +349,15 @@ impl Form {
     /// Writes the field under the cursor in the next unit of its kind.
     pub fn next_unit(&mut self) -> bool {
         let Some(Line { path, role: Role::Leaf { text, shape, .. }, .. }) = self.line() else { return false };
-        let Some(text) = in_next_unit(&text, &shape) else { return false };
-        self.set(&path, text)
+        let typed = match self.converted.take() {
+            Some(last) if last.path == path && last.shown == text => last.typed,
+            _ => text.clone(),
+        };
+        let Some(shown) = in_next_unit(&typed, &text, &shape) else { return false };
+        self.converted = Some(Converted { path: path.clone(), typed, shown: shown.clone() });
+        self.change(Change::Unit(path.clone()), |draft, shape| {
+            Some(*draft.at_mut(shape, &path).ok()?.0 = Draft::Leaf(shown))
+        })
     }
 
     fn leave_out(&mut self, path: &str) -> bool {
@@ -430,30 +450,32 @@ fn squeezed(text: &str) -> String {
         .collect()
 }
 
-/// The same value in the next unit of its kind.
-fn in_next_unit(text: &str, shape: &Shape) -> Option<String> {
+/// What was typed, in the unit after that of what is shown.
+fn in_next_unit(typed: &str, shown: &str, shape: &Shape) -> Option<String> {
     let style = Style { digits: CONVERTED_DIGITS, ascii: true, ..Style::default() };
-    let next = |unit: &Unit, measure: &dalembert_core::Measure| {
-        let all = measure.units();
-        let at = all.iter().position(|known| units::unit(known).is_ok_and(|known| known.text == unit.text || same(&known, unit)));
-        let name = all.get(at.map_or(0, |at| (at + 1) % all.len()))?;
-        units::unit(name).ok()
+    let next = |unit: &Unit, kind: Kind| {
+        let all = kind.units();
+        let at = all.iter().position(|known| units::unit(known).is_ok_and(|known| same(&known, unit)));
+        units::unit(all.get(at.map_or(0, |at| (at + 1) % all.len()))?).ok()
     };
-    match (draft::read_leaf(text, shape, "").ok()?, shape) {
-        (Value::Quantity(quantity), Shape::Quantity(measure)) => {
-            let unit = next(&quantity.unit, measure)?;
-            Some(units::write_quantity(quantity.si, &unit, style))
+    let read = |text| draft::read_leaf(text, shape, "").ok();
+    match (read(typed)?, read(shown)?, shape) {
+        (Value::Quantity(typed_as), Value::Quantity(now), Shape::Quantity(measure)) => {
+            let unit = next(&now.unit, measure.kind())?;
+            Some(if same(&unit, &typed_as.unit) { typed.to_owned() } else { units::write_quantity(typed_as.si, &unit, style) })
         }
-        (Value::Vector(vector), Shape::Vector(measure, _)) => {
-            let unit = next(&vector.unit, measure)?;
-            Some(units::write_components(&vector.si[..vector.len], &unit, style))
+        (Value::Vector(typed_as), Value::Vector(now), Shape::Vector(measure, _)) => {
+            let unit = next(&now.unit, measure.kind())?;
+            let components = &typed_as.si[..typed_as.len];
+            Some(if same(&unit, &typed_as.unit) { typed.to_owned() } else { units::write_components(components, &unit, style) })
         }
         _ => None,
     }
 }
 
+/// Hz and rev/s are of one size and two units.
 fn same(a: &Unit, b: &Unit) -> bool {
-    a.factor == b.factor && a.sense == b.sense
+    a.ascii() == b.ascii()
 }
 
 /// The innermost row of a path: `masses[2].radius` gives `masses` and 1.
@@ -480,10 +502,20 @@ fn with_common_texts(blank: Draft, old: &Draft, shape: &Shape, from: usize, to: 
     let (Draft::Group(mut blank), Draft::Group(old)) = (blank, old) else { return Draft::Absent };
     let names = shape.fields(Some(from));
     for (field, place) in shape.fields(Some(to)).iter().zip(&mut blank) {
-        let common = names.iter().position(|name| name.name == field.name).and_then(|at| old.get(at));
-        if let (Draft::Leaf(_), Some(Draft::Leaf(text))) = (&*place, common) {
-            *place = Draft::Leaf(text.clone());
+        let common = names.iter().position(|other| other.name == field.name && alike(&other.shape, &field.shape));
+        if let Some(old) = common.and_then(|at| old.get(at)) {
+            *place = old.clone();
         }
     }
     Draft::Group(blank)
+}
+
+/// Whether what stands in one may stand in the other.
+fn alike(a: &Shape, b: &Shape) -> bool {
+    match (a, b) {
+        (Shape::OneOf(a), Shape::OneOf(b)) => std::ptr::eq(a(), b()),
+        (Shape::Group(a), Shape::Group(b)) => std::ptr::eq(a(), b()),
+        (Shape::Rows { item: a, .. }, Shape::Rows { item: b, .. }) | (Shape::Optional(a), Shape::Optional(b)) => alike(a(), b()),
+        _ => a.is_leaf() && b.is_leaf(),
+    }
 }

@@ -67,7 +67,7 @@ pub fn bench(area: Rect, focus: Focus) -> Areas {
 /// The list of analyses and what is shown of the chosen one, which may have no room.
 pub fn picker(body: Rect) -> (Rect, Option<Rect>) {
     if body.width >= TWO_COLUMNS {
-        let list = (body.width * 2 / 5).clamp(30, 48);
+        let list = (body.width * 9 / 20).clamp(30, 52);
         let [list, preview] = Layout::horizontal([Constraint::Length(list), Constraint::Fill(1)]).areas(body);
         (list, Some(preview))
     } else if body.height >= 20 {
@@ -97,7 +97,7 @@ pub fn pictures(picture: Rect, has_plot: bool, has_drawing: bool) -> [Rect; 2] {
 
 /// Whether there is room for a frame.
 pub fn framed(area: Rect) -> bool {
-    area.height >= 5 && area.width >= 16
+    area.height >= 3 && area.width >= 16
 }
 
 /// What is left inside the frame of an area.

@@ -109,10 +109,7 @@ impl Look {
 
     /// The frame of a pane.
     pub fn border(&self, focused: bool) -> Style {
-        match focused {
-            true => self.colored(Color::Cyan, Modifier::BOLD),
-            false => self.dim(),
-        }
+        if focused { self.colored(Color::Cyan, Modifier::BOLD) } else { self.dim() }
     }
 
     /// The curve of that place in a plot.
@@ -204,7 +201,9 @@ mod tests {
     #[test]
     fn without_colours_nothing_is_coloured_and_still_tells_apart() {
         let look = Look { colors: Colors::None, ..Look::default() };
-        for style in [look.error(), look.warning(), look.answer(), look.focus(), look.key(), look.border(true)] {
+        for style in
+            [look.error(), look.warning(), look.answer(), look.focus(), look.key(), look.border(true)]
+        {
             assert_eq!((style.fg, style.bg), (None, None));
             assert_ne!(style, Style::new());
         }

@@ -91,7 +91,8 @@ pub fn family(id: &str) -> Text {
     })
 }
 
-/// The titles may match with gaps; the other words only as they are, or nearly everything would match.
+/// Whole words of the title come first, then whole words of anything else, then titles that match with gaps; other
+/// words do not match with gaps, or nearly everything would.
 fn visible(listings: &[Listing], filter: &str) -> Vec<usize> {
     if filter.trim().is_empty() {
         return (0..listings.len()).collect();
@@ -99,16 +100,19 @@ fn visible(listings: &[Listing], filter: &str) -> Vec<usize> {
     let mut matcher = Matcher::new(Config::DEFAULT);
     let pattern = |kind| Pattern::new(filter, CaseMatching::Ignore, Normalization::Smart, kind);
     let (with_gaps, as_is) = (pattern(AtomKind::Fuzzy), pattern(AtomKind::Substring));
-    let mut score = |listing: &Listing| {
-        let mut of = |pattern: &Pattern, text: &str| pattern.score(Utf32Str::new(text, &mut Vec::new()), &mut matcher);
-        let names = [Language::English, Language::Portuguese].map(|language| {
-            let locale = Locale { language, ..Locale::default() };
-            of(&with_gaps, &listing.title(&locale)).map(|score| 2 * score)
-        });
-        names.into_iter().flatten().chain(of(&with_gaps, listing.entry.about.id)).chain(of(&as_is, &listing.words)).max()
+    let mut of = |pattern: &Pattern, text: &str| pattern.score(Utf32Str::new(text, &mut Vec::new()), &mut matcher);
+    let mut rank = |listing: &Listing| {
+        let titles = [Language::English, Language::Portuguese]
+            .map(|language| listing.title(&Locale { language, ..Locale::default() }));
+        let names = [titles[0].as_str(), titles[1].as_str(), listing.entry.about.id];
+        let best = |pattern: &Pattern, of: &mut dyn FnMut(&Pattern, &str) -> Option<u32>| {
+            names.iter().filter_map(|name| of(pattern, name)).max()
+        };
+        let exact = best(&as_is, &mut of).map(|score| (2, score));
+        exact.or_else(|| of(&as_is, &listing.words).map(|score| (1, score))).or_else(|| best(&with_gaps, &mut of).map(|score| (0, score)))
     };
-    let mut found: Vec<(u32, usize)> =
-        listings.iter().enumerate().filter_map(|(at, listing)| Some((score(listing)?, at))).collect();
-    found.sort_by_key(|(score, at)| (std::cmp::Reverse(*score), *at));
+    let mut found: Vec<((u8, u32), usize)> =
+        listings.iter().enumerate().filter_map(|(at, listing)| Some((rank(listing)?, at))).collect();
+    found.sort_by_key(|(rank, at)| (std::cmp::Reverse(*rank), *at));
     found.into_iter().map(|(_, at)| at).collect()
 }

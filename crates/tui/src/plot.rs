@@ -17,7 +17,7 @@ use unicode_width::UnicodeWidthStr;
 use self::{
     axes::Axes,
     dots::{Dots, Pen},
-    frame::Frame,
+    frame::{Frame, Setting},
     labels::Labels,
 };
 use crate::look::{Glyph, Look};
@@ -98,7 +98,7 @@ pub fn render(plot: &Plot, state: &State, look: &Look, locale: &Locale, area: Re
         buffer.set_string(x, area.y + area.height / 2, words, look.dim());
         return;
     };
-    let frame = Frame::of(&axes, state, marker, look, &locale, area);
+    let frame = Frame::of(&axes, state, Setting { area, marker, look, locale: &locale });
     frame.draw(look, buffer);
     let canvas = Canvas { axes: &axes, area: frame.canvas, marker, look };
     canvas.draw(state, &locale, buffer);
@@ -299,9 +299,10 @@ impl Canvas<'_> {
             let style = style.remove_modifier(Modifier::BOLD).add_modifier(Modifier::DIM);
             for row in 0..self.area.height {
                 for column in first..=last {
-                    let drawn = match band.permitted {
-                        true => column % 4 == 0 && row % 2 == 0 || column % 4 == 2 && row % 2 == 1,
-                        false => (column + row) % 3 == 0,
+                    let drawn = if band.permitted {
+                        row % 2 == 0 && (column + row) % 4 == 0
+                    } else {
+                        (column + row) % 3 == 0
                     };
                     if drawn {
                         buffer[(self.area.x + column, self.area.y + row)].set_char(shade).set_style(style);
@@ -321,7 +322,9 @@ impl Canvas<'_> {
             let most = i32::from(self.area.width) - words.width() as i32;
             let x = i32::from(self.area.x) + middle.clamp(0, most.max(0));
             let rows = (0..4).chain([i32::from(self.area.height) - 1]);
-            labels.put(&words, style, rows.map(|row| (x, i32::from(self.area.y) + row)), |x, y| dots.is_free(x, y));
+            labels.put(&words, style, rows.map(|row| (x, i32::from(self.area.y) + row)), |x, y| {
+                dots.is_free(x, y)
+            });
         }
     }
 
@@ -337,7 +340,9 @@ impl Canvas<'_> {
         for (n, series) in self.axes.plot.series.iter().enumerate() {
             let Some((y, _)) = self.axes.read(series, cursor) else { continue };
             if let Some(cell) = self.cell(dots, (cursor, y)) {
-                buffer[cell].set_char(point(n, self.look)).set_style(self.look.series(n).add_modifier(Modifier::BOLD));
+                buffer[cell]
+                    .set_char(point(n, self.look))
+                    .set_style(self.look.series(n).add_modifier(Modifier::BOLD));
                 labels.reserve(cell);
             }
         }

@@ -36,6 +36,7 @@ pub use crate::{
     dim::Dim,
     kind::Kind,
     read::{Hint, ReadError, WrongKind, read_any, read_count, read_quantity, read_vector, unit},
+    table::{Spelling, spellings},
     write::{
         Decimal, Style, best_unit, subscript, superscript, write_components, write_number, write_quantity,
         write_vector,

@@ -10,6 +10,21 @@ pub(crate) struct Symbol {
     pub(crate) scale: Scale,
 }
 
+/// A unit with every way of writing it.
+#[derive(Clone, Copy, Debug)]
+pub struct Spelling {
+    /// Its symbols; the first is the usual one.
+    pub symbols: &'static [&'static str],
+    /// The prefixes that may stand before each of them.
+    pub prefixes: &'static [&'static str],
+}
+
+/// Every unit that can be read, in the order of its quantities. For a reference; what a text means is said by
+/// [`unit`](crate::unit).
+pub fn spellings() -> impl Iterator<Item = Spelling> {
+    ROWS.iter().map(|row| Spelling { symbols: row.symbols, prefixes: row.prefixes })
+}
+
 /// The symbol written exactly so. Case matters: `mN` is no `MN`.
 pub(crate) fn lookup(text: &str) -> Option<&'static Symbol> {
     let symbols = &*SYMBOLS;

@@ -7,7 +7,7 @@ use dalembert_core::{
 use dalembert_mechanics::{Real, sdof};
 
 use crate::{
-    decay::{Decay, Decrement, decrement},
+    decay::{Decay, FreeDecay, decrement},
     sources::{LISTS, RAO},
     spring::{Spring, network, shares::shares, sketch},
 };
@@ -57,7 +57,7 @@ impl Analysis for BeamAndSprings {
     fn solve<W: Worksheet>(&self, given: &BeamAndSpringsGiven<W>, sheet: W) -> Result<(), Refusal> {
         let springs = network(&given.springs, sheet, &[])?;
         let k = springs.stiffness;
-        let Decrement { cycles, decrement, damping_ratio: zeta } = decrement(&given.decay, sheet);
+        let FreeDecay { cycles, decrement, damping_ratio: zeta } = decrement(&given.decay, sheet);
         let natural = sheet.step(
             "ωₙ",
             "rad/s",
@@ -102,7 +102,8 @@ impl Analysis for BeamAndSprings {
         sheet.show(|| Exhibit::Drawing(self.drawing()));
         if let Some(excitation) = &self.excitation {
             let (natural, zeta) = (natural.value(), zeta.value());
-            sheet.show(|| Exhibit::Plot(transmissibility_over_frequency(excitation.frequency, natural, zeta)));
+            sheet
+                .show(|| Exhibit::Plot(transmissibility_over_frequency(excitation.frequency, natural, zeta)));
         }
         let decay = (mass.value(), c.value());
         sheet.show(|| Exhibit::Plot(self.free_motion(decay, cycles.value())));
@@ -229,7 +230,10 @@ impl BeamAndSprings {
             Axis::linear("displacement over the first amplitude", "1"),
             vec![
                 Series::line("x/x₁", (0..=600).map(at).collect()),
-                Series::dots("successive amplitudes", peaks.map(|n| (n * period, envelope(n * period))).collect()),
+                Series::dots(
+                    "successive amplitudes",
+                    peaks.map(|n| (n * period, envelope(n * period))).collect(),
+                ),
             ],
         )
     }

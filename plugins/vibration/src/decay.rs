@@ -35,7 +35,7 @@ pub enum Counted {
 }
 
 /// The damping ratio of a decay, with the steps that lead to it.
-pub(crate) struct Decrement<N> {
+pub(crate) struct FreeDecay<N> {
     /// Cycles between the two amplitudes.
     pub(crate) cycles: N,
     /// Logarithmic decrement.
@@ -46,7 +46,7 @@ pub(crate) struct Decrement<N> {
 
 /// Writes `N`, `δ` and `ζ`.
 #[inline]
-pub(crate) fn decrement<W: Worksheet>(given: &DecayGiven<W>, sheet: W) -> Decrement<W::Num> {
+pub(crate) fn decrement<W: Worksheet>(given: &DecayGiven<W>, sheet: W) -> FreeDecay<W::Num> {
     let cycles = match &given.counted {
         CountedGiven::Cycles { cycles } => *cycles,
         CountedGiven::Amplitudes { amplitudes } => {
@@ -70,5 +70,5 @@ pub(crate) fn decrement<W: Worksheet>(given: &DecayGiven<W>, sheet: W) -> Decrem
         sdof::decrement_from_damping_ratio(damping_ratio),
         decrement,
     );
-    Decrement { cycles, decrement, damping_ratio }
+    FreeDecay { cycles, decrement, damping_ratio }
 }

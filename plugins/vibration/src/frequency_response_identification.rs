@@ -75,24 +75,24 @@ impl Analysis for FrequencyResponseIdentification {
         given: &FrequencyResponseIdentificationGiven<W>,
         sheet: W,
     ) -> Result<(), Refusal> {
-        let (system, peak) = match (&self.measurement, &given.measurement) {
+        let system = match (&self.measurement, &given.measurement) {
             (Measurement::Table { points }, _) => table::identify(points, sheet)?,
             (_, MeasurementGiven::Points { static_receptance, peak_receptance, peak_frequency }) => {
                 let peak = Peak { receptance: *peak_receptance, frequency: *peak_frequency };
-                (from_points(*static_receptance, peak, sheet)?, peak)
+                from_points(*static_receptance, peak, sheet)?
             }
             (Measurement::Points { .. }, MeasurementGiven::Table { .. }) => {
                 unreachable!("what is given is made from what was measured")
             }
         };
-        let System { stiffness, mass, damping, damping_ratio, natural } = system;
+        let System { stiffness, mass, damping, damping_ratio, natural, peak } = system;
         sheet.answer("stiffness", "Stiffness", stiffness);
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("damping_ratio", "Damping ratio", damping_ratio);
         sheet.answer("mass", "Mass", mass);
         sheet.answer("damping", "Damping coefficient", damping);
-        textbook(&system, peak, sheet);
-        resonance(given.force, &system, peak, sheet);
+        textbook(&system, sheet);
+        resonance(given.force, &system, sheet);
         if damping_ratio.value() > 0.1 {
             sheet.warn(|| {
                 Text::new(
@@ -102,7 +102,9 @@ impl Analysis for FrequencyResponseIdentification {
             });
         }
         let numbers = (stiffness.value(), mass.value(), damping.value());
-        sheet.show(|| Exhibit::Plot(self.response(numbers, (peak.frequency.value(), peak.receptance.value()))));
+        sheet.show(|| {
+            Exhibit::Plot(self.response(numbers, (peak.frequency.value(), peak.receptance.value())))
+        });
         sheet.show(|| Exhibit::Drawing(drawing()));
         Ok(())
     }
@@ -116,6 +118,7 @@ struct System<N> {
     damping: N,
     damping_ratio: N,
     natural: N,
+    peak: Peak<N>,
 }
 
 /// The peak of a receptance.
@@ -183,12 +186,14 @@ fn from_points<W: Worksheet>(
         identification::damping_from_mass_and_peak(mass, stiffness, peak.receptance, peak.frequency),
         damping,
     );
-    Ok(hold_at_peak(System { stiffness, mass, damping, damping_ratio, natural }, peak, sheet))
+    let system = System { stiffness, mass, damping, damping_ratio, natural, peak };
+    hold_at_peak(&system, sheet);
+    Ok(system)
 }
 
 /// Holds a system to the peak it was found from: the height, and the slope there.
-fn hold_at_peak<W: Worksheet>(system: System<W::Num>, peak: Peak<W::Num>, sheet: W) -> System<W::Num> {
-    let System { stiffness, mass, damping, .. } = system;
+fn hold_at_peak<W: Worksheet>(system: &System<W::Num>, sheet: W) {
+    let System { stiffness, mass, damping, peak, .. } = *system;
     sheet.check(
         "the receptance of stiffness, mass and damping at the peak is the measured one",
         sdof::receptance(stiffness, mass, damping, peak.frequency),
@@ -199,11 +204,11 @@ fn hold_at_peak<W: Worksheet>(system: System<W::Num>, peak: Peak<W::Num>, sheet:
         mass * peak.frequency.powi(2) + damping.powi(2) / (mass * 2.0),
         stiffness,
     );
-    system
 }
 
 /// The reading of most textbooks, which takes the frequency of the peak as the natural one, beside the exact one.
-fn textbook<W: Worksheet>(system: &System<W::Num>, peak: Peak<W::Num>, sheet: W) {
+fn textbook<W: Worksheet>(system: &System<W::Num>, sheet: W) {
+    let peak = system.peak;
     let mass = sheet.step(
         "m′",
         "kg",
@@ -235,7 +240,8 @@ fn textbook<W: Worksheet>(system: &System<W::Num>, peak: Peak<W::Num>, sheet: W)
 }
 
 /// The amplitude at resonance: for each newton, and for the force where it is given.
-fn resonance<W: Worksheet>(force: Option<W::Num>, system: &System<W::Num>, peak: Peak<W::Num>, sheet: W) {
+fn resonance<W: Worksheet>(force: Option<W::Num>, system: &System<W::Num>, sheet: W) {
+    let peak = system.peak;
     let for_each_newton = sheet.step(
         "X/F₀",
         "mm/N",
@@ -283,10 +289,7 @@ impl FrequencyResponseIdentification {
             "Receptance against frequency",
             Axis::linear("frequency", "rad/s"),
             Axis::log("receptance", "mm/N"),
-            vec![
-                Series::line("identified", (0..=500).map(at).collect()),
-                Series::dots("measured", measured),
-            ],
+            vec![Series::line("identified", (0..=500).map(at).collect()), Series::dots("measured", measured)],
         )
         .mark("peak", peak)
     }

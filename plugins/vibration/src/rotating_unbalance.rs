@@ -228,7 +228,7 @@ impl RotatingUnbalance {
         };
         Plot::new(
             "Steady amplitude against speed",
-            Axis::linear("speed", "rpm"),
+            Axis::linear("speed of the machine", "rpm"),
             Axis::linear("amplitude", "mm"),
             vec![Series::line("X", (0..=400).map(at).collect())],
         )

@@ -31,10 +31,10 @@ pub enum Section {
     },
     /// Rectangle
     Rectangle {
-        /// Width.
+        /// Breadth.
         /// Across the plane of bending.
         #[input("b", "m", positive)]
-        width: f64,
+        breadth: f64,
         /// Height.
         /// In the plane of bending.
         #[input("h", "m", positive)]
@@ -65,8 +65,8 @@ pub fn second_moment<W: Worksheet>(
             }
             (section::tube_second_moment(*outer, *inner), "Second moment of area of a tube")
         }
-        SectionGiven::Rectangle { width, height } => {
-            (section::rectangle_second_moment(*width, *height), "Second moment of area of a rectangle")
+        SectionGiven::Rectangle { breadth, height } => {
+            (section::rectangle_second_moment(*breadth, *height), "Second moment of area of a rectangle")
         }
     };
     Ok(sheet.step(symbol, "cm^4", second_moment, (why, BEER.at("app. A"))))

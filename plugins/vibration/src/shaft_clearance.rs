@@ -6,11 +6,14 @@ use dalembert_core::{
     About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
-    Real, beam, intervals::IntervalSet, sdof, section,
+    Real, beam,
+    intervals::IntervalSet,
+    sdof, section,
     whirl::{self, LimitedBy, PermittedStiffness},
 };
 
 mod judged;
+mod limits;
 mod plot;
 
 use crate::sources::{BEER, LISTS, RAO, SHIGLEY};
@@ -126,17 +129,18 @@ impl Analysis for ShaftClearance {
         let permitted = self.permitted([speeds[0].value(), speeds[1].value()])?;
         let (soft, stiff) = match &given.damping {
             DampingGiven::Coefficient { coefficient } => {
-                found_limits(given, *coefficient, &permitted, sheet)
+                limits::found_limits(given, *coefficient, &permitted, sheet)
             }
             DampingGiven::Ratio { ratio } if ratio.value() > 0.0 => {
-                ratio_limits(given, *ratio, speeds, &permitted, sheet)
+                limits::ratio_limits(given, *ratio, speeds, &permitted, sheet)
             }
-            _ => undamped_limits(given, speeds, &permitted, sheet),
+            _ => limits::undamped_limits(given, speeds, &permitted, sheet),
         };
         let thin = soft.map(|k| self.diameter_of(k, given, Branch::Soft, sheet));
         let thick = stiff.map(|k| self.diameter_of(k, given, Branch::Stiff, sheet));
 
-        let (set, limits) = self.permitted_diameters(&permitted, thin.map(Real::value), thick.map(Real::value));
+        let (set, limits) =
+            self.permitted_diameters(&permitted, thin.map(Real::value), thick.map(Real::value));
         sheet.answer_set("diameters", "Permitted diameters", "mm", &set, limits);
         if let (Some(k), Some(d)) = (soft, thin) {
             sheet.answer("soft_stiffness", "Largest stiffness of the soft branch", k);
@@ -149,12 +153,18 @@ impl Analysis for ShaftClearance {
         if let Some(largest) = largest {
             sheet.answer("largest_amplitude", "Largest amplitude of any shaft at any speed", largest);
         }
-        self.say_what_limits(&permitted, &set, sheet);
+        say_what_limits(&permitted, &set, sheet);
         if let Some(diameter) = given.diameter {
             self.judge(given, diameter, speeds, sheet)?;
         }
         let range = [speeds[0].value(), speeds[1].value()];
-        sheet.show(|| Exhibit::Plot(self.amplitude_over_diameter(range, &set, [thin, thick].map(|d| d.map(Real::value)))));
+        sheet.show(|| {
+            Exhibit::Plot(self.amplitude_over_diameter(
+                range,
+                &set,
+                [thin, thick].map(|d| d.map(Real::value)),
+            ))
+        });
         sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())
     }
@@ -195,7 +205,9 @@ impl ShaftClearance {
                 whirl::permitted_stiffness_at_damping(m, u, r, speeds, coefficient)
             }
         };
-        permitted.map_err(|_| Refusal::because("these numbers do not describe a rotor, or lead beyond the range of numbers"))
+        permitted.map_err(|_| {
+            Refusal::because("these numbers do not describe a rotor, or lead beyond the range of numbers")
+        })
     }
 
     /// With a damping ratio, the largest amplitude of any shaft; and the ratio from which no shaft can touch.
@@ -208,7 +220,12 @@ impl ShaftClearance {
         if matches!(self.damping, Damping::Coefficient { .. }) {
             return None;
         }
-        let room = sheet.step("Λ", "1", given.clearance / eccentricity, "Clearance as a multiple of the eccentricity");
+        let room = sheet.step(
+            "Λ",
+            "1",
+            given.clearance / eccentricity,
+            "Clearance as a multiple of the eccentricity",
+        );
         if let Some(enough) = sdof::damping_ratio_from_peak(room) {
             let enough = sheet.step(
                 "ζ_R",
@@ -268,7 +285,10 @@ impl ShaftClearance {
             ),
             Mounting::ClampedPinned => (
                 stiffness * length.powi(3) * 7.0 / (young * 768.0),
-                ("Second moment of area, from k = 768EI/(7L³) of a clamped and pinned shaft", SHIGLEY.at("table A-9")),
+                (
+                    "Second moment of area, from k = 768EI/(7L³) of a clamped and pinned shaft",
+                    SHIGLEY.at("table A-9"),
+                ),
             ),
         };
         let moment = sheet.step(moment_symbol, "cm^4", moment, why);
@@ -337,28 +357,6 @@ impl ShaftClearance {
         text.with_quantity("speed", limit.speed, "rpm")
     }
 
-    /// Says plainly when the clearance decides nothing, or everything.
-    fn say_what_limits<W: Worksheet>(&self, permitted: &PermittedStiffness, set: &IntervalSet, sheet: W) {
-        if permitted.stiff.is_none() {
-            sheet.warn(|| {
-                Text::new(
-                    "the limit is never active: with this damping the rotor stays clear of the stator with every \
-                     diameter, so clearance and speeds do not decide the diameter; strength and bearings do",
-                )
-            });
-        } else if permitted.soft.is_some() {
-            sheet.warn(|| {
-                Text::new(
-                    "on the soft branch the rotor passes its critical speed on the way to the lowest speed: run \
-                     through it quickly",
-                )
-            });
-        }
-        if set.is_none() {
-            sheet.warn(|| Text::new("no available diameter keeps the rotor clear: change clearance, unbalance, damping or speeds"));
-        }
-    }
-
     /// The rotor on its shaft, inside the stator.
     fn drawing(&self) -> Drawing {
         let rotor = |x: f64| {
@@ -401,116 +399,118 @@ impl Mounting {
     }
 }
 
-/// The limits of the two branches, N/m; `None` for a branch without one.
-type Limits<N> = (Option<N>, Option<N>);
-
-fn undamped_limits<W: Worksheet>(
-    given: &ShaftClearanceGiven<W>,
-    speeds: [W::Num; 2],
-    permitted: &PermittedStiffness,
-    sheet: W,
-) -> Limits<W::Num> {
-    let (m, u, r) = (given.mass, given.unbalance, given.clearance);
-    let hold = |k: W::Num, speed: W::Num, kernel: f64| {
-        sheet.check(
-            "the amplitude with that stiffness is the clearance",
-            u * speed.powi(2) / (k - m * speed.powi(2)).abs(),
-            r,
-        );
-        sheet.check("the limit over the whole range of speeds is the same", k, kernel.into());
-        k
-    };
-    let soft = permitted.soft.map(|limit| {
-        let k = sheet.step(
-            "kₛ",
-            "MN/m",
-            whirl::soft_limit_undamped(m, u, r, speeds[0]),
-            ("Soft branch, m₀eω²/(mω² − k) = R: worst at the lowest speed", RAO.at("§3.7")),
-        );
-        hold(k, speeds[0], limit.stiffness)
-    });
-    let stiff = permitted.stiff.map(|limit| {
-        let k = sheet.step(
-            "kₕ",
-            "MN/m",
-            whirl::stiff_limit_undamped(m, u, r, speeds[1]),
-            ("Stiff branch, m₀eω²/(k − mω²) = R: worst at the highest speed", RAO.at("§3.7")),
-        );
-        hold(k, speeds[1], limit.stiffness)
-    });
-    (soft, stiff)
+/// Says plainly when the clearance decides nothing, or everything.
+fn say_what_limits<W: Worksheet>(permitted: &PermittedStiffness, set: &IntervalSet, sheet: W) {
+    if permitted.stiff.is_none() {
+        sheet.warn(|| {
+            Text::new(
+                "the limit is never active: with this damping the rotor stays clear of the stator with every \
+                 diameter, so clearance and speeds do not decide the diameter; strength and bearings do",
+            )
+        });
+    } else if permitted.soft.is_some() {
+        sheet.warn(|| {
+            Text::new(
+                "on the soft branch the rotor passes its critical speed on the way to the lowest speed: run \
+                 through it quickly",
+            )
+        });
+    }
+    if set.is_none() {
+        sheet.warn(|| {
+            Text::new(
+                "no available diameter keeps the rotor clear: change clearance, unbalance, damping or speeds",
+            )
+        });
+    }
 }
 
-fn ratio_limits<W: Worksheet>(
-    given: &ShaftClearanceGiven<W>,
-    ratio: W::Num,
-    speeds: [W::Num; 2],
-    permitted: &PermittedStiffness,
-    sheet: W,
-) -> Limits<W::Num> {
-    let (m, u, r) = (given.mass, given.unbalance, given.clearance);
-    let hold = |k: W::Num, speed: W::Num, kernel: f64| {
-        sheet.check(
-            "the amplitude with that stiffness is the clearance",
-            sdof::unbalance_amplitude(u, k, m, sdof::damping_from_ratio(ratio, k, m), speed),
-            r,
-        );
-        sheet.check("the limit over the whole range of speeds is the same", k, kernel.into());
-        k
-    };
-    let soft = permitted.soft.map(|limit| {
-        let k = sheet.step(
-            "kₛ",
-            "MN/m",
-            whirl::soft_limit(m, u, r, speeds[0], ratio),
-            ("Soft branch: the smaller stiffness whose amplitude at the lowest speed is the clearance", RAO.at("§3.7")),
-        );
-        hold(k, speeds[0], limit.stiffness)
-    });
-    let stiff = permitted.stiff.map(|limit| {
-        let k = sheet.step(
-            "kₕ",
-            "MN/m",
-            whirl::stiff_limit(m, u, r, speeds[1], ratio),
-            ("Stiff branch: the larger stiffness whose amplitude at the highest speed is the clearance", RAO.at("§3.7")),
-        );
-        hold(k, speeds[1], limit.stiffness)
-    });
-    (soft, stiff)
-}
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
 
-/// With a fixed coefficient the worst speed of the soft branch may lie inside the range, so it is searched.
-fn found_limits<W: Worksheet>(
-    given: &ShaftClearanceGiven<W>,
-    coefficient: W::Num,
-    permitted: &PermittedStiffness,
-    sheet: W,
-) -> Limits<W::Num> {
-    let find = |limit: &whirl::Limit, [k, speed, amplitude]: [&'static str; 3], how: &'static str| {
-        let k = sheet.found(k, "MN/m", limit.stiffness, (how, RAO.at("§3.7")));
-        let speed = sheet.found(speed, "rpm", limit.speed, "Speed at which its amplitude is largest");
-        let amplitude = sheet.step(
-            amplitude,
-            "mm",
-            sdof::unbalance_amplitude(given.unbalance, k, given.mass, coefficient, speed),
-            ("Amplitude at that speed", RAO.at("§3.7")),
-        );
-        sheet.check("the amplitude with that stiffness is the clearance", amplitude, given.clearance);
-        k
-    };
-    let soft = permitted.soft.as_ref().map(|limit| {
-        find(
-            limit,
-            ["kₛ", "ωₛ", "Xₛ"],
-            "Soft branch: the largest stiffness with (k − mω²)² + (cω)² ≥ (m₀eω²/R)² at every speed of the range",
-        )
-    });
-    let stiff = permitted.stiff.as_ref().map(|limit| {
-        find(
-            limit,
-            ["kₕ", "ωₕ", "Xₕ"],
-            "Stiff branch: the smallest stiffness with (k − mω²)² + (cω)² ≥ (m₀eω²/R)² at every speed of the range",
-        )
-    });
-    (soft, stiff)
+    use dalembert_core::{AnswerValue, Inputs, Lift, Sheet, Stop, Trail};
+
+    use super::*;
+
+    fn turbine(damping: Damping, unbalance: f64) -> ShaftClearance {
+        ShaftClearance {
+            mass: 250.0,
+            unbalance,
+            clearance: 5e-3,
+            lowest_speed: 600.0 * TAU / 60.0,
+            highest_speed: 6000.0 * TAU / 60.0,
+            margin: None,
+            damping,
+            shaft: Shaft { mounting: Mounting::Clamped, length: 2.0, young: 207e9 },
+            smallest_diameter: None,
+            largest_diameter: None,
+            diameter: None,
+        }
+    }
+
+    fn permitted_diameters(problem: &ShaftClearance) -> IntervalSet {
+        let stop = Stop::new();
+        let sheet = Sheet::new(&stop);
+        let given = problem.given(Lift { sheet: &sheet, value: None, trail: &Trail::TOP });
+        problem.solve(&given, &sheet).unwrap();
+        let solution = sheet.into_solution().unwrap();
+        assert!(solution.checks.iter().all(|check| check.passed));
+        match &solution.answer("diameters").unwrap().value {
+            AnswerValue::Set(set, _) => set.clone(),
+            AnswerValue::Number(..) => panic!("the diameters are a set"),
+        }
+    }
+
+    /// The largest amplitude at any of many speeds of the range.
+    fn by_brute_force(problem: &ShaftClearance, diameter: f64) -> f64 {
+        let moment = section::round_second_moment(diameter);
+        let k = problem.shaft.mounting.stiffness(problem.shaft.young, moment, problem.shaft.length);
+        let c = match problem.damping {
+            Damping::Undamped => 0.0,
+            Damping::Ratio { ratio } => sdof::damping_from_ratio(ratio, k, problem.mass),
+            Damping::Coefficient { coefficient } => coefficient,
+        };
+        let amplitude = |n: u16| {
+            let share = f64::from(n) / 4000.0;
+            let speed = problem.lowest_speed + share * (problem.highest_speed - problem.lowest_speed);
+            sdof::unbalance_amplitude(problem.unbalance, k, problem.mass, c, speed)
+        };
+        (0..=4000).map(amplitude).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn a_diameter_is_permitted_where_no_speed_reaches_the_clearance() {
+        let dampings = [
+            Damping::Ratio { ratio: 0.03 },
+            Damping::Ratio { ratio: 0.2 },
+            Damping::Ratio { ratio: 0.5 },
+            Damping::Ratio { ratio: 1.2 },
+            Damping::Coefficient { coefficient: 3e3 },
+            Damping::Coefficient { coefficient: 3e4 },
+            Damping::Coefficient { coefficient: 3e5 },
+        ];
+        let mut seen = [0, 0];
+        for damping in dampings {
+            // Eccentricities of a fifth of the clearance, four fifths and twice.
+            for unbalance in [0.25, 1.0, 2.5] {
+                let problem = turbine(damping.clone(), unbalance);
+                let set = permitted_diameters(&problem);
+                for n in 0..60 {
+                    let diameter = 0.01 * 1.08f64.powi(n);
+                    let worst = by_brute_force(&problem, diameter) / problem.clearance;
+                    // So near to the clearance the speeds tried are not dense enough to tell.
+                    if (worst - 1.0).abs() > 2e-3 {
+                        assert_eq!(
+                            set.contains(diameter),
+                            worst < 1.0,
+                            "{problem:?}, d = {diameter}, {worst}"
+                        );
+                        seen[usize::from(worst < 1.0)] += 1;
+                    }
+                }
+            }
+        }
+        assert!(seen.iter().all(|count| *count > 100), "{seen:?}");
+    }
 }

@@ -268,13 +268,19 @@ fn single<W: Worksheet>(given: &SpringGiven<W>, sheet: W, place: &[usize]) -> Re
         SpringGiven::ClampedPinned { length, distance, young, section } => match distance {
             None => (
                 beam::clamped_pinned_middle(*young, moment(section)?, *length),
-                ("Stiffness at its middle of a beam clamped at one end and pinned at the other", SHIGLEY.at("table A-9")),
+                (
+                    "Stiffness at its middle of a beam clamped at one end and pinned at the other",
+                    SHIGLEY.at("table A-9"),
+                ),
             ),
             Some(distance) => {
                 within(distance, length)?;
                 (
                     beam::clamped_pinned(*young, moment(section)?, *length, *distance),
-                    ("Stiffness at the load of a beam clamped at one end and pinned at the other", SHIGLEY.at("table A-9")),
+                    (
+                        "Stiffness at the load of a beam clamped at one end and pinned at the other",
+                        SHIGLEY.at("table A-9"),
+                    ),
                 )
             }
         },
@@ -286,10 +292,9 @@ fn single<W: Worksheet>(given: &SpringGiven<W>, sheet: W, place: &[usize]) -> Re
             beam::clamped_guided(*young, moment(section)?, *length),
             ("Stiffness of a column whose end moves sideways without turning", RAO.at("§1.7")),
         ),
-        SpringGiven::Bar { length, young, area } => (
-            spring::axial(*young, *area, *length),
-            ("Stiffness of a bar along its axis", RAO.at("§1.7")),
-        ),
+        SpringGiven::Bar { length, young, area } => {
+            (spring::axial(*young, *area, *length), ("Stiffness of a bar along its axis", RAO.at("§1.7")))
+        }
         SpringGiven::TorsionBar { length, shear, diameter, lever } => {
             let polar = sheet.step(
                 symbol("J", place),
@@ -340,5 +345,102 @@ fn label<W: Worksheet>(given: &SpringGiven<W>) -> &'static str {
         SpringGiven::Helical { .. } => "helical spring",
         SpringGiven::Series { .. } => "in series",
         SpringGiven::Parallel { .. } => "in parallel",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use dalembert_core::{Inputs, Lift, Plain, Stop, Trail};
+
+    use super::*;
+
+    fn stiffness_of(spring: &Spring) -> Result<f64, Refusal> {
+        let stop = Stop::new();
+        let plain = Plain::new(&stop);
+        let given = spring.given(Lift { sheet: &plain, value: None, trail: &Trail::TOP });
+        stiffness(&given, &plain)
+    }
+
+    fn close(ours: f64, expected: f64) {
+        assert!((ours - expected).abs() <= 1e-12 * expected.abs(), "{ours} is not {expected}");
+    }
+
+    fn given(stiffness: f64) -> Spring {
+        Spring::Stiffness { stiffness }
+    }
+
+    fn section() -> Section {
+        Section::Rectangle { breadth: 0.04, height: 0.01 }
+    }
+
+    /// The three beams whose load may stand anywhere.
+    fn beams(distance: Option<f64>) -> [Spring; 3] {
+        let (length, young) = (1.2, 210e9);
+        [
+            Spring::SimplySupported { length, distance, young, section: section() },
+            Spring::Clamped { length, distance, young, section: section() },
+            Spring::ClampedPinned { length, distance, young, section: section() },
+        ]
+    }
+
+    #[test]
+    fn a_network_is_its_series_and_parallels() {
+        let parallel = Spring::Parallel { members: vec![given(1.0), given(2.0)] };
+        let network = Spring::Series { members: vec![parallel, given(6.0), given(2.0)] };
+        close(stiffness_of(&network).unwrap(), 1.0);
+        let one = Spring::Series { members: vec![Spring::Parallel { members: vec![given(7.0)] }] };
+        close(stiffness_of(&one).unwrap(), 7.0);
+    }
+
+    #[test]
+    fn a_load_without_a_distance_is_at_the_middle() {
+        for (middle, placed) in beams(None).iter().zip(&beams(Some(0.6))) {
+            close(stiffness_of(middle).unwrap(), stiffness_of(placed).unwrap());
+        }
+    }
+
+    #[test]
+    fn beams_by_their_tables() {
+        // E I = 700 N m²; 48, 192 and 768/7 times E I/L³.
+        let [simple, clamped, mixed] = beams(None).map(|beam| stiffness_of(&beam).unwrap());
+        close(simple, 48.0 * 700.0 / 1.728);
+        close(clamped, 4.0 * simple);
+        close(mixed, 16.0 / 7.0 * simple);
+    }
+
+    #[test]
+    fn a_load_at_the_far_support_is_refused() {
+        for beam in beams(Some(1.2)) {
+            let refusal = stiffness_of(&beam).unwrap_err().to_string();
+            assert!(refusal.contains("write a distance below the span"), "{refusal}");
+        }
+    }
+
+    #[test]
+    fn a_tube_needs_a_wall() {
+        let tube = |inner| Spring::Cantilever {
+            length: 1.0,
+            young: 1.0,
+            section: Section::Tube { outer: 0.1, inner },
+        };
+        assert!(stiffness_of(&tube(0.1)).unwrap_err().to_string().contains("outer"));
+        // I = π(D⁴ − d⁴)/64: half the diameter inside takes a sixteenth away.
+        let solid = Spring::Cantilever { length: 1.0, young: 1.0, section: Section::Round { diameter: 0.1 } };
+        close(stiffness_of(&tube(0.05)).unwrap(), stiffness_of(&solid).unwrap() * 15.0 / 16.0);
+    }
+
+    #[test]
+    fn a_torsion_bar_is_a_helical_spring_unwound() {
+        // A wire of n turns is a torsion bar of length π D n on a lever D/2: k = G d⁴/(8 D³ n).
+        let (shear, wire_diameter, coil_diameter, coils) = (80e9, 0.02, 0.2, 5.0);
+        let helical = Spring::Helical { shear, wire_diameter, coil_diameter, coils };
+        let bar = Spring::TorsionBar {
+            length: std::f64::consts::PI * coil_diameter * coils,
+            shear,
+            diameter: wire_diameter,
+            lever: coil_diameter / 2.0,
+        };
+        close(stiffness_of(&helical).unwrap(), 40e3);
+        close(stiffness_of(&bar).unwrap(), 40e3);
     }
 }

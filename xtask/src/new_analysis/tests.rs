@@ -10,10 +10,16 @@ fn repository(of: &str) -> PathBuf {
     for (path, text) in [
         ("Cargo.toml", "[workspace.lints.rust]\nunsafe_code = \"forbid\"\n"),
         ("plugins/vibration/Cargo.toml", "[lints]\nworkspace = true\n"),
-        ("plugins/vibration/src/lib.rs", "//! Vibration.\n\npub mod decay;\npub mod spring;\n\nmod sources;\n"),
+        (
+            "plugins/vibration/src/lib.rs",
+            "//! Vibration.\n\npub mod decay;\npub mod spring;\n\nmod sources;\n",
+        ),
         ("plugins/vibration/src/decay.rs", "//! Decay.\n"),
         ("plugins/vibration/locales/pt-BR.ftl", "mass = Massa\n"),
-        ("plugins/bundle/Cargo.toml", "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-vibration = { path = \"../vibration\" }\n"),
+        (
+            "plugins/bundle/Cargo.toml",
+            "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-vibration = { path = \"../vibration\" }\n",
+        ),
         ("plugins/bundle/src/lib.rs", "use dalembert_vibration as _;\n"),
         ("crates/core/locales/pt-BR.ftl", "period = Período da oscilação\n"),
     ] {
@@ -28,14 +34,21 @@ fn a_new_analysis_is_two_files_and_two_changes_and_tidy() {
     run(&root, "vibration", "mass-on-spring").unwrap();
     let source = read(&root.join("plugins/vibration/src/mass_on_spring.rs")).unwrap();
     assert!(source.contains("register!(MassOnSpring);") && source.contains("\"vibration/mass-on-spring\""));
-    assert!(!source.contains("nalysisName") && !source.contains("nalysis_name") && !source.contains("nalysis-name"));
+    assert!(
+        !source.contains("nalysisName")
+            && !source.contains("nalysis_name")
+            && !source.contains("nalysis-name")
+    );
     let library = read(&root.join("plugins/vibration/src/lib.rs")).unwrap();
     assert_eq!(
         library,
         "//! Vibration.\n\npub mod decay;\npub mod mass_on_spring;\npub mod spring;\n\nmod sources;\n"
     );
     let translations = read(&root.join("plugins/vibration/locales/pt-BR.ftl")).unwrap();
-    assert_eq!(translations.matches("\nmass = ").count() + usize::from(translations.starts_with("mass = ")), 1);
+    assert_eq!(
+        translations.matches("\nmass = ").count() + usize::from(translations.starts_with("mass = ")),
+        1
+    );
     assert!(translations.contains("period = Período da oscilação\n"), "{translations}");
     assert!(translations.contains("mass-on-spring = Mass on spring\n"), "{translations}");
     assert_eq!(faults(&Tree::read(&root).unwrap()), [""; 0]);

@@ -28,12 +28,16 @@ pub(super) fn an_analysis_is_one_file(tree: &Tree) -> Vec<String> {
             faults.push(format!("{path}:{line}: the id of this analysis must be \"{id}\""));
         }
         let cases = format!("cases/{name}.toml");
-        if !text.contains(&format!("include_str!(\"../{cases}\")")) || !tree.has(&format!("plugins/{family}/{cases}")) {
+        if !text.contains(&format!("include_str!(\"../{cases}\")"))
+            || !tree.has(&format!("plugins/{family}/{cases}"))
+        {
             faults.push(format!("{path}:{line}: its cases must be in plugins/{family}/{cases}"));
         }
         let library = tree.text(&format!("plugins/{family}/src/lib.rs")).unwrap_or_default();
         if !lines(library).any(|(_, line)| line.ends_with(&format!("mod {name};"))) {
-            faults.push(format!("{path}: is not compiled; write `pub mod {name};` in plugins/{family}/src/lib.rs"));
+            faults.push(format!(
+                "{path}: is not compiled; write `pub mod {name};` in plugins/{family}/src/lib.rs"
+            ));
         }
     }
     for (path, _) in tree.iter() {

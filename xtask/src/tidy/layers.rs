@@ -1,6 +1,6 @@
 //! Which crate may know of what.
 
-use super::{Tree, lines, without_tests};
+use super::{Tree, ends_in, lines, without_tests};
 
 /// A crate and those of this workspace that it may depend on, by folder, without tests.
 const BELOW: [(&str, &[&str]); 10] = [
@@ -23,7 +23,8 @@ const OF_A_PLUGIN: [&str; 1] = ["nalgebra"];
 const EFFECTS: [&str; 4] = ["fs", "net", "process", "env"];
 
 /// The crates that do no input or output.
-const PURE: [&str; 5] = ["crates/units/src/", "crates/mechanics/src/", "crates/core/src/", "crates/report/src/", "plugins/"];
+const PURE: [&str; 5] =
+    ["crates/units/src/", "crates/mechanics/src/", "crates/core/src/", "crates/report/src/", "plugins/"];
 
 pub(super) fn a_plugin_is_named_only_by_the_bundle(tree: &Tree) -> Vec<String> {
     let mut faults = Vec::new();
@@ -31,14 +32,17 @@ pub(super) fn a_plugin_is_named_only_by_the_bundle(tree: &Tree) -> Vec<String> {
         let names = [format!("dalembert-{family}"), format!("dalembert_{}", family.replace('-', "_"))];
         let own = format!("plugins/{family}/");
         let others = tree.iter().filter(|(path, _)| {
-            (path.ends_with(".rs") || path.ends_with("Cargo.toml"))
+            (ends_in(path, "rs") || path.ends_with("Cargo.toml"))
                 && !path.starts_with(&own)
                 && !path.starts_with("plugins/bundle/")
+                && !is_of_tests(path)
         });
         for (path, text) in others {
-            for (n, line) in lines(text) {
+            for (n, line) in lines(without_tests(text)) {
                 if names.iter().any(|name| has_word(line, name)) {
-                    faults.push(format!("{path}:{n}: names a plugin; only plugins/bundle may, the registry is for all others"));
+                    faults.push(format!(
+                        "{path}:{n}: names a plugin; only plugins/bundle may, the registry is for all others"
+                    ));
                 }
             }
         }
@@ -74,7 +78,7 @@ pub(super) fn a_crate_depends_only_on_what_lies_below(tree: &Tree) -> Vec<String
 
 pub(super) fn pure_crates_do_no_input_or_output(tree: &Tree) -> Vec<String> {
     let mut faults = Vec::new();
-    for (path, text) in tree.sources() {
+    for (path, text) in tree.sources().filter(|(path, _)| !is_of_tests(path)) {
         let pure = PURE.iter().any(|start| path.starts_with(start));
         let code = without_tests(text);
         for (n, part) in of_std(code) {
@@ -91,6 +95,11 @@ pub(super) fn pure_crates_do_no_input_or_output(tree: &Tree) -> Vec<String> {
         }
     }
     faults
+}
+
+/// Whether a source is a module of unit tests.
+fn is_of_tests(path: &str) -> bool {
+    path.ends_with("/tests.rs")
 }
 
 /// The dependencies of a manifest, without those of tests, and the lines they stand in.
@@ -115,7 +124,8 @@ fn of_std(code: &str) -> Vec<(usize, &str)> {
     for (at, name) in code.match_indices("std::") {
         let inside_of_a_word = code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
         let line = code[..at].lines().count().max(1);
-        let in_a_comment = code[..at].lines().next_back().is_some_and(|line| line.trim_start().starts_with("//"));
+        let in_a_comment =
+            code[..at].lines().next_back().is_some_and(|line| line.trim_start().starts_with("//"));
         if inside_of_a_word || in_a_comment {
             continue;
         }
@@ -148,7 +158,6 @@ fn of_std(code: &str) -> Vec<(usize, &str)> {
 /// Whether `word` stands in the line and is no part of a longer word.
 fn has_word(line: &str, word: &str) -> bool {
     let letter = |c: char| c.is_alphanumeric() || c == '_' || c == '-';
-    line.match_indices(word).any(|(at, _)| {
-        !line[..at].ends_with(letter) && !line[at + word.len()..].starts_with(letter)
-    })
+    line.match_indices(word)
+        .any(|(at, _)| !line[..at].ends_with(letter) && !line[at + word.len()..].starts_with(letter))
 }

@@ -33,7 +33,10 @@ fn tree(changes: &[(&str, &str)]) -> Tree {
             "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-balancing = { path = \"../balancing\" }\n",
         ),
         ("plugins/bundle/src/lib.rs", "use dalembert_balancing as _;\n"),
-        ("crates/core/Cargo.toml", "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-units.workspace = true\n"),
+        (
+            "crates/core/Cargo.toml",
+            "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-units.workspace = true\n",
+        ),
         ("crates/core/src/lib.rs", "use std::{fmt, sync::OnceLock};\n"),
         ("README.md", "See `crates/core/src/lib.rs`, `plugins/NAME/src`, `crates/core`.\n"),
     ]);
@@ -61,11 +64,17 @@ fn a_sound_tree_has_no_faults() {
 #[test]
 fn an_analysis_has_one_name() {
     let source = "plugins/balancing/src/two_plane.rs";
-    finds(&[(source, &ANALYSIS.replace("TwoPlane", "Planes"))], "two_plane.rs:4: `Planes` in a file named two_plane.rs");
+    finds(
+        &[(source, &ANALYSIS.replace("TwoPlane", "Planes"))],
+        "two_plane.rs:4: `Planes` in a file named two_plane.rs",
+    );
     finds(&[(source, &ANALYSIS.replace("balancing/two", "balance/two"))], "must be \"balancing/two-plane\"");
     finds(&[(source, &format!("{ANALYSIS}register!(Other);\n"))], "a second analysis");
     finds(&[("plugins/balancing/cases/two_plane.toml", "")], "its cases must be in");
-    finds(&[("plugins/balancing/cases/gone.toml", "[[case]]\n")], "no analysis in plugins/balancing/src/gone.rs");
+    finds(
+        &[("plugins/balancing/cases/gone.toml", "[[case]]\n")],
+        "no analysis in plugins/balancing/src/gone.rs",
+    );
     finds(&[("plugins/balancing/src/lib.rs", "//! Nothing.\n")], "is not compiled");
 }
 
@@ -73,18 +82,32 @@ fn an_analysis_has_one_name() {
 fn a_plugin_is_in_the_bundle_and_nowhere_else() {
     finds(&[("plugins/bundle/src/lib.rs", "//! None.\n")], "`use dalembert_balancing as _;` is missing");
     let empty = "[lints]\nworkspace = true\n";
-    finds(&[("plugins/bundle/Cargo.toml", empty)], "`dalembert-balancing = { path = \"../balancing\" }` is missing");
-    finds(&[("crates/core/src/x.rs", "use dalembert_balancing as _;\n")], "crates/core/src/x.rs:1: names a plugin");
-    assert_eq!(faults(&tree(&[("crates/core/src/x.rs", "// dalembert-balancing-of-rotors\n")])), [""; 0]);
+    finds(
+        &[("plugins/bundle/Cargo.toml", empty)],
+        "`dalembert-balancing = { path = \"../balancing\" }` is missing",
+    );
+    finds(
+        &[("crates/core/src/x.rs", "use dalembert_balancing as _;\n")],
+        "crates/core/src/x.rs:1: names a plugin",
+    );
+    let sound =
+        "// dalembert-balancing-of-rotors\n#[cfg(test)]\nconst NAME: &str = \"dalembert-balancing\";\n";
+    assert_eq!(faults(&tree(&[("crates/core/src/x.rs", sound)])), [""; 0]);
 }
 
 #[test]
 fn a_crate_depends_on_what_lies_below() {
     let core = "crates/core/Cargo.toml";
     let with = |line: &str| format!("[lints]\nworkspace = true\n\n[dependencies]\n{line}\n");
-    finds(&[(core, &with("dalembert-tui.workspace = true"))], "crates/core/Cargo.toml:5: may not depend on dalembert-tui");
+    finds(
+        &[(core, &with("dalembert-tui.workspace = true"))],
+        "crates/core/Cargo.toml:5: may not depend on dalembert-tui",
+    );
     finds(&[(core, &with("dalembert = { path = \"../dalembert\" }"))], "may not depend on dalembert");
-    finds(&[("plugins/balancing/Cargo.toml", &format!("{MANIFEST}ratatui = \"0.30\"\n"))], "may not depend on ratatui");
+    finds(
+        &[("plugins/balancing/Cargo.toml", &format!("{MANIFEST}ratatui = \"0.30\"\n"))],
+        "may not depend on ratatui",
+    );
     finds(&[("crates/new/Cargo.toml", &with(""))], "say in xtask/src/tidy/layers.rs");
 }
 
@@ -111,4 +134,7 @@ fn a_file_is_written_as_agreed() {
     let with_reason = format!("{long}// Long because it is a table.\n");
     assert_eq!(faults(&tree(&[("crates/core/src/a.rs", &with_reason)])), [""; 0]);
     finds(&[("README.md", "See `crates/gone`.\n")], "README.md:1: there is no crates/gone");
+    let begun =
+        "`cargo xtask new-analysis balancing one-plane` writes `plugins/balancing/src/one_plane.rs`.\n";
+    assert_eq!(faults(&tree(&[("README.md", begun)])), [""; 0]);
 }

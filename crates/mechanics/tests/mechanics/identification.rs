@@ -43,7 +43,10 @@ fn what_is_no_response_is_refused() {
     for wrong in [0.0, -1e-3, f64::NAN, f64::INFINITY] {
         assert!(matches!(point(wrong), Err(FitError::Point { .. })), "{wrong}");
     }
-    assert!(matches!(fit_receptance(&[(1.0, 1e-3), (1.0, 1e-3), (2.0, 1e-3)]), Err(FitError::Undetermined(_))));
+    assert!(matches!(
+        fit_receptance(&[(1.0, 1e-3), (1.0, 1e-3), (2.0, 1e-3)]),
+        Err(FitError::Undetermined(_))
+    ));
     // 1/H² over ω² is a parabola that opens upwards and stays above zero.
     let parabola = |y: fn(f64) -> f64| -> Vec<_> {
         (1..9).map(|i| f64::from(i) * 0.08).map(|s| (s.sqrt(), 1.0 / y(s).sqrt())).collect()
@@ -57,7 +60,10 @@ fn a_peak_has_lower_points_on_both_sides() {
     assert_eq!(measured_peak(&[]), None);
     assert_eq!(measured_peak(&[(1.0, 1.0), (2.0, 2.0), (3.0, 3.0)]), None);
     assert_eq!(measured_peak(&[(1.0, 3.0), (2.0, 2.0), (3.0, 1.0)]), None);
-    assert_eq!(measured_peak(&[(1.0, 1.0), (2.0, 1.2), (3.0, 1.0)]).map(|peak| peak.half_power), Some([None, None]));
+    assert_eq!(
+        measured_peak(&[(1.0, 1.0), (2.0, 1.2), (3.0, 1.0)]).map(|peak| peak.half_power),
+        Some([None, None])
+    );
 }
 
 proptest! {

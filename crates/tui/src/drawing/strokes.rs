@@ -62,7 +62,8 @@ impl Box2 {
         for (x, y) in points.into_iter().filter(|at| at.0.is_finite() && at.1.is_finite()) {
             let Self { left, right, bottom, top } =
                 all.unwrap_or(Self { left: x, right: x, bottom: y, top: y });
-            all = Some(Self { left: left.min(x), right: right.max(x), bottom: bottom.min(y), top: top.max(y) });
+            all =
+                Some(Self { left: left.min(x), right: right.max(x), bottom: bottom.min(y), top: top.max(y) });
         }
         let all = all?;
         let size = (all.right - all.left).max(all.top - all.bottom);
@@ -72,7 +73,11 @@ impl Box2 {
         let far = all.left.abs().max(all.right.abs()).max(all.bottom.abs()).max(all.top.abs());
         let least = if size > 1e-9 * far { size / 1e6 } else { far.max(1e-9) };
         let widen = |low: f64, high: f64| {
-            if high - low >= least { (low, high) } else { ((low + high - least) / 2.0, (low + high + least) / 2.0) }
+            if high - low >= least {
+                (low, high)
+            } else {
+                ((low + high - least) / 2.0, (low + high + least) / 2.0)
+            }
         };
         let ((left, right), (bottom, top)) = (widen(all.left, all.right), widen(all.bottom, all.top));
         Some(Self { left, right, bottom, top })
@@ -185,7 +190,12 @@ impl Strokes {
         let (bottom, piston, brim) = (0.35 * length, 0.52 * length, 0.68 * length);
         self.line(vec![a, along.at(bottom, 0.0)], Ink::Body);
         self.line(
-            vec![along.at(brim, half), along.at(bottom, half), along.at(bottom, -half), along.at(brim, -half)],
+            vec![
+                along.at(brim, half),
+                along.at(bottom, half),
+                along.at(bottom, -half),
+                along.at(brim, -half),
+            ],
             Ink::Body,
         );
         self.line(vec![along.at(piston, 0.7 * half), along.at(piston, -0.7 * half)], Ink::Body);
@@ -215,8 +225,11 @@ impl Along {
     fn new(from: Point, to: Point) -> Option<Self> {
         let (across, up) = (to.0 - from.0, to.1 - from.1);
         let length = across.hypot(up);
-        (length > 0.0 && length.is_finite())
-            .then(|| Self { from, direction: (across / length, up / length), length })
+        (length > 0.0 && length.is_finite()).then(|| Self {
+            from,
+            direction: (across / length, up / length),
+            length,
+        })
     }
 
     /// The point so far along, and so far to the left.

@@ -21,7 +21,8 @@ fn a_circle_is_round() {
     for look in [Look::default(), ascii] {
         let rows = drawn(&circle, &look, 200, 81);
         let high = rows[1..].iter().filter(|row| !row.trim().is_empty()).count();
-        let columns = (0..200).filter(|x| rows[1..].iter().any(|row| row.chars().nth(*x) != Some(' '))).count();
+        let columns =
+            (0..200).filter(|x| rows[1..].iter().any(|row| row.chars().nth(*x) != Some(' '))).count();
         assert!(high >= 76, "{high} rows");
         assert!(columns.abs_diff(2 * high) <= 4, "{columns} columns, {high} rows");
     }

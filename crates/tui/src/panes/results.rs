@@ -1,8 +1,6 @@
 //! The answers, how they were checked, and what is doubtful about them.
 
-use dalembert_core::{
-    Answer, AnswerValue, Check, Locale, Number, Refusal, Solution, SolveError, Text,
-};
+use dalembert_core::{Answer, AnswerValue, Check, Locale, Number, Refusal, Solution, SolveError, Text};
 use dalembert_units::{Style as Digits, write_number};
 use ratatui::{
     style::Style,
@@ -118,18 +116,23 @@ fn answers(answers: &[Answer], look: &Look, locale: &Locale, width: usize) -> Ve
         };
         match aligned {
             // A narrow pane has no room for columns.
-            Some(_) if !beside => lines.extend(wrap::hanging(head, &answer.shown(locale), look.answer(), width)),
+            Some(_) if !beside => {
+                lines.extend(wrap::hanging(head, &answer.shown(locale), look.answer(), width));
+            }
             Some(aligned) => {
                 let mut line = head;
-                line.push(Span::styled(number(&aligned, number_widths), look.answer()));
-                line.push(Span::raw(aligned.unit));
+                let number = number(&aligned, number_widths);
+                // A pure number leaves nothing behind it.
+                let number = if aligned.unit.is_empty() { number.trim_end().to_owned() } else { number };
+                line.extend([Span::styled(number, look.answer()), Span::raw(aligned.unit)]);
                 lines.push(Line::from(line));
             }
             None => lines.extend(wrap::hanging(head, &answer.shown(locale), look.answer(), width)),
         }
         if let AnswerValue::Set(_, limits) = &answer.value {
             for limit in limits {
-                let head = vec![Span::raw("    "), Span::styled(look.glyph(Glyph::Dot), look.dim()), Span::raw(" ")];
+                let head =
+                    vec![Span::raw("    "), Span::styled(look.glyph(Glyph::Dot), look.dim()), Span::raw(" ")];
                 lines.extend(wrap::hanging(head, &limit.render(locale), look.dim(), width));
             }
         }
@@ -144,9 +147,10 @@ fn check(check: &Check, look: &Look, locale: &Locale, width: usize) -> Vec<Line<
         (true, false) => Text::new("two ways agree to {residual}").with("residual", residual),
         (false, _) => Text::new("two ways differ by {residual}").with("residual", residual),
     };
-    let (glyph, style, words_style) = match check.passed {
-        true => (Glyph::Good, look.good(), look.dim()),
-        false => (Glyph::Bad, look.error(), look.error()),
+    let (glyph, style, words_style) = if check.passed {
+        (Glyph::Good, look.good(), look.dim())
+    } else {
+        (Glyph::Bad, look.error(), look.error())
     };
     let (what, outcome) = (check.what.render(locale), outcome.render(locale));
     let mut lines: Vec<_> = marked(look, glyph, style, &what, Style::new(), width).collect();

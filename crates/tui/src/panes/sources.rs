@@ -66,7 +66,10 @@ fn case(
 ) {
     let Case { name, source, note, truth, .. } = &judged.case;
     let pointer = if chosen { look.glyph(Glyph::Pointer) } else { " " };
-    let head = vec![Span::styled(format!("{pointer} "), look.key()), Span::styled(format!("{}  ", n + 1), look.dim())];
+    let head = vec![
+        Span::styled(format!("{pointer} "), look.key()),
+        Span::styled(format!("{}  ", n + 1), look.dim()),
+    ];
     let indent = head.iter().map(Span::width).sum::<usize>();
     let space = |more: usize| vec![Span::raw(" ".repeat((indent + more).min(width / 4)))];
     let name_style = if chosen { look.focus() } else { look.title() };
@@ -104,7 +107,8 @@ fn compared(
     width: usize,
     lines: &mut Vec<Line<'static>>,
 ) {
-    let widest = |text: &dyn Fn(&Verdict) -> String| verdicts.iter().map(|one| text(one).width()).max().unwrap_or(0);
+    let widest =
+        |text: &dyn Fn(&Verdict) -> String| verdicts.iter().map(|one| text(one).width()).max().unwrap_or(0);
     let (printed, ours) = (Text::new("printed").render(locale), Text::new("ours").render(locale));
     let name = |one: &Verdict| one.answer.replace('_', " ");
     let names = widest(&name);

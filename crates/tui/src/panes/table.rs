@@ -24,8 +24,12 @@ pub fn lines(table: &TableExhibit, look: &Look, locale: &Locale, width: u16) -> 
     let title = wrap::words(&table.title.render(locale), width);
     let mut lines: Vec<Line<'static>> =
         title.into_iter().map(|line| Line::styled(line, look.title())).collect();
-    let columns: Vec<Written> =
-        table.columns.iter().enumerate().map(|(n, column)| Written::of(column, n, table, look, locale, width)).collect();
+    let columns: Vec<Written> = table
+        .columns
+        .iter()
+        .enumerate()
+        .map(|(n, column)| Written::of(column, n, table, look, locale, width))
+        .collect();
     for block in blocks(&columns, width) {
         lines.push(Line::default());
         lines.extend(written(&block, table.rows.len(), look));
@@ -43,7 +47,14 @@ struct Written {
 }
 
 impl Written {
-    fn of(column: &Column, n: usize, table: &TableExhibit, look: &Look, locale: &Locale, most: usize) -> Self {
+    fn of(
+        column: &Column,
+        n: usize,
+        table: &TableExhibit,
+        look: &Look,
+        locale: &Locale,
+        most: usize,
+    ) -> Self {
         let unit = unit(column.unit).unwrap_or(Unit::ONE);
         let text = |row: &Vec<Cell>| match row.get(n) {
             None | Some(Cell::Empty) => (String::new(), false),
@@ -58,7 +69,10 @@ impl Written {
         let shown = if shown.is_empty() { shown } else { format!("[{shown}]") };
         let heading = column.heading.render(locale);
         let texts = rows.iter().filter(|(_, is_number)| !is_number).map(|(text, _)| text.width());
-        let width = texts.chain([heading.width(), shown.width(), number_widths.0 + number_widths.1]).max().unwrap_or(0);
+        let width = texts
+            .chain([heading.width(), shown.width(), number_widths.0 + number_widths.1])
+            .max()
+            .unwrap_or(0);
         let width = width.min(most);
         let has_numbers = numbers.iter().any(Option::is_some);
         let set = |text: &str| {

@@ -55,12 +55,15 @@ fn reason(step: &WrittenStep, head: String, look: &Look, width: usize, lines: &m
             let gap = " ".repeat(width - line.width() - step.source.width());
             line.push_span(Span::styled(format!("{gap}{}", step.source), look.dim()));
         }
-        _ => lines.extend(wrap::hanging(vec![Span::raw(" ".repeat(indent))], &step.source, look.dim(), width)),
+        _ => {
+            lines.extend(wrap::hanging(vec![Span::raw(" ".repeat(indent))], &step.source, look.dim(), width));
+        }
     }
 }
 
 fn equalities(step: &WrittenStep, indent: usize, look: &Look, width: usize, lines: &mut Vec<Line<'static>>) {
-    let sides = [(&step.formula, Style::new()), (&step.substitution, look.dim()), (&step.result, look.answer())];
+    let sides =
+        [(&step.formula, Style::new()), (&step.substitution, look.dim()), (&step.result, look.answer())];
     let symbol = &step.symbol;
     // A symbol that takes half of the line stands alone.
     let alone = indent + symbol.width() + 3 > width / 2 && symbol.width() > 2;
@@ -95,11 +98,18 @@ fn equalities(step: &WrittenStep, indent: usize, look: &Look, width: usize, line
 }
 
 /// The terms of a long sum and their values, in two columns.
-fn terms(terms: &[(String, String)], indent: usize, look: &Look, width: usize, lines: &mut Vec<Line<'static>>) {
+fn terms(
+    terms: &[(String, String)],
+    indent: usize,
+    look: &Look,
+    width: usize,
+    lines: &mut Vec<Line<'static>>,
+) {
     let values: Vec<Aligned> = terms.iter().map(|(_, value)| Aligned::of(value)).collect();
     let number_widths = widths(&values);
     let symbols = terms.iter().map(|(symbol, _)| symbol.width()).max().unwrap_or(0);
-    let whole = values.iter().map(|value| number_widths.0 + number_widths.1 + value.unit.width()).max().unwrap_or(0);
+    let whole =
+        values.iter().map(|value| number_widths.0 + number_widths.1 + value.unit.width()).max().unwrap_or(0);
     let beside = indent + symbols + 2 + whole <= width;
     for ((symbol, value), aligned) in terms.iter().zip(&values) {
         let space = Span::raw(" ".repeat(indent));
@@ -116,5 +126,67 @@ fn terms(terms: &[(String, String)], indent: usize, look: &Look, width: usize, l
                 lines.push(Line::from(vec![space.clone(), Span::raw(piece)]));
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn step() -> WrittenStep {
+        let text = str::to_owned;
+        WrittenStep {
+            symbol: text("U"),
+            formula: text("Σ mᵢ rᵢ cos θᵢ"),
+            substitution: String::new(),
+            result: text("9.5 kg·mm"),
+            why: text("Unbalance"),
+            source: text("Norton, §12.3"),
+            terms: vec![
+                (text("m₁ r₁ cos θ₁"), text("12.25 kg·mm")),
+                (text("m₂ r₂ cos θ₂"), text("−2.75 kg·mm")),
+            ],
+        }
+    }
+
+    fn written(step: &WrittenStep, width: usize) -> Vec<String> {
+        let mut lines = Vec::new();
+        reason(step, "1  ".into(), &Look::default(), width, &mut lines);
+        equalities(step, 3, &Look::default(), width, &mut lines);
+        terms(&step.terms, 5, &Look::default(), width, &mut lines);
+        assert!(lines.iter().all(|line| line.width() <= width), "{lines:?}");
+        lines.iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn the_terms_of_a_long_sum_stand_in_columns() {
+        assert_eq!(
+            written(&step(), 40),
+            [
+                "1  Unbalance               Norton, §12.3",
+                "   U = Σ mᵢ rᵢ cos θᵢ",
+                "     = 9.5 kg·mm",
+                "     m₁ r₁ cos θ₁  12.25 kg·mm",
+                "     m₂ r₂ cos θ₂  −2.75 kg·mm",
+            ]
+        );
+    }
+
+    #[test]
+    fn a_narrow_pane_holds_the_same_in_more_lines() {
+        let whole = |lines: &[String]| lines.concat().replace(' ', "");
+        for width in 24..40 {
+            let narrow = written(&step(), width);
+            for words in ["Norton,§12.3", "U=Σmᵢrᵢcosθᵢ", "=9.5kg·mm", "12.25kg·mm", "−2.75kg·mm"]
+            {
+                assert!(whole(&narrow).contains(words), "{width}: {narrow:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_number_that_was_found_has_no_formula() {
+        let found = WrittenStep { formula: String::new(), terms: Vec::new(), ..step() };
+        assert_eq!(written(&found, 40)[1..], ["   U = 9.5 kg·mm"]);
     }
 }

@@ -144,13 +144,16 @@ mod tests {
     #[test]
     fn formulas_break_before_operators_and_outside_brackets() {
         assert_eq!(formula("a + b", 10, 10), ["a + b"]);
-        assert_eq!(formula("200 kN/mm² × 1.3×10⁻⁶ m⁴ / (1.2 m)³", 28, 28), [
-            "200 kN/mm² × 1.3×10⁻⁶ m⁴",
-            "/ (1.2 m)³"
-        ]);
+        assert_eq!(
+            formula("200 kN/mm² × 1.3×10⁻⁶ m⁴ / (1.2 m)³", 28, 28),
+            ["200 kN/mm² × 1.3×10⁻⁶ m⁴", "/ (1.2 m)³"]
+        );
         assert_eq!(formula("alpha beta + (c − delta + e)", 18, 18), ["alpha beta", "+ (c − delta + e)"]);
         // Inside brackets rather than a line half empty.
-        assert_eq!(formula("a + (beta gamma − delta epsilon)", 20, 20), ["a + (beta gamma", "− delta epsilon)"]);
+        assert_eq!(
+            formula("a + (beta gamma − delta epsilon)", 20, 20),
+            ["a + (beta gamma", "− delta epsilon)"]
+        );
     }
 
     #[test]
@@ -158,7 +161,10 @@ mod tests {
         let text = "√((k − m ω²)² + (c ω)²) / (m₁ r₁ cos θ₁ + m₂ r₂ cos θ₂) × 1.2345×10⁻⁶ m⁴";
         for (first, rest) in (1..90).flat_map(|first| [(first, first), (first, first / 2)]) {
             let lines = formula(text, first, rest);
-            assert!(lines.iter().skip(1).all(|line| line.width() <= rest.max(1)), "{first} {rest}: {lines:?}");
+            assert!(
+                lines.iter().skip(1).all(|line| line.width() <= rest.max(1)),
+                "{first} {rest}: {lines:?}"
+            );
             assert!(lines[0].width() <= first);
             assert_eq!(lines.concat().replace(' ', ""), text.replace(' ', ""));
         }

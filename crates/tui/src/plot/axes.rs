@@ -26,7 +26,8 @@ impl<'a> Axes<'a> {
         let (x_unit, y_unit) = (unit_of(&plot.x), unit_of(&plot.y));
         let shown = |(x, y): (f64, f64)| {
             let (x, y) = (x_unit.value(x), y_unit.value(y));
-            let shows = |value: f64, scale: Scale| value.is_finite() && (scale == Scale::Linear || value > 0.0);
+            let shows =
+                |value: f64, scale: Scale| value.is_finite() && (scale == Scale::Linear || value > 0.0);
             (shows(x, plot.x.scale) && shows(y, plot.y.scale)).then_some((x, y))
         };
         let curves = plot.series.iter().flat_map(|series| &series.points);

@@ -58,7 +58,8 @@ impl Dots {
     /// The cell that holds a dot, inside the area.
     pub(crate) fn cell_of(&self, (x, y): (f64, f64)) -> (u16, u16) {
         let (across, down) = self.per_cell();
-        let cell = |at: f64, per: u16, cells: u16| (at.round().max(0.0) as u16 / per).min(cells.saturating_sub(1));
+        let cell =
+            |at: f64, per: u16, cells: u16| (at.round().max(0.0) as u16 / per).min(cells.saturating_sub(1));
         (self.area.x + cell(x, across, self.area.width), self.area.y + cell(y, down, self.area.height))
     }
 
@@ -143,7 +144,9 @@ impl Dots {
 
     fn index(&self, x: u16, y: u16) -> Option<usize> {
         let inside = x >= self.area.x && x < self.area.right() && y >= self.area.y && y < self.area.bottom();
-        inside.then(|| usize::from(y - self.area.y) * usize::from(self.area.width) + usize::from(x - self.area.x))
+        inside.then(|| {
+            usize::from(y - self.area.y) * usize::from(self.area.width) + usize::from(x - self.area.x)
+        })
     }
 }
 
@@ -185,7 +188,9 @@ fn clip(from: (f64, f64), to: (f64, f64), (width, height): (f64, f64)) -> Option
     let (from, to) = ((far(from.0), far(from.1)), (far(to.0), far(to.1)));
     let (across, down) = (to.0 - from.0, to.1 - from.1);
     let (mut first, mut last) = (0.0f64, 1.0f64);
-    for (toward, room) in [(-across, from.0), (across, width - from.0), (-down, from.1), (down, height - from.1)] {
+    for (toward, room) in
+        [(-across, from.0), (across, width - from.0), (-down, from.1), (down, height - from.1)]
+    {
         if toward == 0.0 {
             if room < 0.0 {
                 return None;
@@ -233,10 +238,15 @@ mod tests {
     fn lines_have_no_gaps_wherever_between_dots_they_begin() {
         for tenths in 0..40 {
             let end = 10.0 + f64::from(tenths) / 10.0;
-            let drawn = drawn(16, 1, Marker::Ascii, &[[(0.6, 0.0), (1.3 + f64::from(tenths % 7) / 10.0, 0.0)], [
-                (1.3 + f64::from(tenths % 7) / 10.0, 0.0),
-                (end, 0.0),
-            ]]);
+            let drawn = drawn(
+                16,
+                1,
+                Marker::Ascii,
+                &[
+                    [(0.6, 0.0), (1.3 + f64::from(tenths % 7) / 10.0, 0.0)],
+                    [(1.3 + f64::from(tenths % 7) / 10.0, 0.0), (end, 0.0)],
+                ],
+            );
             let last = end.round() as usize;
             assert_eq!(drawn[0].trim(), "*".repeat(last), "to {end}");
         }

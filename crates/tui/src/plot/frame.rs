@@ -18,73 +18,76 @@ pub(crate) struct Frame {
     grid: Vec<(u16, u16)>,
 }
 
-/// Which rows there is room for.
+/// How many rows there are for each part: none where there is no room.
 struct Rows {
-    title: bool,
-    head: bool,
-    legend: bool,
-    axis: bool,
-    labels: bool,
-    foot: bool,
+    title: u16,
+    head: u16,
+    legend: u16,
+    axis: u16,
+    labels: u16,
+    foot: u16,
     readout: u16,
 }
 
+/// What everything is drawn on and with.
+#[derive(Clone, Copy)]
+pub(crate) struct Setting<'a> {
+    pub(crate) area: Rect,
+    pub(crate) marker: Marker,
+    pub(crate) look: &'a Look,
+    pub(crate) locale: &'a Locale,
+}
+
 impl Frame {
-    pub(crate) fn of(
-        axes: &Axes,
-        state: &State,
-        marker: Marker,
-        look: &Look,
-        locale: &Locale,
-        area: Rect,
-    ) -> Self {
-        let readout = state.cursor.map_or_else(Vec::new, |cursor| axes.readout(cursor, locale));
-        let readout = flow(&readout, area.width.into(), usize::from(area.height / 5).max(1), look);
-        let legend = legend(axes, look, locale);
+    pub(crate) fn of(axes: &Axes, state: &State, setting: Setting) -> Self {
+        let Setting { area, look, locale, .. } = setting;
         let height = area.height;
-        let mut rows = Rows {
-            title: height >= 10,
-            head: height >= 6,
-            legend: false,
-            axis: height >= 4,
-            labels: height >= 5,
-            foot: height >= 8,
+        let from = |least: u16| u16::from(height >= least);
+        let readout = state.cursor.map_or_else(Vec::new, |cursor| axes.readout(cursor, locale));
+        let readout = flow(&readout, area.width.into(), usize::from(height / 5).max(1), look);
+        let legend = legend(axes, look, locale);
+        let legend_width =
+            legend.iter().map(|(sample, name, _)| sample.width() + name.width() + 3).sum::<usize>();
+        let legend_width = legend_width.saturating_sub(2) as u16;
+        // The name of the axis and the legend share a row if they can.
+        let head = axes.y.title(y_ticks(axes, 9, locale).ten, locale);
+        let beside = head.width() as u16 + 2 + legend_width <= area.width;
+        let rows = Rows {
+            title: from(10),
+            head: from(6),
+            legend: if legend.is_empty() || beside { 0 } else { from(9) },
+            axis: from(4),
+            labels: from(5),
+            foot: from(8),
             readout: if height >= 3 { readout.len() as u16 } else { 0 },
         };
-        let head = axes.y.title(y_ticks(axes, 9, locale).ten, locale);
-        let legend_width: usize = legend.iter().map(|(sample, name, _)| sample.width() + name.width() + 3).sum();
-        let beside = head.width() + 2 + legend_width <= area.width.into();
-        rows.legend = !legend.is_empty() && rows.head && !beside && height >= 9;
-
-        let mut frame = Self { canvas: area, words: Vec::new(), lines: Vec::new(), grid: Vec::new() };
-        let above = u16::from(rows.title) + u16::from(rows.head) + u16::from(rows.legend);
-        let below = u16::from(rows.axis) + u16::from(rows.labels) + u16::from(rows.foot) + rows.readout;
+        let above = rows.title + rows.head + rows.legend;
+        let below = rows.axis + rows.labels + rows.foot + rows.readout;
         let inner = Rect { y: area.y + above, height: height.saturating_sub(above + below), ..area };
-
         let ticks = y_ticks(axes, inner.height, locale);
         let gutter = ticks.ticks.iter().map(|tick| tick.label.width()).max().unwrap_or(0) as u16 + 1;
-        let gutter = if rows.axis && gutter + 8 <= area.width { gutter } else { 0 };
-        frame.canvas = Rect { x: area.x + gutter, width: area.width - gutter, ..inner };
+        let gutter = if rows.axis > 0 && gutter + 8 <= area.width { gutter } else { 0 };
+        let canvas = Rect { x: area.x + gutter, width: area.width - gutter, ..inner };
 
-        let mut y = area.y;
-        if rows.title {
+        let mut frame = Self { canvas, words: Vec::new(), lines: Vec::new(), grid: Vec::new() };
+        if rows.title > 0 {
             let title = look.shortened(&axes.plot.title.render(locale), area.width.into());
-            frame.words.push((area.x, y, title, look.title()));
-            y += 1;
+            frame.words.push((area.x, area.y, title, look.title()));
         }
-        if rows.head {
+        if rows.head > 0 {
+            let y = area.y + rows.title;
             let head = look.shortened(&axes.y.title(ticks.ten, locale), area.width.into());
             let after = area.x + head.width() as u16 + 2;
             frame.words.push((area.x, y, head, look.dim()));
-            let x = if beside { area.right().saturating_sub(legend_width as u16 - u16::from(legend_width > 0)) } else { after };
-            if rows.legend {
-                y += 1;
+            match rows.legend {
+                0 if beside => frame.legend(&legend, area.right() - legend_width, y, setting),
+                0 => frame.legend(&legend, after, y, setting),
+                _ => frame.legend(&legend, area.x, y + 1, setting),
             }
-            frame.legend(&legend, if rows.legend { area.x } else { x.max(after) }, y, area, look);
         }
-        let rows_of_ticks = frame.y_axis(axes, &ticks, gutter, marker, look);
-        if rows.axis {
-            for x in frame.x_axis(axes, gutter, &rows, marker, look, locale, area) {
+        let rows_of_ticks = frame.y_axis(axes, &ticks, gutter, setting);
+        if rows.axis > 0 {
+            for x in frame.x_axis(axes, gutter, &rows, setting) {
                 frame.grid.extend(rows_of_ticks.iter().map(|y| (x, *y)));
             }
         }
@@ -108,7 +111,8 @@ impl Frame {
     }
 
     /// The rows of its labelled ticks.
-    fn y_axis(&mut self, axes: &Axes, ticks: &Ticks, gutter: u16, marker: Marker, look: &Look) -> Vec<u16> {
+    fn y_axis(&mut self, axes: &Axes, ticks: &Ticks, gutter: u16, setting: Setting) -> Vec<u16> {
+        let Setting { marker, look, .. } = setting;
         let mut rows = Vec::new();
         if gutter == 0 {
             return rows;
@@ -117,7 +121,9 @@ impl Frame {
         let (line, minor, major) = if look.ascii { ("|", "|", "+") } else { ("│", "┤", "┤") };
         self.lines.extend((canvas.y..canvas.bottom()).map(|y| (x, y, line)));
         for tick in &ticks.ticks {
-            let Some(row) = axes.y.span.place(tick.at).and_then(|place| row(canvas, marker, place)) else { continue };
+            let Some(row) = axes.y.span.place(tick.at).and_then(|place| row(canvas, marker, place)) else {
+                continue;
+            };
             self.lines.push((x, row, if tick.label.is_empty() { minor } else { major }));
             let start = x.saturating_sub(tick.label.width() as u16);
             self.words.push((start, row, tick.label.clone(), look.dim()));
@@ -129,18 +135,8 @@ impl Frame {
     }
 
     /// The columns of its labelled ticks.
-
-    #[expect(clippy::too_many_arguments, reason = "they are the places and words of one axis")]
-    fn x_axis(
-        &mut self,
-        axes: &Axes,
-        gutter: u16,
-        rows: &Rows,
-        marker: Marker,
-        look: &Look,
-        locale: &Locale,
-        area: Rect,
-    ) -> Vec<u16> {
+    fn x_axis(&mut self, axes: &Axes, gutter: u16, rows: &Rows, setting: Setting) -> Vec<u16> {
+        let Setting { area, marker, look, locale } = setting;
         let canvas = self.canvas;
         let y = canvas.bottom();
         let (corner, line, minor, major) =
@@ -171,14 +167,14 @@ impl Frame {
         for tick in &ticks.ticks {
             let Some(x) = place(tick.at) else { continue };
             self.lines.push((x, y, if tick.label.is_empty() { minor } else { major }));
-            if rows.labels && !tick.label.is_empty() {
+            if rows.labels > 0 && !tick.label.is_empty() {
                 let x = start(x, tick.label.width() as u16);
                 self.words.push((x, y + 1, tick.label.clone(), look.dim()));
             }
         }
         let title = look.shortened(&axes.x.title(ticks.ten, locale), area.width.into());
         let x = area.right() - title.width() as u16;
-        if rows.foot {
+        if rows.foot > 0 {
             self.words.push((x, y + 2, title, look.dim()));
         } else if title.width() + 2 <= canvas.width.into() {
             self.words.push((x, y, title, look.dim()));
@@ -186,7 +182,8 @@ impl Frame {
         ticks.ticks.iter().filter(|tick| !tick.label.is_empty()).filter_map(|tick| place(tick.at)).collect()
     }
 
-    fn legend(&mut self, legend: &[(String, String, Style)], x: u16, y: u16, area: Rect, look: &Look) {
+    fn legend(&mut self, legend: &[(String, String, Style)], x: u16, y: u16, setting: Setting) {
+        let Setting { area, look, .. } = setting;
         let mut x = x;
         for (n, (sample, name, style)) in legend.iter().enumerate() {
             let room = usize::from(area.right().saturating_sub(x));

@@ -39,7 +39,14 @@ impl Labels {
         let Some((_, at)) = best.filter(|(covered, _)| 3 * covered <= usize::from(width) + 3) else {
             return false;
         };
-        self.placed.push((at, words.to_owned(), style));
+        // A blank at each end, so that words stand off from what is shaded.
+        let blank =
+            |x: u16| x >= self.area.x && x < self.area.right() && free(x, at.y) && !self.is_taken(x, at.y);
+        let (before, after) = (at.x > 0 && blank(at.x - 1), blank(at.right()));
+        let whole =
+            Rect { x: at.x - u16::from(before), width: width + u16::from(before) + u16::from(after), ..at };
+        let words = format!("{}{words}{}", if before { " " } else { "" }, if after { " " } else { "" });
+        self.placed.push((whole, words, style));
         true
     }
 
@@ -80,6 +87,10 @@ impl Labels {
         for (at, words, style) in &self.placed {
             buffer.set_string(at.x, at.y, words, *style);
         }
+    }
+
+    fn is_taken(&self, x: u16, y: u16) -> bool {
+        self.placed.iter().any(|(other, ..)| other.contains((x, y).into()))
     }
 
     /// The cells of words of that width, where they lie inside the area and over no others.

@@ -66,7 +66,9 @@ impl Span {
         match scale {
             Scale::Linear => {
                 let room = to / 20.0 - from / 20.0;
-                let near_zero = |end: f64, other: f64| end == 0.0 || (end > 0.0) == (other > 0.0) && end.abs() < 0.4 * other.abs();
+                let near_zero = |end: f64, other: f64| {
+                    end == 0.0 || (end > 0.0) == (other > 0.0) && end.abs() < 0.4 * other.abs()
+                };
                 Self {
                     from: if from >= 0.0 && near_zero(from, to) { 0.0 } else { (from - room).max(f64::MIN) },
                     to: if to <= 0.0 && near_zero(to, from) { 0.0 } else { (to + room).min(f64::MAX) },
@@ -270,7 +272,8 @@ mod tests {
 
     #[test]
     fn a_span_holds_what_can_be_shown_and_nothing_else() {
-        let of = |values: &[f64], scale| Span::of(values.iter().copied(), scale).map(|span| (span.from, span.to));
+        let of =
+            |values: &[f64], scale| Span::of(values.iter().copied(), scale).map(|span| (span.from, span.to));
         assert_eq!(of(&[3.0, f64::NAN, -1.0, f64::INFINITY], Scale::Linear), Some((-1.0, 3.0)));
         assert_eq!(of(&[3.0, 0.0, -1.0, 12.0], Scale::Log), Some((3.0, 12.0)));
         assert_eq!(of(&[f64::NAN], Scale::Linear), None);
@@ -311,7 +314,8 @@ mod tests {
 
     #[test]
     fn any_span_has_a_bounded_number_of_ticks_inside_it() {
-        let ends = [-1e308, -1e300, -1.0, -1e-300, 0.0, 5e-324, 1e-300, 1e-12, 1.0, 1.0 + 1e-10, 7e5, 1e300, 1e308];
+        let ends =
+            [-1e308, -1e300, -1.0, -1e-300, 0.0, 5e-324, 1e-300, 1e-12, 1.0, 1.0 + 1e-10, 7e5, 1e300, 1e308];
         for from in ends {
             for to in ends.into_iter().filter(|to| *to > from) {
                 for scale in [Scale::Linear, Scale::Log] {
@@ -320,8 +324,9 @@ mod tests {
                         let ticks = span.with_room().ticks(most, Style::default()).ticks;
                         let labelled = ticks.iter().filter(|tick| !tick.label.is_empty()).count();
                         assert!(labelled <= most, "{span:?}: {labelled} of {most}");
-                        assert!(ticks.iter().all(|tick| (-1e-6..=1.0 + 1e-6)
-                            .contains(&span.with_room().place(tick.at).unwrap())));
+                        assert!(ticks.iter().all(|tick| {
+                            (-1e-6..=1.0 + 1e-6).contains(&span.with_room().place(tick.at).unwrap())
+                        }));
                     }
                 }
             }

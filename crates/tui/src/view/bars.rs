@@ -12,13 +12,16 @@ use super::{
     word,
 };
 use crate::{
-    bench::{Bench, State},
+    bench::{Bench, State, Tab},
     form::{self, Role},
     glyphs::filter_untrusted,
-    keys::Place,
+    keys::{Action, Binding, Place},
     look::Glyph,
     model::Model,
 };
+
+/// Cells between two keys.
+const GAP: usize = 2;
 
 /// The name of the program, the analysis, the problem and its file.
 pub(super) fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
@@ -81,28 +84,35 @@ pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
     buffer.set_line(area.x + 1, area.y, &hints(model, model.place(), room), area.width.saturating_sub(1));
 }
 
-/// As many keys of a place as there is room for.
+/// As many keys of a place as there is room for; the help is always among them.
 fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
-    let mut line = Line::default();
-    let mut left = room;
-    for binding in place.bindings().filter(|binding| !binding.hint.is_empty()) {
-        let keys = match binding.hint {
-            "±" => "+ -".to_owned(),
-            "tabs" => "[ ]".to_owned(),
+    let look = &model.look;
+    let written = |binding: &Binding| {
+        let keys = match binding.action {
+            Action::Nudge(_) => "+ -".to_owned(),
+            Action::NextTab => "[ ]".to_owned(),
             _ => binding.keys.first().map_or_else(String::new, |key| key.name()),
         };
-        let hint = if binding.hint == "±" { word("nudge", model) } else { word(binding.hint, model) };
-        let gap = if line.spans.is_empty() { 0 } else { 2 };
-        let cells = gap + width(&keys) + 1 + width(&hint);
-        if cells > left {
-            break;
+        (keys, word(binding.hint, model))
+    };
+    let cells = |(keys, hint): &(String, String)| width(keys) + 1 + width(hint);
+    let all: Vec<_> = place.bindings().filter(|binding| !binding.hint.is_empty()).collect();
+    let mut left = room + GAP;
+    left -= all.iter().filter(|binding| binding.action == Action::Help).map(|help| cells(&written(help)) + GAP).sum::<usize>().min(left);
+    let mut line = Line::default();
+    for binding in all {
+        let hint = written(binding);
+        if binding.action != Action::Help {
+            if cells(&hint) + GAP > left {
+                continue;
+            }
+            left -= cells(&hint) + GAP;
         }
-        left -= cells;
-        if gap > 0 {
-            line.push_span(Span::raw("  "));
+        if !line.spans.is_empty() {
+            line.push_span(Span::raw(" ".repeat(GAP)));
         }
-        line.push_span(Span::styled(keys, model.look.key()));
-        line.push_span(Span::styled(format!(" {hint}"), model.look.dim()));
+        line.push_span(Span::styled(hint.0, look.key()));
+        line.push_span(Span::styled(format!(" {}", hint.1), look.dim()));
     }
     line
 }
@@ -143,7 +153,6 @@ fn about_field(model: &Model, bench: &Bench) -> String {
 }
 
 fn about_pane(model: &Model, bench: &Bench) -> String {
-    use crate::bench::Tab;
     let hint = match bench.tab {
         Tab::Plot => "← → move a cursor that reads the curves; m other marks; n next plot",
         Tab::Drawing => "n next drawing",

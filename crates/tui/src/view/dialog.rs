@@ -235,7 +235,11 @@ fn option(model: &Model, name: &str, chosen: bool, room: usize) -> Line<'static>
 }
 
 fn draw_box(model: &Model, title: &str, lines: &[Line<'static>], screen: Rect, buffer: &mut Buffer) {
-    let area = centred(screen, lines.len() + 2);
+    let longest = lines.iter().map(Line::width).max().unwrap_or(0).max(width(title) + 4);
+    let columns = u16::try_from(longest + 4).unwrap_or(u16::MAX).min(box_width(screen));
+    let mut area = centred(screen, lines.len() + 2);
+    area.x += (area.width - columns) / 2;
+    area.width = columns;
     Clear.render(area, buffer);
     framed(model, title, area, buffer);
     draw_lines(lines, 0, layout::inside(area), buffer);

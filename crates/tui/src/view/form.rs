@@ -18,7 +18,7 @@ use crate::{
     form::{self, Line, Role, errors_of},
     glyphs::filter_untrusted,
     layout,
-    look::Glyph,
+    look::{Glyph, Look},
     model::Model,
 };
 
@@ -26,6 +26,8 @@ use crate::{
 const SHORT_ERROR: usize = 2;
 /// Lines of an error on the field under the cursor.
 const LONG_ERROR: usize = 6;
+/// Cells that a value has at least.
+const LEAST_VALUE: usize = 12;
 /// Cells before every line, for the pointer.
 const POINTER: usize = 2;
 
@@ -90,8 +92,10 @@ fn columns(model: &Model, lines: &[Line], room: usize) -> Columns {
     let symbol = leaves().map(|line| width(line.field.symbol)).max().unwrap_or(0).min(6);
     let symbol = if room < 30 { 0 } else { symbol };
     let gaps = 1 + usize::from(symbol > 0);
-    let most = (room * 45 / 100).max(room.saturating_sub(30 + symbol + gaps));
-    let label = label.min(most);
+    let value = lines.iter().filter_map(|line| if let Role::Leaf { text, .. } = &line.role { Some(width(text)) } else { None });
+    // Values come first, within reason; what is left goes to the labels, and what they leave to echoes.
+    let value = value.max().unwrap_or(0).clamp(LEAST_VALUE, (room / 2).max(LEAST_VALUE));
+    let label = label.min(room.saturating_sub(symbol + gaps + value));
     Columns { label, symbol, value: room.saturating_sub(label + symbol + gaps) }
 }
 
@@ -235,7 +239,7 @@ fn push_value(
             shown.push_span(Span::styled(format!(" {}", look.glyph(Glyph::Open)), look.dim()));
         }
         _ => {
-            let value = fit(&seen, room, look);
+            let value = fit_quantity(&seen, room, look);
             let left = room.saturating_sub(width(&value) + 4);
             shown.push_span(Span::styled(value, style.patch(picked)));
             if let Some(echo) = form::echo(text, shape, model.locale.style).filter(|echo| width(echo) <= left) {
@@ -265,6 +269,16 @@ fn draw_errors(model: &Model, bench: &Bench, line: &Line, under_cursor: bool, ro
         }));
     }
     shown
+}
+
+/// A value made to fit: of a number with a unit the last digits go first, since without its unit it says nothing.
+fn fit_quantity(text: &str, room: usize, look: &Look) -> String {
+    match text.split_once(' ') {
+        Some((number, unit)) if width(text) > room && width(unit) + 5 <= room => {
+            format!("{} {unit}", fit(number, room - width(unit) - 1, look))
+        }
+        _ => fit(text, room, look),
+    }
 }
 
 /// The characters that take the first `cells` cells.

@@ -23,6 +23,8 @@ use crate::{
 
 /// The fewest lines in which a drawing can be recognised.
 const LEAST_DRAWING: u16 = 7;
+/// Lines of what goes in and comes out.
+const MOST_LISTED: usize = 3;
 /// The most that a drawing is given.
 const MOST_DRAWING: u16 = 14;
 
@@ -95,10 +97,11 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
             None => " ",
         };
         let style = if chosen && focused { look.focus() } else { ratatui::style::Style::new() };
-        let cells = room.saturating_sub(5);
+        let cells = room.saturating_sub(4);
         rows.push(Line::from(vec![
             Span::styled(format!("{pointer} "), look.border(focused)),
-            Span::styled(format!(" {} ", padded(&listing.title(&model.locale), cells, look)), style),
+            Span::styled(padded(&listing.title(&model.locale), cells, look), style),
+            Span::raw(" "),
             Span::styled(mark, look.warning()),
         ]));
     }
@@ -114,7 +117,8 @@ fn draw_preview(model: &Model, listing: &Listing, area: Rect, buffer: &mut Buffe
     let look = &model.look;
     let about = listing.entry.about;
     let focused = model.picker.case.is_some();
-    boxed(Line::styled(format!(" {} ", about.id), look.border(focused)), focused, look, area, buffer);
+    let name = fit(about.id, usize::from(area.width).saturating_sub(6), look);
+    boxed(Line::styled(format!(" {name} "), look.border(focused)), focused, look, area, buffer);
     let inner = layout::inside(area);
     let room = usize::from(inner.width);
     let mut lines: Vec<Line<'static>> = Vec::new();
@@ -126,7 +130,14 @@ fn draw_preview(model: &Model, listing: &Listing, area: Rect, buffer: &mut Buffe
         if !all.is_empty() {
             let heading = word(heading, model);
             let text = format!("{heading}: {}", all.join(", "));
-            for (n, text) in wrapped(&text, room).into_iter().enumerate() {
+            let mut wrapped = wrapped(&text, room);
+            if wrapped.len() > MOST_LISTED {
+                wrapped.truncate(MOST_LISTED);
+                if let Some(last) = wrapped.last_mut() {
+                    *last = fit(&format!("{last} {}", look.glyph(Glyph::Ellipsis)), room, look);
+                }
+            }
+            for (n, text) in wrapped.into_iter().enumerate() {
                 lines.push(match text.strip_prefix(&heading).filter(|_| n == 0) {
                     Some(rest) => Line::from(vec![Span::styled(heading.clone(), look.title()), Span::styled(rest.to_owned(), look.dim())]),
                     None => Line::styled(text, look.dim()),

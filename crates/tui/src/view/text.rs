@@ -26,7 +26,7 @@ pub(super) fn fit(text: &str, room: usize, look: &Look) -> String {
         }
         kept.push(character);
     }
-    while kept.ends_with(' ') {
+    while kept.ends_with([' ', ',']) {
         kept.pop();
     }
     kept + look.glyph(Glyph::Ellipsis)

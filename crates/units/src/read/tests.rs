@@ -1,4 +1,5 @@
 //! What people type, and what it must be.
+// Long because it is the table of what people type.
 
 use std::f64::consts::{PI, TAU};
 

@@ -13,12 +13,10 @@ use crate::sources::{EWINS, RAO};
 /// The fewest points that a least-squares fit is worth the name with.
 const FEWEST: usize = 5;
 
-/// The system of the least squares over all points, and its peak.
-pub(super) fn identify<W: Worksheet>(
-    points: &[MeasuredPoint],
-    sheet: W,
-) -> Result<(System<W::Num>, Peak<W::Num>), Refusal> {
-    let mut points: Vec<(f64, f64)> = points.iter().map(|point| (point.frequency, point.receptance)).collect();
+/// The system of the least squares over all points, beside the other readings.
+pub(super) fn identify<W: Worksheet>(points: &[MeasuredPoint], sheet: W) -> Result<System<W::Num>, Refusal> {
+    let mut points: Vec<(f64, f64)> =
+        points.iter().map(|point| (point.frequency, point.receptance)).collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     if points.len() < FEWEST {
         return Err(Refusal::because("the table has fewer than five points: measure more frequencies"));
@@ -51,13 +49,13 @@ pub(super) fn identify<W: Worksheet>(
     spread(&rows, sheet);
     sheet.show(|| {
         let numbers = |system: &System<W::Num>| {
-            [system.stiffness, system.mass, system.damping, system.damping_ratio, system.natural].map(Real::value)
+            [system.stiffness, system.mass, system.damping, system.damping_ratio, system.natural]
+                .map(Real::value)
         };
         let row = |(method, system): &(&'static str, System<W::Num>)| (Text::new(*method), numbers(system));
         Exhibit::Table(comparison(rows.iter().map(row).collect()))
     });
-    let peak = fitted_peak(&system, sheet)?;
-    Ok((system, peak))
+    Ok(system)
 }
 
 /// Least squares of `1/H²` over all points.
@@ -71,7 +69,9 @@ fn least_squares<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System
         ),
     })?;
     if fit.damping == 0.0 {
-        return Err(Refusal::because("the least squares find no damping: measure more points about the peak"));
+        return Err(Refusal::because(
+            "the least squares find no damping: measure more points about the peak",
+        ));
     }
     let stiffness = sheet.found(
         "k",
@@ -99,7 +99,11 @@ fn least_squares<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System
             Text::new("the points scatter by more than 5 % about the fit: noise, or more than one mode in this range")
         });
     }
-    Ok(ratios(stiffness, mass, damping, ["ωₙ", "ζ"], sheet))
+    let (natural, damping_ratio) = ratios(stiffness, mass, damping, ["ωₙ", "ζ"], sheet);
+    let peak = fitted_peak(stiffness, natural, damping_ratio, sheet)?;
+    let system = System { stiffness, mass, damping, damping_ratio, natural, peak };
+    hold_at_peak(&system, sheet);
+    Ok(system)
 }
 
 /// Natural frequency and damping ratio of a reading.
@@ -109,7 +113,7 @@ fn ratios<W: Worksheet>(
     damping: W::Num,
     [natural, ratio]: [&'static str; 2],
     sheet: W,
-) -> System<W::Num> {
+) -> (W::Num, W::Num) {
     let natural = sheet.step(
         natural,
         "rad/s",
@@ -122,30 +126,33 @@ fn ratios<W: Worksheet>(
         sdof::damping_ratio(damping, stiffness, mass),
         ("Damping ratio: damping over critical damping", RAO.at("§2.6")),
     );
-    System { stiffness, mass, damping, damping_ratio, natural }
+    (natural, damping_ratio)
 }
 
 /// The peak of the fitted response.
-fn fitted_peak<W: Worksheet>(system: &System<W::Num>, sheet: W) -> Result<Peak<W::Num>, Refusal> {
-    if system.damping_ratio.value() >= std::f64::consts::FRAC_1_SQRT_2 {
+fn fitted_peak<W: Worksheet>(
+    stiffness: W::Num,
+    natural: W::Num,
+    damping_ratio: W::Num,
+    sheet: W,
+) -> Result<Peak<W::Num>, Refusal> {
+    if damping_ratio.value() >= std::f64::consts::FRAC_1_SQRT_2 {
         return Err(Refusal::because("the fitted damping is so strong that the response has no peak"));
     }
     let frequency = sheet.step(
         "ωₚ",
         "rad/s",
-        system.natural * sdof::magnification_peak_ratio(system.damping_ratio),
+        natural * sdof::magnification_peak_ratio(damping_ratio),
         ("Peak of the fitted response", RAO.at("§3.4")),
     );
     let receptance = sheet.step(
         "Hₚ",
         "mm/N",
-        sdof::peak_magnification(system.damping_ratio) / system.stiffness,
+        sdof::peak_magnification(damping_ratio) / stiffness,
         ("Its height", RAO.at("§3.4")),
     );
-    let peak = Peak { receptance, frequency };
-    hold_at_peak(*system, peak, sheet);
     sheet.answer("peak_frequency", "Frequency of the peak", frequency);
-    Ok(peak)
+    Ok(Peak { receptance, frequency })
 }
 
 /// The reading of the peak and the point of lowest frequency.
@@ -228,8 +235,11 @@ fn from_mass<W: Worksheet>(
         identification::damping_from_mass_and_peak(mass, stiffness, receptance, frequency),
         "Damping: the response is level at the peak, c² = 2m(k − m ω²)",
     );
-    let system = ratios(stiffness, mass, damping, [natural, ratio], sheet);
-    hold_at_peak(system, Peak { receptance, frequency }, sheet)
+    let (natural, damping_ratio) = ratios(stiffness, mass, damping, [natural, ratio], sheet);
+    let peak = Peak { receptance, frequency };
+    let system = System { stiffness, mass, damping, damping_ratio, natural, peak };
+    hold_at_peak(&system, sheet);
+    system
 }
 
 /// How far the readings of the damping ratio lie apart.
@@ -237,7 +247,8 @@ fn spread<W: Worksheet>(rows: &[(&'static str, System<W::Num>)], sheet: W) {
     let by_size = |a: &W::Num, b: &W::Num| a.value().total_cmp(&b.value());
     let ratios = || rows.iter().map(|(_, system)| system.damping_ratio);
     let (Some(least), Some(most)) = (ratios().min_by(by_size), ratios().max_by(by_size)) else { return };
-    let spread = sheet.step("Δζ", "%", (most - least) / most, "How far the readings of the damping ratio lie apart");
+    let spread =
+        sheet.step("Δζ", "%", (most - least) / most, "How far the readings of the damping ratio lie apart");
     sheet.answer("damping_spread", "Spread of the damping ratio", spread);
     if spread.value() > 0.1 {
         sheet.warn(|| {

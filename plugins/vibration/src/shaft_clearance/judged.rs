@@ -73,9 +73,7 @@ impl ShaftClearance {
         let speed = sheet.found("ω_w", "rpm", worst, how);
         let amplitude = match damping {
             Some(c) => sdof::unbalance_amplitude(given.unbalance, k, given.mass, c, speed),
-            None => {
-                given.unbalance * speed.powi(2) / (k - given.mass * speed.powi(2)).abs()
-            }
+            None => given.unbalance * speed.powi(2) / (k - given.mass * speed.powi(2)).abs(),
         };
         let amplitude = sheet.step("X_w", "mm", amplitude, ("Its largest amplitude", RAO.at("§3.7")));
         sheet.answer("worst_speed", "Worst speed of the diameter to be judged", speed);

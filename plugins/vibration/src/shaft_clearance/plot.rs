@@ -17,7 +17,9 @@ impl ShaftClearance {
     ) -> Plot {
         let critical = |speed: f64| {
             let stiffness = self.mass * speed.powi(2);
-            section::round_diameter(stiffness / self.shaft.mounting.stiffness(self.shaft.young, 1.0, self.shaft.length))
+            section::round_diameter(
+                stiffness / self.shaft.mounting.stiffness(self.shaft.young, 1.0, self.shaft.length),
+            )
         };
         // From well below to well above the diameters whose critical speed lies in the range.
         let first = 0.4 * critical(speeds[0].max(0.02 * speeds[1]));
@@ -33,7 +35,8 @@ impl ShaftClearance {
             vec![Series::line("X", (0..=600).map(at).collect())],
         )
         .level("clearance", self.clearance);
-        for (limit, label) in limits.into_iter().zip(["end of the soft branch", "start of the stiff branch"]) {
+        for (limit, label) in limits.into_iter().zip(["end of the soft branch", "start of the stiff branch"])
+        {
             if let Some(d) = limit.filter(|d| d.is_finite()) {
                 plot = plot.mark(label, (d, self.clearance));
             }
@@ -64,8 +67,7 @@ impl ShaftClearance {
             Damping::Ratio { ratio } => sdof::damping_from_ratio(ratio, k, self.mass),
             Damping::Coefficient { coefficient } => coefficient,
         };
-        whirl::worst_speed(k, self.mass, c, speeds).map_or(f64::NAN, |(speed, _)| {
-            sdof::unbalance_amplitude(self.unbalance, k, self.mass, c, speed)
-        })
+        whirl::worst_speed(k, self.mass, c, speeds)
+            .map_or(f64::NAN, |(speed, _)| sdof::unbalance_amplitude(self.unbalance, k, self.mass, c, speed))
     }
 }

@@ -11,14 +11,24 @@ const WIDTH: f64 = 1.6;
 /// The size of a spring or a network that is drawn hanging down: width and height.
 pub(crate) fn size(spring: &Spring) -> (f64, f64) {
     match spring {
-        Spring::Series { members } => members.iter().map(size).fold((0.0, 0.0), |all, one| (f64::max(all.0, one.0), all.1 + one.1)),
-        Spring::Parallel { members } => members.iter().map(size).fold((0.0, 0.0), |all, one| (all.0 + one.0, f64::max(all.1, one.1))),
+        Spring::Series { members } => {
+            members.iter().map(size).fold((0.0, 0.0), |all, one| (f64::max(all.0, one.0), all.1 + one.1))
+        }
+        Spring::Parallel { members } => {
+            members.iter().map(size).fold((0.0, 0.0), |all, one| (all.0 + one.0, f64::max(all.1, one.1)))
+        }
         _ => (WIDTH, HEIGHT),
     }
 }
 
 /// A spring or a network hanging down from `top`, filling its size in height or more.
-pub(crate) fn hanging(spring: &Spring, top: Point, height: f64, place: &[usize], shapes: &mut Vec<DrawnShape>) {
+pub(crate) fn hanging(
+    spring: &Spring,
+    top: Point,
+    height: f64,
+    place: &[usize],
+    shapes: &mut Vec<DrawnShape>,
+) {
     let line = |from: Point, to: Point| DrawnShape::Polyline(vec![from, to], Ink::Body);
     match spring {
         Spring::Series { members } => {

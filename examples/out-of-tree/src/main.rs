@@ -1,0 +1,13 @@
+//! A laboratory's own workbench: all that dalembert brings, and an analysis of its own beside it.
+//!
+//! Naming the bundle links its analyses; leave the line out for a program with yours alone.
+
+mod torsional_pendulum;
+
+use std::process::ExitCode;
+
+use dalembert_plugins as _;
+
+fn main() -> ExitCode {
+    dalembert::main()
+}

@@ -1,0 +1,132 @@
+//! The stiffnesses at which the amplitude just reaches the clearance.
+
+use dalembert_core::Worksheet;
+use dalembert_mechanics::{
+    Real, sdof,
+    whirl::{self, PermittedStiffness},
+};
+
+use super::ShaftClearanceGiven;
+use crate::sources::RAO;
+
+/// The limits of the two branches, N/m; `None` for a branch without one.
+pub(super) type Limits<N> = (Option<N>, Option<N>);
+
+/// Without damping: the amplitude is `m₀eω²/|k − mω²|`.
+pub(super) fn undamped_limits<W: Worksheet>(
+    given: &ShaftClearanceGiven<W>,
+    speeds: [W::Num; 2],
+    permitted: &PermittedStiffness,
+    sheet: W,
+) -> Limits<W::Num> {
+    let (m, u, r) = (given.mass, given.unbalance, given.clearance);
+    let hold = |k: W::Num, speed: W::Num, kernel: f64| {
+        sheet.check(
+            "the amplitude with that stiffness is the clearance",
+            u * speed.powi(2) / (k - m * speed.powi(2)).abs(),
+            r,
+        );
+        sheet.check("the limit over the whole range of speeds is the same", k, kernel.into());
+        k
+    };
+    let soft = permitted.soft.map(|limit| {
+        let k = sheet.step(
+            "kₛ",
+            "MN/m",
+            whirl::soft_limit_undamped(m, u, r, speeds[0]),
+            ("Soft branch, m₀eω²/(mω² − k) = R: worst at the lowest speed", RAO.at("§3.7")),
+        );
+        hold(k, speeds[0], limit.stiffness)
+    });
+    let stiff = permitted.stiff.map(|limit| {
+        let k = sheet.step(
+            "kₕ",
+            "MN/m",
+            whirl::stiff_limit_undamped(m, u, r, speeds[1]),
+            ("Stiff branch, m₀eω²/(k − mω²) = R: worst at the highest speed", RAO.at("§3.7")),
+        );
+        hold(k, speeds[1], limit.stiffness)
+    });
+    (soft, stiff)
+}
+
+/// With a damping ratio: the roots of a quadratic equation in `k/(mω²)`.
+pub(super) fn ratio_limits<W: Worksheet>(
+    given: &ShaftClearanceGiven<W>,
+    ratio: W::Num,
+    speeds: [W::Num; 2],
+    permitted: &PermittedStiffness,
+    sheet: W,
+) -> Limits<W::Num> {
+    let (m, u, r) = (given.mass, given.unbalance, given.clearance);
+    let hold = |k: W::Num, speed: W::Num, kernel: f64| {
+        sheet.check(
+            "the amplitude with that stiffness is the clearance",
+            sdof::unbalance_amplitude(u, k, m, sdof::damping_from_ratio(ratio, k, m), speed),
+            r,
+        );
+        sheet.check("the limit over the whole range of speeds is the same", k, kernel.into());
+        k
+    };
+    let soft = permitted.soft.map(|limit| {
+        let k = sheet.step(
+            "kₛ",
+            "MN/m",
+            whirl::soft_limit(m, u, r, speeds[0], ratio),
+            (
+                "Soft branch: the smaller stiffness whose amplitude at the lowest speed is the clearance",
+                RAO.at("§3.7"),
+            ),
+        );
+        hold(k, speeds[0], limit.stiffness)
+    });
+    let stiff = permitted.stiff.map(|limit| {
+        let k = sheet.step(
+            "kₕ",
+            "MN/m",
+            whirl::stiff_limit(m, u, r, speeds[1], ratio),
+            (
+                "Stiff branch: the larger stiffness whose amplitude at the highest speed is the clearance",
+                RAO.at("§3.7"),
+            ),
+        );
+        hold(k, speeds[1], limit.stiffness)
+    });
+    (soft, stiff)
+}
+
+/// With a fixed coefficient the worst speed of the soft branch may lie inside the range, so it is searched.
+pub(super) fn found_limits<W: Worksheet>(
+    given: &ShaftClearanceGiven<W>,
+    coefficient: W::Num,
+    permitted: &PermittedStiffness,
+    sheet: W,
+) -> Limits<W::Num> {
+    let find = |limit: &whirl::Limit, [k, speed, amplitude]: [&'static str; 3], how: &'static str| {
+        let k = sheet.found(k, "MN/m", limit.stiffness, (how, RAO.at("§3.7")));
+        let speed = sheet.found(speed, "rpm", limit.speed, "Speed at which its amplitude is largest");
+        let amplitude = sheet.step(
+            amplitude,
+            "mm",
+            sdof::unbalance_amplitude(given.unbalance, k, given.mass, coefficient, speed),
+            ("Amplitude at that speed", RAO.at("§3.7")),
+        );
+        sheet.check("the amplitude with that stiffness is the clearance", amplitude, given.clearance);
+        k
+    };
+    let soft = permitted.soft.as_ref().map(|limit| {
+        find(
+            limit,
+            ["kₛ", "ωₛ", "Xₛ"],
+            "Soft branch: the largest stiffness with (k − mω²)² + (cω)² ≥ (m₀eω²/R)² at every speed of the range",
+        )
+    });
+    let stiff = permitted.stiff.as_ref().map(|limit| {
+        find(
+            limit,
+            ["kₕ", "ωₕ", "Xₕ"],
+            "Stiff branch: the smallest stiffness with (k − mω²)² + (cω)² ≥ (m₀eω²/R)² at every speed of the range",
+        )
+    });
+    (soft, stiff)
+}

@@ -1,0 +1,76 @@
+//! The problem files in examples/ are read, solved, and answer what they should.
+
+use std::{fs, path::PathBuf};
+
+use dalembert_core::{Stop, file};
+use dalembert_plugins as _;
+use dalembert_units::read_any;
+
+/// Held to half a unit of the last place.
+fn answers(file_name: &str, expected: &[(&str, &str)]) {
+    let text = fs::read_to_string(folder().join(file_name)).unwrap();
+    let problem = file::parse(&text).unwrap_or_else(|errors| panic!("{file_name}: {errors:?}"));
+    let record =
+        problem.draft.read(&problem.entry.shape()).unwrap_or_else(|errors| panic!("{file_name}: {errors:?}"));
+    let solution =
+        problem.entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{file_name}: {err}"));
+    for (name, text) in expected {
+        let wanted = read_any(text).unwrap();
+        let ours = solution.answer(name).and_then(dalembert_core::Answer::si);
+        let ours = ours.unwrap_or_else(|| panic!("{file_name} does not answer {name}"));
+        let off = (ours - wanted.si).abs();
+        assert!(off <= 0.5 * wanted.last_place * 1.000001, "{file_name}: {name} is {ours} in SI, not {text}");
+    }
+}
+
+/// Closed form: k = 3EI/L³, ζ from the peak 1/(2ζ√(1 − ζ²)) = m X/(m₀e) = 8.12, X at r = 0.98579.
+#[test]
+fn the_fan() {
+    answers(
+        "fan.toml",
+        &[("stiffness", "451389 N/m"), ("damping_ratio", "0.061694"), ("amplitude", "19.456 mm")],
+    );
+}
+
+/// Σ m r z about each plane, with complex numbers; a drilled hole lies opposite to an added mass.
+#[test]
+fn the_rotor() {
+    answers(
+        "rotor.toml",
+        &[
+            ("mass_a", "0.0822662 kg"),
+            ("angle_a", "35.2987°"),
+            ("mass_b", "0.1154433 kg"),
+            ("angle_b", "196.4067°"),
+        ],
+    );
+}
+
+/// k = 4 G d⁴/(8 D³ n), δ = ln 8/5, ζ = δ/√(4π² + δ²), ωₙ = ω_d/√(1 − ζ²), m = k/ωₙ².
+#[test]
+fn the_table() {
+    answers(
+        "table.toml",
+        &[
+            ("stiffness", "83.22634 kN/m"),
+            ("damping_ratio", "0.06604616"),
+            ("mass", "124.8633 kg"),
+            ("damping", "425.8193 N*s/m"),
+        ],
+    );
+}
+
+#[test]
+fn every_example_is_tested() {
+    let mut names: Vec<String> = fs::read_dir(folder())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+        .filter(|name| name.ends_with(".toml"))
+        .collect();
+    names.sort();
+    assert_eq!(names, ["fan.toml", "rotor.toml", "table.toml"]);
+}
+
+fn folder() -> PathBuf {
+    xtask::root().join("examples")
+}

@@ -1,0 +1,527 @@
+//! The workbench as a person sees it: keys in, screens out.
+
+use std::fs;
+
+use dalembert_core::registry;
+use dalembert_tests::person::Person;
+use insta::assert_snapshot;
+use ratatui::style::Color;
+
+const FAN: &str = "vibration/rotating-unbalance";
+const ROTOR: &str = "balancing/two-plane";
+
+fn fan(columns: u16, rows: u16) -> Person {
+    Person::at(columns, rows).opens(FAN)
+}
+
+/// The line of the screen that holds a text.
+#[track_caller]
+fn line_with(screen: &str, text: &str) -> String {
+    let line = screen.lines().find(|line| line.contains(text));
+    line.unwrap_or_else(|| panic!("`{text}` is not on the screen:\n{screen}")).to_owned()
+}
+
+/// From a text to the end of its line, without the frame.
+#[track_caller]
+fn after(screen: &str, text: &str) -> String {
+    let line = line_with(screen, text);
+    let rest = line.split_once(text).map(|(_, rest)| rest).unwrap_or_default();
+    rest.split('│').next().unwrap_or_default().trim().to_owned()
+}
+
+#[test]
+fn the_list() {
+    assert_snapshot!(Person::at(80, 24).sees());
+}
+
+#[test]
+fn the_list_filtered() {
+    assert_snapshot!(Person::at(80, 24).types("/fan").sees());
+}
+
+#[test]
+fn the_filter_looks_in_titles_keywords_sources_and_cases() {
+    for (filter, title) in [
+        ("rotunb", "Rotating unbalance"),
+        ("ventilador", "Rotating unbalance"),
+        ("list 07", "Rotating unbalance"),
+        ("vibration/rot", "Rotating unbalance"),
+    ] {
+        let mut person = Person::at(80, 24);
+        person.types("/").types(filter);
+        let chosen = line_with(&person.sees(), "▸");
+        assert!(chosen.contains(title), "{filter}: {chosen}");
+        assert!(person.types("<enter>").sees().contains("Inputs"), "{filter}");
+    }
+    let none = Person::at(80, 24).types("/zzzzqq").sees();
+    assert!(none.contains("nothing matches"), "{none}");
+}
+
+#[test]
+fn escape_goes_back_one_step_at_a_time_and_never_ends_the_program() {
+    let mut person = Person::at(80, 24);
+    person.types("/rotunb<enter><end><enter>99");
+    assert!(person.sees().contains("keep"), "{}", person.sees());
+    person.types("<esc>");
+    assert!(person.sees().contains("Inputs"));
+    person.types("<esc>");
+    assert!(person.sees().contains("Analyses 1/"), "the filter is still there:\n{}", person.sees());
+    person.types("<esc>");
+    assert!(!person.sees().contains("Analyses 1/"));
+    person.types("<esc><esc><esc>");
+    assert!(!person.has_left);
+    assert!(person.types("q").has_left);
+}
+
+#[test]
+fn every_tab_of_the_fan() {
+    let mut person = fan(80, 24);
+    for tab in ["results", "working", "plot", "drawing", "sources"] {
+        assert_snapshot!(format!("fan_{tab}"), person.sees());
+        person.types("]");
+    }
+}
+
+#[test]
+fn a_wide_screen_has_three_columns() {
+    assert_snapshot!(fan(160, 50).sees());
+}
+
+#[test]
+fn a_small_screen_has_one() {
+    let mut person = fan(40, 12);
+    assert_snapshot!("small_form", person.sees());
+    assert_snapshot!("small_results", person.types("<tab>").sees());
+    assert_snapshot!("small_list", Person::at(40, 12).sees());
+}
+
+#[test]
+fn everything_in_ascii_without_colours() {
+    let mut person = Person::in_ascii(80, 24).opens(FAN);
+    for tab in ["results", "working", "plot", "drawing", "sources"] {
+        let screen = person.sees();
+        assert!(screen.is_ascii(), "{screen}");
+        assert!(person.draws().content.iter().all(|cell| cell.fg == Color::Reset && cell.bg == Color::Reset));
+        if tab == "plot" || tab == "results" {
+            assert_snapshot!(format!("ascii_{tab}"), screen);
+        }
+        person.types("]");
+    }
+}
+
+#[test]
+fn portuguese_with_the_decimal_comma() {
+    let mut person = Person::in_portuguese(80, 24).opens(FAN);
+    assert_snapshot!("portuguese_results", person.sees());
+    assert_snapshot!("portuguese_working", person.types("]").sees());
+    assert_snapshot!("portuguese_list", Person::in_portuguese(80, 24).sees());
+}
+
+#[test]
+fn the_language_changes_at_once() {
+    let mut person = fan(110, 30);
+    assert!(after(&person.sees(), "Natural frequency").contains("106.23"));
+    person.types("L");
+    let screen = person.sees();
+    assert!(screen.contains("Entradas") && screen.contains("106,23"), "{screen}");
+    assert!(person.types("L").sees().contains("106.23"));
+}
+
+#[test]
+fn a_key_changes_amplitude_working_and_plot_at_once() {
+    let mut person = fan(110, 30);
+    assert!(after(&person.sees(), "Amplitude at this speed").starts_with("19.456 mm"), "{}", person.sees());
+    person.types("<end><del>1500 rpm");
+    // X = (m₀e/m) r²/√((1 − r²)² + (2ζr)²), with the damping that a largest amplitude of 20.3 mm fixes.
+    let (natural, ratio) = ((3.0 * 200e9 * 1.3e-6 / 1.2_f64.powi(3) / 40.0).sqrt(), 40.0 * 0.0203 / 0.1);
+    let zeta = (0.5 - 0.5 * (1.0 - 1.0_f64 / (ratio * ratio)).sqrt()).sqrt();
+    let r = 1500.0 * std::f64::consts::PI / 30.0 / natural;
+    let amplitude = 0.1 / 40.0 * r * r / (1.0 - r * r).hypot(2.0 * zeta * r);
+    let wanted = format!("{:.4} mm", amplitude * 1e3);
+    let screen = person.sees();
+    assert!(screen.contains("keep"), "still typing:\n{screen}");
+    assert!(after(&screen, "Amplitude at this speed").starts_with(&wanted), "{wanted}:\n{screen}");
+    assert!(!person.sees_dim("Amplitude at this speed"));
+    person.types("<enter>]<tab><end>");
+    assert!(person.sees().contains(&wanted), "{}", person.sees());
+    person.types("]<right>");
+    assert!(person.sees().contains("1500 rpm"), "{}", person.sees());
+}
+
+#[test]
+fn results_follow_every_key() {
+    let mut person = fan(110, 30);
+    person.types("<end><del>");
+    let mut seen = Vec::new();
+    for key in ["1", "5", "0", "0", " ", "r", "p", "m"] {
+        person.types(key);
+        seen.push(person.sees_dim("Amplitude at this speed"));
+    }
+    // `1500 r` and `1500 rp` cannot be read; everything else can, and is solved.
+    assert_eq!(seen, [false, false, false, false, false, true, true, false]);
+}
+
+#[test]
+fn what_cannot_be_read_is_said_and_old_results_are_not_passed_off() {
+    let mut person = fan(80, 24);
+    person.types("<end><del>fast<enter>");
+    let screen = person.sees();
+    assert_snapshot!("error", screen);
+    assert!(person.sees_dim("Amplitude at this speed"));
+    assert!(screen.contains("of the last valid inputs"), "{screen}");
+    let red = person.draws().content.iter().filter(|cell| cell.fg == Color::Red).count();
+    assert!(red > 10, "{red} red cells");
+    // Nothing stale is copied.
+    assert!(person.types("y").clipboard.is_empty());
+    person.types("z");
+    assert!(!person.sees_dim("Amplitude at this speed"));
+}
+
+#[test]
+fn every_kind_of_wrong_text_names_field_value_and_repair() {
+    for (typed, said) in [
+        ("", "speed"),
+        ("abc", "abc"),
+        ("3 kg", "angular velocity"),
+        ("1.000,5 rpm", "1.000,5"),
+        ("-5 rpm", "above zero"),
+        ("1e400 rpm", "1e400"),
+        ("nan", "nan"),
+    ] {
+        let mut person = fan(100, 40);
+        person.types("<end><del>").types(typed).types("<enter>");
+        let screen = person.sees();
+        assert!(screen.contains("speed: "), "{typed}:\n{screen}");
+        assert!(screen.contains(said), "{typed} does not say {said}:\n{screen}");
+        assert!(person.sees_dim("Amplitude at this speed"), "{typed}");
+    }
+}
+
+#[test]
+fn a_refusal_is_in_words() {
+    let mut person = fan(80, 24);
+    // The largest amplitude below m₀e/m: no damping gives it.
+    person.types("<end><up><del>1 mm<enter>");
+    assert_snapshot!(person.sees());
+}
+
+#[test]
+fn pastes_are_one_clean_line_of_limited_length() {
+    let mut person = fan(80, 24);
+    person.types("<end>").pastes("1500\u{1b}[31m\u{202e} r\u{0}pm\n");
+    let screen = person.sees();
+    assert!(!screen.contains('\u{1b}') && screen.contains("1500[31m rpm"), "{screen}");
+    person.types("<enter>").pastes("<enter>quit");
+    assert!(!person.has_left, "a paste is no command");
+    let mut person = fan(80, 24);
+    person.types("<end><del>").pastes(&"9".repeat(10_000_000));
+    let screen = person.sees();
+    assert!(screen.contains("was cut"), "{screen}");
+    person.types("<esc>");
+    assert!(!person.sees_dim("Amplitude at this speed"));
+}
+
+#[test]
+fn changes_are_taken_back_and_made_again() {
+    let mut person = fan(80, 24);
+    person.types("<end><del>1500 rpm<enter><home><del>50 kg<enter>");
+    let both = person.sees();
+    assert!(both.contains("50 kg") && both.contains("1500 rpm"));
+    person.types("z");
+    assert!(person.sees().contains("40 kg") && person.sees().contains("1500 rpm"));
+    person.types("z");
+    assert!(person.sees().contains("1000 rpm"));
+    person.types("ZZ");
+    let again = person.sees();
+    assert!(again.contains("50 kg") && again.contains("1500 rpm"), "{again}");
+    // Nudges of one field are one change.
+    person.types("<end>+++z");
+    assert!(person.sees().contains("1500 rpm"), "{}", person.sees());
+}
+
+#[test]
+fn the_last_digit_is_nudged() {
+    let mut person = fan(110, 30);
+    for (keys, value) in [("+", "1001 rpm"), ("-", "1000 rpm"), ("<s-up>", "1010 rpm"), ("<s-down>", "1000 rpm"), ("<a-up>", "1000.1 rpm")] {
+        person.types("<end>").types(keys);
+        assert_eq!(after(&person.sees(), "Speed of the m").split("  ").find(|part| part.contains("rpm")).map(str::trim), Some(value));
+    }
+}
+
+#[test]
+fn units_are_cycled_without_changing_the_quantity() {
+    let mut person = fan(110, 30);
+    person.types("<end>");
+    let before = after(&person.sees(), "Amplitude at this speed");
+    for unit in ["Hz", "rev/s", "deg/s", "rad/s", "rpm"] {
+        person.types("u");
+        let screen = person.sees();
+        assert!(line_with(&screen, "▸ Speed").contains(unit), "{unit}:\n{screen}");
+        assert_eq!(after(&screen, "Amplitude at this speed"), before, "{unit}");
+    }
+    assert!(line_with(&person.sees(), "▸ Speed").contains("1000 rpm"), "{}", person.sees());
+}
+
+#[test]
+fn an_alternative_is_chosen_and_keeps_what_is_common() {
+    let mut person = fan(80, 24);
+    person.types("<down><down><enter>");
+    assert_snapshot!("choice", person.sees());
+    person.types("<down><enter>");
+    let screen = person.sees();
+    assert!(screen.contains("Middle of a simply") && screen.contains("1.3e-6 m^4") && screen.contains("200 kN/mm^2"), "{screen}");
+    // Past an alternative without these fields, and back.
+    person.types("<left><left><right>");
+    assert!(person.sees().contains("200 kN/mm^2"), "{}", person.sees());
+}
+
+#[test]
+fn rows_are_added_duplicated_moved_and_deleted() {
+    let mut person = Person::at(80, 40).opens(ROTOR);
+    let rows = |person: &mut Person| {
+        let draft = person.model.bench.as_ref().expect("a problem is open").form.draft.clone();
+        let dalembert_core::Draft::Group(fields) = draft else { panic!("a problem is a group") };
+        fields.into_iter().find_map(|field| if let dalembert_core::Draft::Rows(rows) = field { Some(rows) } else { None })
+            .expect("it has rows")
+    };
+    let before = rows(&mut person);
+    let path = person.model.bench.as_ref().unwrap().form.lines().iter()
+        .find_map(|line| line.number.map(|_| line.path.clone())).unwrap();
+    person.model.bench.as_mut().unwrap().form.go_to(&path);
+    assert_snapshot!("rows", person.sees());
+    person.types("d");
+    assert_eq!(rows(&mut person)[1], before[0]);
+    assert_eq!(rows(&mut person).len(), before.len() + 1);
+    person.types("J");
+    assert_eq!(rows(&mut person)[1], before[1]);
+    assert_eq!(rows(&mut person)[2], before[0]);
+    person.types("K");
+    assert_eq!(rows(&mut person)[1], before[0]);
+    person.types("x");
+    assert_eq!(rows(&mut person), before);
+    person.types("a");
+    assert_eq!(rows(&mut person).len(), before.len() + 1);
+    person.types("zzzzz");
+    assert_eq!(rows(&mut person), before);
+}
+
+#[test]
+fn every_analysis_opens_with_its_first_case_solved() {
+    for entry in registry() {
+        let id = entry.about.id;
+        for (columns, rows) in [(80, 24), (160, 50)] {
+            let mut person = Person::at(columns, rows).opens(id);
+            let bench = person.model.bench.as_ref().expect("a problem is open");
+            assert_eq!(bench.errors, [], "{id}");
+            assert_eq!(bench.found.failure, None, "{id}");
+            assert!(bench.found.solution.as_ref().is_some_and(|solution| !solution.answers.is_empty()), "{id}");
+            for _ in 0..6 {
+                let screen = person.types("]").sees();
+                assert!(!screen.contains("there is nothing to show"), "{id}:\n{screen}");
+            }
+        }
+    }
+}
+
+#[test]
+fn no_text_is_cut_without_a_mark() {
+    for entry in registry() {
+        let mut person = Person::at(80, 24).opens(entry.about.id);
+        for _ in 0..6 {
+            let screen = person.types("]").sees();
+            for line in screen.lines().skip(1).take(20) {
+                // The frames are whole: nothing was drawn over them.
+                let last = line.chars().last();
+                assert!(matches!(last, Some('│' | '╮' | '╯')), "{}: {line}", entry.about.id);
+            }
+        }
+    }
+}
+
+#[test]
+fn cases_are_loaded_from_the_sources() {
+    let mut person = fan(80, 24);
+    person.types("<end><del>1500 rpm<enter>[<tab><enter>");
+    let screen = person.sees();
+    assert!(screen.contains("1000 rpm") && screen.contains("is loaded"), "{screen}");
+    assert!(person.types("<tab>z").sees().contains("1500 rpm"));
+}
+
+#[test]
+fn the_plot_has_a_cursor_that_reads_values() {
+    let mut person = fan(80, 24);
+    person.types("]]<tab>");
+    let without = person.sees();
+    person.types("<right>");
+    assert_ne!(person.sees(), without);
+    assert!(person.sees().contains("rpm") && person.sees().contains("mm"));
+    person.types("<esc>");
+    assert_eq!(person.sees(), without);
+    assert_snapshot!(person.types("m<left>").sees());
+}
+
+#[test]
+fn the_palette_knows_every_action_by_its_name() {
+    let mut person = fan(80, 24);
+    assert_snapshot!("palette", person.types(":undo").sees());
+    person.types("<esc><end><del>7 rpm<enter>:undo<enter>");
+    assert!(person.sees().contains("1000 rpm"));
+    person.types(":em portugu<enter>");
+    assert!(person.sees().contains("Entradas"), "{}", person.sees());
+    person.types(":quit<enter>");
+    assert!(person.has_left);
+    let nothing = fan(80, 24).types(":zzqqxx<enter>").sees();
+    assert!(nothing.contains("there is no action `zzqqxx`"), "{nothing}");
+}
+
+#[test]
+fn the_help_is_the_table_of_keys() {
+    assert_snapshot!("help", fan(80, 24).types("?").sees());
+    let mut person = fan(80, 90);
+    let help = person.types("<f1>").sees();
+    for place in [dalembert_tui::keys::Place::Form, dalembert_tui::keys::Place::Pane] {
+        for binding in place.bindings() {
+            assert!(help.contains(binding.name), "{}:\n{help}", binding.name);
+        }
+    }
+    assert!(person.types("<esc>").sees().contains("Inputs"));
+}
+
+#[test]
+fn quitting_with_unsaved_changes_asks() {
+    let mut person = fan(80, 24);
+    person.types("<end>+q");
+    assert_snapshot!(person.sees());
+    assert!(!person.has_left);
+    person.types("<esc>");
+    assert!(person.sees().contains("1001 rpm") && person.sees().contains("●"));
+    assert!(person.kept.as_ref().is_some_and(|text| text.contains("1001 rpm")), "{:?}", person.kept);
+    person.types("q<down><enter>");
+    assert!(person.has_left && person.kept.is_none());
+}
+
+#[test]
+fn a_problem_is_saved_and_opened_with_its_comments() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("fan.toml");
+    let mut person = fan(80, 24);
+    person.types("<end>+s<c-u>").types(path.to_str().expect("a readable path"));
+    assert!(person.sees().contains("Save as"));
+    person.types("<enter>");
+    assert!(person.sees().contains("saved as") && !person.sees().contains("●"), "{}", person.sees());
+    let text = fs::read_to_string(&path).expect("the file is there");
+    assert!(text.contains("1001 rpm"), "{text}");
+
+    fs::write(&path, text.replace("speed =", "# measured on Monday\nspeed =")).expect("written");
+    let mut person = Person::at(80, 24).opens_file(&path);
+    assert!(person.sees().contains("1001 rpm") && person.sees().contains("fan.toml"), "{}", person.sees());
+    person.types("<end>+");
+    assert!(person.sees().contains("● fan.toml"), "{}", person.sees());
+    person.types("s");
+    let text = fs::read_to_string(&path).expect("the file is there");
+    assert!(text.contains("# measured on Monday") && text.contains("1002 rpm"), "{text}");
+}
+
+#[test]
+fn a_file_that_changed_on_disk_is_never_written_over_unasked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("fan.toml");
+    let mut person = fan(80, 24);
+    person.types("s<c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
+    let ours = fs::read_to_string(&path).expect("the file is there");
+    let theirs = ours.replace("1000 rpm", "800 rpm");
+    fs::write(&path, &theirs).expect("written");
+    person.types("<end>+s");
+    assert!(person.sees().contains("was changed by another program"), "{}", person.sees());
+    assert_eq!(fs::read_to_string(&path).expect("the file is there"), theirs);
+    // Stay: nothing happens. Read again: theirs. Write over: ours.
+    person.types("<esc>");
+    assert!(person.sees().contains("1001 rpm"));
+    person.types("s<down><enter>");
+    assert!(person.sees().contains("800 rpm"), "{}", person.sees());
+    fs::write(&path, &ours).expect("written");
+    person.types("<end>+s<end><up><enter>");
+    assert!(fs::read_to_string(&path).expect("the file is there").contains("801 rpm"), "{}", person.sees());
+
+    // Another problem under the same name asks too.
+    let mut person = fan(80, 24);
+    person.types("s<c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
+    assert!(person.sees().contains("exists already"), "{}", person.sees());
+    assert!(fs::read_to_string(&path).expect("the file is there").contains("801 rpm"));
+}
+
+#[test]
+fn what_cannot_be_opened_or_saved_says_why_and_asks_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let missing = folder.path().join("nothing.toml");
+    let mut person = Person::at(80, 24);
+    person.types("o").types(missing.to_str().expect("a readable path")).types("<enter>");
+    assert!(person.sees().contains("there is no file"), "{}", person.sees());
+    person.types("<esc>o").types(folder.path().to_str().expect("a readable path")).types("<enter>");
+    assert!(person.sees().contains("is a folder"), "{}", person.sees());
+    person.types("<esc>");
+    let wrong = folder.path().join("wrong.toml");
+    fs::write(&wrong, "analysis = \"vibration/rotating-unbalence\"\n").expect("written");
+    person.types("o").types(wrong.to_str().expect("a readable path")).types("<enter>");
+    let screen = person.sees();
+    assert!(screen.contains("line 1") && screen.contains("rotating-unbalance"), "{screen}");
+    person.types("<esc>/rotunb<enter>s<c-u>/nowhere/at/all.toml<enter>");
+    assert!(person.sees().contains("/nowhere/at/all.toml"), "{}", person.sees());
+    assert!(person.sees().contains("Save as"));
+}
+
+#[test]
+fn the_title_of_a_file_cannot_drive_the_terminal() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("evil.toml");
+    fs::write(&path, format!("analysis = \"{FAN}\"\ntitle = \"a\\u001b[31m\\u202eb\"\n[inputs]\nmass = \"4\\u001b]0;x\\u0007 kg\"\n"))
+        .expect("written");
+    let mut person = Person::at(80, 24).opens_file(&path);
+    for _ in 0..6 {
+        let screen = person.types("]").sees();
+        assert!(!screen.chars().any(|c| c.is_control() && c != '\n'), "{screen:?}");
+        assert!(!screen.contains('\u{202e}'));
+    }
+}
+
+#[test]
+fn every_word_of_the_interface_is_translated() {
+    use dalembert_core::text::is_translated;
+    use dalembert_tui::{bench::Tab, keys::Place};
+    let places = [
+        Place::Picker, Place::Filter, Place::Form, Place::Edit, Place::Pane, Place::List, Place::Prompt, Place::Sheet, Place::Help,
+    ];
+    let of_places = places.into_iter().flat_map(|place| {
+        let names = place.bindings().flat_map(|binding| [binding.name, binding.hint]);
+        names.chain([place.name()]).collect::<Vec<_>>()
+    });
+    let missing: Vec<&str> = of_places
+        .chain(Tab::ALL.map(Tab::name))
+        .filter(|word| !word.is_empty() && !is_translated(word))
+        .collect();
+    assert_eq!(missing, [""; 0]);
+}
+
+#[test]
+fn every_size_can_be_drawn_on_every_screen() {
+    let openings: [&[&str]; 4] =
+        [&["", "/fan", "?", ":", "o", "<tab>"], &["", "]", "]]", "[", "<tab>]]<right>", "<end><del>x<enter>", "s", "<down><down><enter>", "<end>+q", "?", ":"], &["", "]"], &["]]"]];
+    let ids = [None, Some(FAN), Some(ROTOR), Some("vibration/shaft-clearance")];
+    for (id, keys) in ids.into_iter().zip(openings) {
+        for keys in keys {
+            let mut person = Person::at(80, 24);
+            if let Some(id) = id {
+                person = person.opens(id);
+            }
+            person.types(keys);
+            // Every size up to 24 × 60, and beyond it in steps that share no factor.
+            let heights = (1..=24_u16).chain((25..=60).step_by(7));
+            for rows in heights {
+                for columns in (1..=60_u16).filter(|_| rows <= 24).chain((1..=160).step_by(13)) {
+                    person.resizes(columns, rows);
+                    person.draws();
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! The inputs of an analysis as rows of a table, each with its path as a problem file writes it.
+
+use serde_json::Value as Json;
+
+use super::{array, cell, text};
+
+/// The table of the inputs. What has been described once is not described again.
+pub(super) fn table(fields: &Json) -> String {
+    let mut table = Table { text: String::new(), described: Vec::new() };
+    table.text += "| input | symbol | what it is | what may stand there |\n|---|---|---|---|\n";
+    table.rows(fields, "");
+    table.text
+}
+
+struct Table<'j> {
+    text: String,
+    /// Groups and alternatives, and the paths where they are described.
+    described: Vec<(&'j Json, String)>,
+}
+
+impl<'j> Table<'j> {
+    /// A row for every field and, below it, for what lies in it.
+    fn rows(&mut self, fields: &'j Json, above: &str) {
+        if fields.is_null() {
+            self.again(above.trim_end_matches('.'), "the same inputs again");
+        }
+        for field in array(fields) {
+            let path = format!("{above}{}", text(field, "name"));
+            let (symbol, label, help) = (text(field, "symbol"), text(field, "label"), text(field, "help"));
+            let about = if help.is_empty() { label.to_owned() } else { format!("{label}: {help}") };
+            let mut may = asked(field);
+            if let Some(default) = field["default"].as_str() {
+                may += &format!("; otherwise {default}");
+            }
+            if field["optional"] == true {
+                may += "; may be left out";
+            }
+            self.text += &format!("| `{path}` | {} | {} | {} |\n", cell(symbol), cell(&about), cell(&may));
+            self.inside(field, &path);
+        }
+    }
+
+    fn inside(&mut self, shape: &'j Json, path: &str) {
+        let (kind, parts) = match text(shape, "kind") {
+            "rows" => return self.inside(&shape["item"], &format!("{path}[n]")),
+            "one-of" => ("one-of", &shape["alternatives"]),
+            "group" => ("group", &shape["fields"]),
+            "table" => ("table", &shape["columns"]),
+            _ => return,
+        };
+        // A single field is as short as the hint to where it stands.
+        let short = array(parts).len() < 2;
+        if let Some((_, first)) = self.described.iter().find(|(known, _)| !short && *known == parts) {
+            let hint = format!("as in `{first}`");
+            return self.again(path, &hint);
+        }
+        self.described.push((parts, path.to_owned()));
+        if kind != "one-of" {
+            return self.rows(parts, &format!("{path}."));
+        }
+        for alternative in array(parts) {
+            let path = format!("{path}.{}", text(alternative, "name"));
+            self.text += &format!("| `{path}` | | {} | |\n", cell(text(alternative, "label")));
+            self.rows(&alternative["fields"], &format!("{path}."));
+        }
+    }
+
+    fn again(&mut self, path: &str, hint: &str) {
+        self.text += &format!("| `{path}.…` | | {hint} | |\n");
+    }
+}
+
+/// What may stand in a field, in words.
+fn asked(shape: &Json) -> String {
+    match text(shape, "kind") {
+        "quantity" => format!("{}{}", in_unit(shape), limits(shape)),
+        "vector" => format!("{} components, {}", shape["components"], in_unit(shape)),
+        "text" => "words".to_owned(),
+        "flag" => "yes or no".to_owned(),
+        "count" => format!("a whole number{}", limits(shape)),
+        "one-of" => "one of these".to_owned(),
+        "group" => "these together".to_owned(),
+        "rows" => match shape["min"].as_u64() {
+            Some(least) if least > 0 => format!("a list, at least {least}: {}", asked(&shape["item"])),
+            _ => format!("a list: {}", asked(&shape["item"])),
+        },
+        "table" => "a table with these columns".to_owned(),
+        "reference" => format!("the name of one of `{}`", text(shape, "rows")),
+        other => other.to_owned(),
+    }
+}
+
+/// `a length in m`
+fn in_unit(shape: &Json) -> String {
+    match text(shape, "unit") {
+        "" | "1" => text(shape, "quantity").to_owned(),
+        unit => format!("{} in {unit}", text(shape, "quantity")),
+    }
+}
+
+/// `, above 0 and at most 1`
+fn limits(shape: &Json) -> String {
+    let limit = |limit: &Json, words: [&str; 2]| match limit {
+        Json::Number(number) => (number.as_u64() != Some(u64::MAX)).then(|| format!("{} {number}", words[0])),
+        Json::Object(limit) => {
+            let value = limit["value"].as_f64().map_or_else(String::new, |value| value.to_string());
+            Some(format!("{} {value}", words[usize::from(limit["included"] != true)]))
+        }
+        _ => None,
+    };
+    let both = [limit(&shape["min"], ["at least", "above"]), limit(&shape["max"], ["at most", "below"])];
+    let both: Vec<String> = both.into_iter().flatten().collect();
+    if both.is_empty() { String::new() } else { format!(", {}", both.join(" and ")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn what_was_described_is_not_described_again() {
+        let limit = json!({ "value": 0.0, "included": false });
+        let mass = json!({ "name": "mass", "label": "Mass.", "help": "", "symbol": "m", "default": null,
+            "kind": "quantity", "quantity": "a mass", "unit": "kg", "min": limit, "max": null });
+        let flag = json!({ "name": "on", "label": "On", "help": "Or off.", "symbol": "", "default": "yes", "kind": "flag" });
+        let group = |name: &str| {
+            json!({ "name": name, "label": "Body", "help": "", "symbol": "", "default": null, "optional": true,
+                "kind": "group", "fields": [mass, flag] })
+        };
+        assert_eq!(
+            table(&json!([group("a"), group("b")])).lines().skip(2).collect::<Vec<_>>(),
+            [
+                "| `a` |  | Body | these together; may be left out |",
+                "| `a.mass` | m | Mass. | a mass in kg, above 0 |",
+                "| `a.on` |  | On: Or off. | yes or no; otherwise yes |",
+                "| `b` |  | Body | these together; may be left out |",
+                "| `b.…` | | as in `a` | |",
+            ]
+        );
+    }
+}
