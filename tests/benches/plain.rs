@@ -176,35 +176,91 @@ fn whole(speeds: &[f64]) {
         "worst_speed",
     ];
     let mut by_hand = vec![0.0; POINTS * names.len()];
-    let inputs = black_box([40.0, 0.1, 1.2, 200e9, 1.3e-6, 20.3e-3]);
-    let hand = time(|| answers_by_hand(inputs, speeds, &mut by_hand));
-    let mut sweep = entry.prepare(&record, &["speed"], &names).expect("the answers are numbers");
     let mut swept = vec![0.0; POINTS * names.len()];
+    let fixed = black_box([40.0, 0.1, 1.2, 200e9, 1.3e-6, 20.3e-3]);
+    let hand = time(|| answers_over_speed(fixed, speeds, &mut by_hand));
+    let mut sweep = entry.prepare(&record, &["speed"], &names).expect("the answers are numbers");
     let plain = time(|| sweep.sweep(speeds, &mut swept, &Stop::new()).expect("nobody stops it"));
-    for (ours, theirs) in swept.iter().zip(&by_hand) {
-        assert!((ours - theirs).abs() <= 1e-12 * theirs.abs(), "{ours} by sweep, {theirs} by hand");
-    }
-    row("rotating unbalance, 9 answers, loop by hand", hand, "");
-    row("rotating unbalance, 9 answers, by sweep", plain, "");
-    ratio("rotating unbalance, sweep against by hand", plain / hand, 2.5);
+    assert_near(&swept, &by_hand);
+    row("rotating unbalance, 9 answers over speed, loop by hand", hand, "");
+    row("rotating unbalance, 9 answers over speed, by sweep", plain, "");
+    ratio("rotating unbalance over speed, sweep against by hand", plain / hand, 2.5);
+    let paths = [
+        "mass",
+        "unbalance",
+        "support.cantilever.length",
+        "support.cantilever.young",
+        "support.cantilever.section.given.second_moment",
+        "damping.largest-amplitude.amplitude",
+        "speed",
+    ];
+    let inputs: Vec<f64> = speeds.iter().flat_map(|speed| fixed.into_iter().chain([*speed])).collect();
+    let hand = time(|| answers_of_any_inputs(black_box(&inputs), &mut by_hand));
+    let mut sweep = entry.prepare(&record, &paths, &names).expect("the inputs and answers are numbers");
+    let plain = time(|| sweep.sweep(&inputs, &mut swept, &Stop::new()).expect("nobody stops it"));
+    assert_near(&swept, &by_hand);
+    row("rotating unbalance of any inputs, loop by hand", hand, "");
+    row("rotating unbalance of any inputs, by sweep", plain, "");
+    ratio("rotating unbalance of any inputs, sweep against by hand", plain / hand, 2.5);
 }
 
-/// The same nine answers, with all that does not depend on the speed taken out of the loop.
-fn answers_by_hand(inputs: [f64; 6], speeds: &[f64], answers: &mut [f64]) {
-    let [mass, unbalance, length, young, second_moment, largest] = inputs;
-    let k = 3.0 * young * second_moment / length.powi(3);
-    let natural = (k / mass).sqrt();
-    let peak = largest * mass / unbalance;
-    let zeta = ((1.0 - (1.0 - 1.0 / peak.powi(2)).sqrt()) / 2.0).sqrt();
-    let c = 2.0 * zeta * (k * mass).sqrt();
-    let worst = natural / (1.0 - 2.0 * zeta.powi(2)).sqrt();
+fn assert_near(ours: &[f64], theirs: &[f64]) {
+    for (ours, theirs) in ours.iter().zip(theirs) {
+        assert!((ours - theirs).abs() <= 1e-12 * theirs.abs(), "{ours} by sweep, {theirs} by hand");
+    }
+}
+
+/// The nine answers, with all that does not depend on the speed taken out of the loop.
+fn answers_over_speed(fixed: [f64; 6], speeds: &[f64], answers: &mut [f64]) {
+    let machine = Machine::new(fixed);
     for (speed, row) in speeds.iter().zip(answers.chunks_exact_mut(9)) {
-        let r = speed / natural;
-        let amplitude =
-            unbalance / mass * (r * r / ((1.0 - r * r).powi(2) + (2.0 * zeta * r).powi(2)).sqrt());
-        let phase = (2.0 * zeta * r).atan2(1.0 - r * r);
-        let force = amplitude * (k * k + (c * speed).powi(2)).sqrt();
-        row.copy_from_slice(&[k, natural, r, zeta, c, amplitude, phase, force, worst]);
+        row.copy_from_slice(&machine.answers(*speed));
+    }
+}
+
+fn answers_of_any_inputs(inputs: &[f64], answers: &mut [f64]) {
+    for (inputs, row) in inputs.chunks_exact(7).zip(answers.chunks_exact_mut(9)) {
+        let &[mass, unbalance, length, young, second_moment, largest, speed] = inputs else { return };
+        let machine = Machine::new([mass, unbalance, length, young, second_moment, largest]);
+        row.copy_from_slice(&machine.answers(speed));
+    }
+}
+
+/// What does not depend on the speed.
+struct Machine {
+    static_eccentricity: f64,
+    stiffness: f64,
+    natural: f64,
+    zeta: f64,
+    damping: f64,
+    worst: f64,
+}
+
+impl Machine {
+    #[inline]
+    fn new([mass, unbalance, length, young, second_moment, largest]: [f64; 6]) -> Self {
+        let stiffness = 3.0 * young * second_moment / length.powi(3);
+        let natural = (stiffness / mass).sqrt();
+        let peak = largest * mass / unbalance;
+        let zeta = ((1.0 - (1.0 - 1.0 / peak.powi(2)).sqrt()) / 2.0).sqrt();
+        Self {
+            static_eccentricity: unbalance / mass,
+            stiffness,
+            natural,
+            zeta,
+            damping: 2.0 * zeta * (stiffness * mass).sqrt(),
+            worst: natural / (1.0 - 2.0 * zeta.powi(2)).sqrt(),
+        }
+    }
+
+    #[inline]
+    fn answers(&self, speed: f64) -> [f64; 9] {
+        let r = speed / self.natural;
+        let amplitude = self.static_eccentricity
+            * (r * r / ((1.0 - r * r).powi(2) + (2.0 * self.zeta * r).powi(2)).sqrt());
+        let phase = (2.0 * self.zeta * r).atan2(1.0 - r * r);
+        let force = amplitude * (self.stiffness * self.stiffness + (self.damping * speed).powi(2)).sqrt();
+        [self.stiffness, self.natural, r, self.zeta, self.damping, amplitude, phase, force, self.worst]
     }
 }
 

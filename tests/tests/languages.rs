@@ -83,12 +83,16 @@ struct Sentences(BTreeMap<String, String>);
 
 impl Sentences {
     fn add(&mut self, of: &str, sentence: &str) {
-        // Symbols, units and numbers are the same in every language.
+        // Symbols, units and numbers are the same in every language, and so is what stands in a place.
+        let mut words = sentence.to_owned();
+        while let (Some(open), Some(close)) = (words.find('{'), words.find('}')) {
+            words.replace_range(open.min(close)..=open.max(close), " ");
+        }
         let notation = |word: &str| {
             ["sin", "cos", "tan"].contains(&word)
                 || word.chars().filter(char::is_ascii_alphabetic).count() < 3
         };
-        if !sentence.split(|c: char| !c.is_alphabetic()).all(notation) {
+        if !words.split(|c: char| !c.is_alphabetic()).all(notation) {
             self.0.entry(sentence.to_owned()).or_insert_with(|| of.to_owned());
         }
     }

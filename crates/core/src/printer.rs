@@ -69,11 +69,13 @@ pub fn substitution(solution: &Solution, id: Id, locale: &Locale) -> String {
     Writer { solution, values: true, general: false, style: locale.style }.expression(id)
 }
 
-/// An answer in words and numbers.
-pub fn answer(answer: &Answer, locale: &Locale) -> String {
-    match &answer.value {
-        AnswerValue::Number(value, _) => number(value.cleaned(answer.noise), &answer.unit, locale.style),
-        AnswerValue::Set(set, _) => set_text(set, &answer.unit, locale),
+impl Answer {
+    /// The answer in words and numbers.
+    pub fn shown(&self, locale: &Locale) -> String {
+        match &self.value {
+            AnswerValue::Number(value, _) => number(value.cleaned(self.noise), &self.unit, locale.style),
+            AnswerValue::Set(set, _) => set_text(set, &self.unit, locale),
+        }
     }
 }
 
@@ -204,6 +206,12 @@ impl Writer<'_> {
     fn expression(&self, id: Id) -> String {
         let mut addends = Vec::new();
         self.addends(id, false, &mut addends);
+        // A vector by its components needs brackets only beside something else.
+        if let [(only, false)] = addends[..]
+            && let Op::Compose(parts) = self.op(only)
+        {
+            return self.components(*parts);
+        }
         let mut text = String::new();
         for (id, negative) in addends {
             // A negative value needs no brackets where nothing stands before it.
@@ -333,7 +341,7 @@ impl Writer<'_> {
             Op::Dot(a, b) => format!("({} · {})", self.operand(*a), self.operand(*b)),
             Op::Cross(a, b) => format!("({} × {})", self.operand(*a), self.operand(*b)),
             Op::Component(of, axis) => self.component(*of, *axis),
-            Op::Compose(parts) => self.compose(*parts),
+            Op::Compose(parts) => format!("({})", self.components(*parts)),
             Op::Add(..) | Op::Sub(..) | Op::Neg(_) | Op::Sum(_) | Op::Mul(..) | Op::Div(..) => {
                 format!("({})", self.expression(id))
             }
@@ -454,7 +462,8 @@ impl Writer<'_> {
         }
     }
 
-    fn compose(&self, parts: [Id; 3]) -> String {
+    /// `x i + y j + z k`, without what is literally zero.
+    fn components(&self, parts: [Id; 3]) -> String {
         let mut text = String::new();
         for (id, axis) in parts.into_iter().zip(["i", "j", "k"]) {
             if matches!(self.op(id), Op::Literal) && self.value(id).size() == 0.0 {
@@ -477,7 +486,7 @@ impl Writer<'_> {
             };
             text += &format!("{product} {axis}");
         }
-        if text.is_empty() { "0".into() } else { format!("({text})") }
+        if text.is_empty() { "0".into() } else { text }
     }
 
     fn tightness(&self, id: Id) -> Tight {

@@ -4,7 +4,7 @@ use dalembert_mechanics::intervals::IntervalSet;
 use dalembert_units::{Dim, Unit};
 
 use crate::{
-    Cite, Exhibit, Locale, Text,
+    Cite, Exhibit, Text,
     trace::{Id, Number, Symbol, Trace},
 };
 
@@ -98,10 +98,5 @@ impl Answer {
     /// Its dimension.
     pub fn dim(&self) -> Dim {
         self.unit.dim
-    }
-
-    /// The answer in words and numbers.
-    pub fn shown(&self, locale: &Locale) -> String {
-        crate::printer::answer(self, locale)
     }
 }

@@ -114,7 +114,7 @@ fn vectors_are_written_as_vectors() {
         written(|s| {
             s.sheet.step_vector("p", "m", Vect::from_components(s.a, Term::from(0.0), -s.b), "why");
         }),
-        "(a i − b k) | (3 m i − (−2 m) k) | (3 i + 2 k) m"
+        "a i − b k | 3 m i − (−2 m) k | (3 i + 2 k) m"
     );
 }
 

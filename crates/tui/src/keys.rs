@@ -145,14 +145,14 @@ impl Place {
     pub fn name(self) -> &'static str {
         match self {
             Place::Picker => "List of analyses",
-            Place::Filter => "Filter",
+            Place::Filter => "While typing a filter",
             Place::Form => "Inputs",
             Place::Edit => "While typing in a field",
             Place::Pane => "Results",
             Place::List => "Lists",
             Place::Prompt => "Asked for a text",
             Place::Sheet => "Text of many lines",
-            Place::Help => "Help",
+            Place::Help => "In this list of keys",
         }
     }
 
@@ -258,7 +258,7 @@ pub const PICKER: &[Binding] = &[
     bind(Action::Filter, &[typed('/')], "type a filter", "filter"),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::NextPane, &[plain(KeyCode::Tab), plain(KeyCode::Right), typed('l')], "to the published cases", "cases"),
+    bind(Action::NextPane, &[plain(KeyCode::Tab), plain(KeyCode::Right), typed('l')], "to the published cases", "see cases"),
     bind(Action::PreviousPane, &[plain(KeyCode::BackTab), plain(KeyCode::Left), typed('h')], "to the list", ""),
     bind(Action::PageUp, PAGE_UP, "page up", ""),
     bind(Action::PageDown, PAGE_DOWN, "page down", ""),
@@ -280,7 +280,7 @@ pub const FILTER: &[Binding] = &[
 pub const FORM: &[Binding] = &[
     bind(Action::Enter, &[plain(KeyCode::Enter), plain(KeyCode::F(2))], "edit or choose", "edit"),
     bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "empty the field and type", ""),
-    bind(Action::NextPane, TAB, "to the results", "results"),
+    bind(Action::NextPane, TAB, "to the results", "see results"),
     bind(Action::PreviousPane, BACK_TAB, "to the results, backwards", ""),
     bind(Action::NextTab, &[typed(']')], "next tab", "tabs"),
     bind(Action::NextUnit, &[typed('u')], "next unit", "unit"),
@@ -325,7 +325,7 @@ pub const EDIT: &[Binding] = &[
 pub const PANE: &[Binding] = &[
     bind(Action::NextTab, &[typed(']')], "next tab", "tabs"),
     bind(Action::PreviousTab, &[typed('[')], "tab before", ""),
-    bind(Action::NextPane, TAB, "to the inputs", "inputs"),
+    bind(Action::NextPane, TAB, "to the inputs", "edit inputs"),
     bind(Action::PreviousPane, BACK_TAB, "to the inputs, backwards", ""),
     bind(Action::Enter, ENTER, "load the case", ""),
     bind(Action::Copy, &[typed('y')], "copy what the tab shows", "copy"),

@@ -36,7 +36,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
         Dialog::Help { scroll } => {
             let lines = help_lines(model.screen, &model.look, &model.locale, layout::inside(screen).width.into());
             Clear.render(screen, buffer);
-            framed(model, &word("Help", model), screen, buffer);
+            framed(model, &word("What keys do", model), screen, buffer);
             let inner = layout::inside(screen);
             draw_lines(&lines, *scroll, inner, buffer);
             scroll_mark(*scroll, inner.height.into(), lines.len(), &model.look, screen, buffer);
@@ -51,7 +51,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
         Dialog::Prompt { purpose, input, error } => {
             let title = match purpose {
                 Purpose::SaveAs => "Save as",
-                Purpose::Open => "Open a problem file",
+                Purpose::Open => "File to open",
             };
             let error: Vec<Line<'static>> = error.iter().flat_map(|error| {
                 let text = filter_untrusted(&error.render(&model.locale)).into_owned();
@@ -151,7 +151,7 @@ fn draw_palette(model: &Model, input: &Input, chosen: usize, screen: Rect, foote
     let area = Rect::new(screen.x, footer.y.saturating_sub(rows as u16 + 2), columns, rows as u16 + 2);
     if rows > 0 {
         Clear.render(area, buffer);
-        framed(model, &word("Actions", model), area, buffer);
+        framed(model, &word("Every action", model), area, buffer);
         let inner = layout::inside(area);
         let first = chosen.min(offers.len() - 1).saturating_sub(rows - 1);
         let room = usize::from(inner.width);
@@ -206,7 +206,7 @@ fn draw_choice(model: &Model, options: &[Choice], chosen: usize, screen: Rect, b
         lines.push(Line::default());
         lines.extend(help);
     }
-    draw_box(model, &word("Choose", model), &lines, screen, buffer);
+    draw_box(model, &word("Choose one", model), &lines, screen, buffer);
 }
 
 fn draw_sheet(model: &Model, sheet: &Sheet, area: Rect, buffer: &mut Buffer) -> Option<Position> {

@@ -44,8 +44,8 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
     let filtered = picker.typing || !picker.filter.value().is_empty();
     let focused = picker.case.is_none();
     let title = match filtered {
-        true => format!(" {} {}/{} ", word("Analyses", model), visible.len(), model.listings.len()),
-        false => format!(" {} ", word("Analyses", model)),
+        true => format!(" {} {}/{} ", word("List of analyses", model), visible.len(), model.listings.len()),
+        false => format!(" {} ", word("List of analyses", model)),
     };
     boxed(Line::styled(title, look.border(focused).patch(look.title())), focused, look, area, buffer);
     let mut inner = layout::inside(area);
