@@ -46,12 +46,22 @@ pub struct Person {
 impl Person {
     /// Before a screen of so many columns and rows that can show everything, on the list of analyses.
     pub fn at(columns: u16, rows: u16) -> Self {
-        Self::before(columns, rows, Language::English, Capabilities { colors: Colors::Sixteen, ..Capabilities::default() })
+        Self::before(
+            columns,
+            rows,
+            Language::English,
+            Capabilities { colors: Colors::Sixteen, ..Capabilities::default() },
+        )
     }
 
     /// The same, in Portuguese.
     pub fn in_portuguese(columns: u16, rows: u16) -> Self {
-        Self::before(columns, rows, Language::Portuguese, Capabilities { colors: Colors::Sixteen, ..Capabilities::default() })
+        Self::before(
+            columns,
+            rows,
+            Language::Portuguese,
+            Capabilities { colors: Colors::Sixteen, ..Capabilities::default() },
+        )
     }
 
     /// The same, before a screen that knows ASCII and no colours.
@@ -120,7 +130,8 @@ impl Person {
         self.draws();
         let buffer = self.terminal.backend().buffer();
         let width = usize::from(buffer.area.width).max(1);
-        let rows = buffer.content.chunks(width).map(|row| row.iter().map(|cell| cell.symbol()).collect::<String>());
+        let rows =
+            buffer.content.chunks(width).map(|row| row.iter().map(|cell| cell.symbol()).collect::<String>());
         rows.map(|row| row.trim_end().to_owned() + "\n").collect()
     }
 
@@ -209,7 +220,9 @@ fn keys_of(text: &str) -> Vec<KeyEvent> {
 
 fn named(name: &str) -> KeyEvent {
     let (mut modifiers, mut base) = (KeyModifiers::NONE, name);
-    while let Some((modifier, rest)) = base.split_once('-').filter(|(modifier, rest)| modifier.len() == 1 && !rest.is_empty()) {
+    while let Some((modifier, rest)) =
+        base.split_once('-').filter(|(modifier, rest)| modifier.len() == 1 && !rest.is_empty())
+    {
         modifiers |= match modifier {
             "s" => KeyModifiers::SHIFT,
             "a" => KeyModifiers::ALT,

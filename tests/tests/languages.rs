@@ -3,6 +3,8 @@
 //! Sentences are found in two ways: in the descriptions of every analysis and the solutions of every case, and
 //! as literals in the sources that become a `Text`.
 
+#![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
+
 use std::{
     collections::{BTreeMap, BTreeSet},
     fs,
@@ -144,7 +146,9 @@ impl Sentences {
         solution.warnings.iter().for_each(|warning| self.text(of, warning));
         for answer in &solution.answers {
             if let dalembert_core::AnswerValue::Set(_, limits) = &answer.value {
-                limits.iter().for_each(|limit| self.text(of, limit));
+                for limit in limits {
+                    self.text(of, limit);
+                }
             }
         }
         for exhibit in &solution.exhibits {
@@ -236,11 +240,8 @@ fn joined(code: &str) -> Vec<String> {
 /// The literals of a source that become a [`Text`].
 fn literals(source: &str) -> BTreeSet<String> {
     let code = source.split("#[cfg(test)]").next().unwrap_or_default();
-    let code: String = code
-        .lines()
-        .filter(|line| !line.trim_start().starts_with("//"))
-        .map(|line| format!("{line}\n"))
-        .collect();
+    let code: Vec<&str> = code.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
+    let code = code.join("\n");
     let mut found = BTreeSet::new();
     let marks = [
         "Text::new(",

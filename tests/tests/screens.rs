@@ -26,7 +26,7 @@ fn line_with(screen: &str, text: &str) -> String {
 fn after(screen: &str, text: &str) -> String {
     let line = line_with(screen, text);
     let rest = line.split_once(text).map(|(_, rest)| rest).unwrap_or_default();
-    rest.split('│').next().unwrap_or_default().trim().to_owned()
+    rest.split('│').next().unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn the_filter_looks_in_titles_keywords_sources_and_cases() {
     for (filter, title) in [
         ("rotunb", "Rotating unbalance"),
         ("ventilador", "Rotating unbalance"),
-        ("list 07", "Rotating unbalance"),
+        ("fan on a", "Rotating unbalance"),
         ("vibration/rot", "Rotating unbalance"),
     ] {
         let mut person = Person::at(80, 24);
@@ -242,9 +242,20 @@ fn changes_are_taken_back_and_made_again() {
 #[test]
 fn the_last_digit_is_nudged() {
     let mut person = fan(110, 30);
-    for (keys, value) in [("+", "1001 rpm"), ("-", "1000 rpm"), ("<s-up>", "1010 rpm"), ("<s-down>", "1000 rpm"), ("<a-up>", "1000.1 rpm")] {
+    for (keys, value) in [
+        ("+", "1001 rpm"),
+        ("-", "1000 rpm"),
+        ("<s-up>", "1010 rpm"),
+        ("<s-down>", "1000 rpm"),
+        ("<a-up>", "1000.1 rpm"),
+    ] {
         person.types("<end>").types(keys);
-        assert_eq!(after(&person.sees(), "Speed of the m").split("  ").find(|part| part.contains("rpm")).map(str::trim), Some(value));
+        assert_eq!(
+            after(&person.sees(), "▸ Speed of the machine")
+                .split_once(' ')
+                .map(|(_, shown)| shown.split(" = ").next()),
+            Some(Some(value))
+        );
     }
 }
 
@@ -269,7 +280,12 @@ fn an_alternative_is_chosen_and_keeps_what_is_common() {
     assert_snapshot!("choice", person.sees());
     person.types("<down><enter>");
     let screen = person.sees();
-    assert!(screen.contains("Simply supported") && screen.contains("1.3e-6 m^4") && screen.contains("200 kN/mm^2"), "{screen}");
+    assert!(
+        screen.contains("Simply supported")
+            && screen.contains("1.3e-6 m^4")
+            && screen.contains("200 kN/mm^2"),
+        "{screen}"
+    );
     // Past an alternative without these fields, and back.
     person.types("<left><left><right>");
     assert!(person.sees().contains("200 kN/mm^2"), "{}", person.sees());
@@ -281,12 +297,22 @@ fn rows_are_added_duplicated_moved_and_deleted() {
     let rows = |person: &mut Person| {
         let draft = person.model.bench.as_ref().expect("a problem is open").form.draft.clone();
         let dalembert_core::Draft::Group(fields) = draft else { panic!("a problem is a group") };
-        fields.into_iter().find_map(|field| if let dalembert_core::Draft::Rows(rows) = field { Some(rows) } else { None })
+        fields
+            .into_iter()
+            .find_map(|field| if let dalembert_core::Draft::Rows(rows) = field { Some(rows) } else { None })
             .expect("it has rows")
     };
     let before = rows(&mut person);
-    let path = person.model.bench.as_ref().unwrap().form.lines().iter()
-        .find_map(|line| line.number.map(|_| line.path.clone())).unwrap();
+    let path = person
+        .model
+        .bench
+        .as_ref()
+        .unwrap()
+        .form
+        .lines()
+        .iter()
+        .find_map(|line| line.number.map(|_| line.path.clone()))
+        .unwrap();
     person.model.bench.as_mut().unwrap().form.go_to(&path);
     assert_snapshot!("rows", person.sees());
     person.types("d");
@@ -314,7 +340,10 @@ fn every_analysis_opens_with_its_first_case_solved() {
             let bench = person.model.bench.as_ref().expect("a problem is open");
             assert_eq!(bench.errors, [], "{id}");
             assert_eq!(bench.found.failure, None, "{id}");
-            assert!(bench.found.solution.as_ref().is_some_and(|solution| !solution.answers.is_empty()), "{id}");
+            assert!(
+                bench.found.solution.as_ref().is_some_and(|solution| !solution.answers.is_empty()),
+                "{id}"
+            );
             for _ in 0..6 {
                 let screen = person.types("]").sees();
                 assert!(!screen.contains("there is nothing to show"), "{id}:\n{screen}");
@@ -451,6 +480,76 @@ fn a_file_that_changed_on_disk_is_never_written_over_unasked() {
 }
 
 #[test]
+fn the_end_keeps_what_is_being_typed() {
+    let mut person = fan(80, 24);
+    person.types("<end><del>77 rpm<c-c>");
+    assert!(person.sees().contains("not saved") && !person.has_left, "{}", person.sees());
+    assert!(person.types("<esc>").sees().contains("77 rpm"));
+    // A question that is asked while saving before the end does not end the program later.
+    person.types("q<enter>");
+    assert!(person.sees().contains("Save as"));
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("late.toml");
+    person.types("<esc>s<c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
+    assert!(path.exists() && !person.has_left);
+}
+
+#[test]
+fn saving_before_the_end_ends() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("last.toml");
+    let mut person = fan(80, 24);
+    person.types("<end>+q<enter><c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
+    assert!(person.has_left);
+    assert!(fs::read_to_string(&path).expect("the file is there").contains("1001 rpm"));
+}
+
+#[test]
+fn tables_are_edited_and_pasted() {
+    let mut person = Person::at(100, 30).opens("vibration/frequency-response-identification");
+    // The case with a table of points.
+    person.types("[<tab>");
+    let at = person
+        .model
+        .bench
+        .as_ref()
+        .unwrap()
+        .cases
+        .iter()
+        .position(|judged| judged.case.name.contains("table of points"));
+    for _ in 0..at.expect("there is a case with a table") {
+        person.types("<down>");
+    }
+    person.types("<enter><tab>[[[[");
+    let form = &mut person.model.bench.as_mut().unwrap().form;
+    let table = form.lines().iter().find_map(|line| {
+        matches!(line.role, dalembert_tui::form::Role::Table { .. }).then(|| line.path.clone())
+    });
+    form.go_to(&table.expect("the case has a table"));
+    let lines = |person: &mut Person| -> usize {
+        let screen = person.sees();
+        line_with(&screen, " lines")
+            .split_whitespace()
+            .rev()
+            .skip_while(|word| *word != "lines")
+            .nth(1)
+            .unwrap()
+            .parse()
+            .unwrap()
+    };
+    let before = lines(&mut person);
+    person.types("<enter>");
+    assert!(person.sees().contains("keep and close"), "{}", person.sees());
+    person.types("# a remark<enter><esc>");
+    assert_eq!(lines(&mut person), before + 1);
+    person.types("z");
+    assert_eq!(lines(&mut person), before);
+    person.pastes("1; 2\n3");
+    assert_eq!(lines(&mut person), 2);
+    assert!(person.sees().contains("line 2"), "the line of the fault is named:\n{}", person.sees());
+}
+
+#[test]
 fn what_cannot_be_opened_or_saved_says_why_and_asks_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let missing = folder.path().join("nothing.toml");
@@ -489,7 +588,15 @@ fn every_word_of_the_interface_is_translated() {
     use dalembert_core::text::is_translated;
     use dalembert_tui::{bench::Tab, keys::Place};
     let places = [
-        Place::Picker, Place::Filter, Place::Form, Place::Edit, Place::Pane, Place::List, Place::Prompt, Place::Sheet, Place::Help,
+        Place::Picker,
+        Place::Filter,
+        Place::Form,
+        Place::Edit,
+        Place::Pane,
+        Place::List,
+        Place::Prompt,
+        Place::Sheet,
+        Place::Help,
     ];
     let of_places = places.into_iter().flat_map(|place| {
         let names = place.bindings().flat_map(|binding| [binding.name, binding.hint]);
@@ -504,20 +611,47 @@ fn every_word_of_the_interface_is_translated() {
 
 #[test]
 fn every_size_can_be_drawn_on_every_screen() {
-    let openings: [&[&str]; 4] =
-        [&["", "/fan", "?", ":", "o", "<tab>"], &["", "]", "]]", "[", "<tab>]]<right>", "<end><del>x<enter>", "s", "<down><down><enter>", "<end>+q", "?", ":"], &["", "]"], &["]]"]];
-    let ids = [None, Some(FAN), Some(ROTOR), Some("vibration/shaft-clearance")];
-    for (id, keys) in ids.into_iter().zip(openings) {
-        for keys in keys {
+    // Every size up to 24 × 60, and beyond it in steps that share no factor.
+    draw_sizes(|rows, columns| (rows <= 24 && columns <= 60) || (rows % 7 == 0 && columns % 13 == 0));
+}
+
+#[test]
+#[ignore = "takes minutes: every size up to 60 × 160 on every screen"]
+fn really_every_size_can_be_drawn() {
+    draw_sizes(|_, _| true);
+}
+
+fn draw_sizes(drawn: fn(u16, u16) -> bool) {
+    let screens: [(Option<&str>, &[&str]); 4] = [
+        (None, &["", "/fan", "?", ":", "o", "<tab>"]),
+        (
+            Some(FAN),
+            &[
+                "",
+                "]",
+                "]]",
+                "[",
+                "<tab>]]<right>",
+                "<end><del>x<enter>",
+                "s",
+                "<down><down><enter>",
+                "<end>+q",
+                "?",
+                ":",
+            ],
+        ),
+        (Some(ROTOR), &["", "]"]),
+        (Some("vibration/shaft-clearance"), &["]]"]),
+    ];
+    for (id, openings) in screens {
+        for keys in openings {
             let mut person = Person::at(80, 24);
             if let Some(id) = id {
                 person = person.opens(id);
             }
             person.types(keys);
-            // Every size up to 24 × 60, and beyond it in steps that share no factor.
-            let heights = (1..=24_u16).chain((25..=60).step_by(7));
-            for rows in heights {
-                for columns in (1..=60_u16).filter(|_| rows <= 24).chain((1..=160).step_by(13)) {
+            for rows in 1..=60 {
+                for columns in (1..=160).filter(|columns| drawn(rows, *columns)) {
                     person.resizes(columns, rows);
                     person.draws();
                 }

@@ -42,6 +42,11 @@ pub(crate) fn dalembert(root: &Path, arguments: &[&str]) -> Command {
     command
 }
 
+/// Formats a source, whose lines a long name may have filled. Without the formatter it stays as it is.
+pub(crate) fn format(source: &Path) {
+    let _ = Command::new("rustfmt").args(["--edition", "2024"]).arg(source).status();
+}
+
 /// Where cargo puts what it builds for the workspace in `root`.
 pub(crate) fn target(root: &Path) -> PathBuf {
     // Paths in the variable are relative to where cargo was called.

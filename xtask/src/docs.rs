@@ -24,7 +24,7 @@ pub fn write(root: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Sees that what [`write`] would write is there already.
+/// Sees that what [`write()`] would write is there already.
 pub fn check(root: &Path) -> Result<()> {
     let stale: Vec<String> = generated(root)?
         .into_iter()

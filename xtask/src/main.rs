@@ -19,8 +19,8 @@ fn main() -> ExitCode {
     let words: Vec<String> = env::args().skip(1).collect();
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let done = match words.as_slice() {
-        ["verify"] => verify::run(&root(), verify::Extent::Everything),
-        ["verify", "--quick"] => verify::run(&root(), verify::Extent::Quick),
+        ["verify"] => return verified(verify::Extent::Everything),
+        ["verify", "--quick"] => return verified(verify::Extent::Quick),
         ["tidy"] => tidy::run(&root()),
         ["new-analysis", family, name] => new_analysis::run(&root(), family, name),
         ["new-plugin", name] => new_plugin::run(&root(), name),
@@ -43,4 +43,9 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// The summary is the last thing that is printed.
+fn verified(extent: verify::Extent) -> ExitCode {
+    if verify::run(&root(), extent) { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

@@ -8,7 +8,10 @@ use std::{
 
 use anyhow::{Context, Result, bail};
 
-use crate::names::{check_kebab, nearest, pascal, snake, title};
+use crate::{
+    cargo::format,
+    names::{check_kebab, nearest, pascal, snake, title},
+};
 
 const ANALYSIS: &str = include_str!("new_analysis/analysis.rs");
 const CASES: &str = include_str!("new_analysis/cases.toml");
@@ -43,6 +46,7 @@ pub fn run(root: &Path, family: &str, name: &str) -> Result<()> {
     let translations = folder.join("locales/pt-BR.ftl");
     let translations_text = with_translations(root, &translations, name)?;
     write(&source, &filled(ANALYSIS, family, name))?;
+    format(&source);
     write(&cases, CASES)?;
     write(&library, &library_text)?;
     write(&translations, &translations_text)?;

@@ -1,7 +1,7 @@
 //! The program without its analyses: a binary links those it wants and calls [`main`].
 //!
-//! Every subcommand is a function from its arguments and a [`Console`](console::Console) to the text it prints or
-//! a [`Failure`](failure::Failure); what is printed where, and with which exit status, is decided here alone.
+//! Every subcommand is a function from its arguments and a `Console` to the text it prints or
+//! a `Failure`; what is printed where, and with which exit status, is decided here alone.
 
 mod arguments;
 mod commands;

@@ -26,8 +26,10 @@ use crate::{
 const PATIENCE: Duration = Duration::from_millis(12);
 /// Unsaved work is written aside when nothing was typed for so long.
 const KEEP_AFTER: Duration = Duration::from_secs(1);
+/// While a person goes on typing, so often.
+const KEEP_WHILE_TYPING: Duration = Duration::from_secs(10);
 /// Nothing is expected: until then the loop sleeps.
-const LONG: Duration = Duration::from_secs(24 * 3600);
+const LONG: Duration = Duration::from_hours(24);
 /// The exit code when the terminal cannot be had.
 const NO_TERMINAL: u8 = 2;
 
@@ -65,6 +67,8 @@ struct World {
     messages: mpsc::Sender<Msg>,
     /// Work is remembered that is not written aside yet.
     noted: bool,
+    /// When unsaved work was written aside last.
+    kept: Instant,
     /// The newest job, while its outcome has not come.
     awaited: Option<u64>,
 }
@@ -98,13 +102,21 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     let mut model = Model::new(registry(), options.language, look, capabilities.marker);
     model.readonly = options.readonly;
     model.faults = Fault::allowed();
-    let mut world = World { session, solver, autosave, messages: sender, noted: false, awaited: None };
+    let mut world = World {
+        session,
+        solver,
+        autosave,
+        messages: sender,
+        noted: false,
+        kept: Instant::now(),
+        awaited: None,
+    };
     let effects = start(&mut model, options.file, options.analysis);
     if world.perform(&mut model, effects) {
         return Ok(());
     }
     if let Some(error) = trouble {
-        update(&mut model, Msg::Notice(error.to_string()));
+        update(&mut model, Msg::Trouble(error));
     }
     let sessions = world.autosave.crashed();
     if !sessions.is_empty() {
@@ -115,6 +127,8 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
 
 impl World {
     fn run(&mut self, model: &mut Model, messages: &mpsc::Receiver<Msg>) -> Result<(), TerminalError> {
+        // A frame is drawn only after something happened: an idle screen costs nothing.
+        let mut stale = true;
         loop {
             // A key and what it leads to belong in one frame, if it can be had without waiting long.
             let deadline = Instant::now() + PATIENCE;
@@ -122,22 +136,29 @@ impl World {
                 let left = deadline.saturating_duration_since(Instant::now());
                 let wait = if self.awaited.is_some() { left } else { Duration::ZERO };
                 let Ok(msg) = messages.recv_timeout(wait) else { break };
-                self.awaited = self.awaited.filter(|job| !matches!(&msg, Msg::Solved(outcome) if outcome.generation == *job));
+                stale = true;
+                self.awaited = self
+                    .awaited
+                    .filter(|job| !matches!(&msg, Msg::Solved(outcome) if outcome.generation == *job));
                 let effects = update(model, msg);
                 if self.perform(model, effects) {
                     return Ok(());
                 }
             }
-            self.session.draw(|frame| {
-                model.size = (frame.area().width, frame.area().height);
-                view(model, frame);
-            })?;
+            if stale {
+                self.session.draw(|frame| {
+                    model.size = (frame.area().width, frame.area().height);
+                    view(model, frame);
+                })?;
+                stale = false;
+            }
             let wait = if self.noted { KEEP_AFTER } else { LONG };
             let inputs = self.session.next_events(wait)?;
-            if inputs.is_empty() && self.noted {
-                self.keep(model);
+            if self.noted && (inputs.is_empty() || self.kept.elapsed() > KEEP_WHILE_TYPING) {
+                stale |= self.keep(model);
             }
             for input in inputs {
+                stale = true;
                 let msg = match input {
                     Input::Key(key) => Msg::Key(key),
                     Input::Paste(text) => Msg::Paste(text),
@@ -199,7 +220,7 @@ impl World {
                     self.keep(model);
                     match crashed.discard() {
                         Ok(()) => continue,
-                        Err(error) => Msg::Notice(error.to_string()),
+                        Err(error) => Msg::Trouble(error),
                     }
                 }
                 Effect::Copy(text) => {
@@ -240,11 +261,16 @@ impl World {
         false
     }
 
-    /// Writes unsaved work aside; trouble is told once.
-    fn keep(&mut self, model: &mut Model) {
+    /// Writes unsaved work aside; whether there was trouble, which is told.
+    fn keep(&mut self, model: &mut Model) -> bool {
         self.noted = false;
-        if let Err(error) = self.autosave.flush() {
-            update(model, Msg::Notice(error.to_string()));
+        self.kept = Instant::now();
+        match self.autosave.flush() {
+            Ok(()) => false,
+            Err(error) => {
+                update(model, Msg::Trouble(error));
+                true
+            }
         }
     }
 }

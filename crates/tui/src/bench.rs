@@ -2,16 +2,11 @@
 
 use std::path::PathBuf;
 
-use dalembert_core::{Draft, Drawing, Entry, Exhibit, FieldError, Plot, Solution, TableExhibit, file::Problem};
-
-use crate::{
-    files::Fingerprint,
-    form::Form,
-    keys::Place,
-    panes::sources::Judged,
-    plot,
-    solver::Failure,
+use dalembert_core::{
+    Draft, Drawing, Entry, Exhibit, FieldError, Plot, Solution, TableExhibit, file::Problem,
 };
+
+use crate::{files::Fingerprint, form::Form, keys::Place, panes::sources::Judged, plot, solver::Failure};
 
 /// A problem that is worked on.
 #[derive(Debug)]
@@ -203,17 +198,20 @@ impl Bench {
 
     /// The plots of the newest solution.
     pub fn plots(&self) -> impl Iterator<Item = &Plot> {
-        self.exhibits().filter_map(|exhibit| if let Exhibit::Plot(plot) = exhibit { Some(plot) } else { None })
+        self.exhibits()
+            .filter_map(|exhibit| if let Exhibit::Plot(plot) = exhibit { Some(plot) } else { None })
     }
 
     /// The drawings of the newest solution.
     pub fn drawings(&self) -> impl Iterator<Item = &Drawing> {
-        self.exhibits().filter_map(|exhibit| if let Exhibit::Drawing(drawing) = exhibit { Some(drawing) } else { None })
+        self.exhibits()
+            .filter_map(|exhibit| if let Exhibit::Drawing(drawing) = exhibit { Some(drawing) } else { None })
     }
 
     /// The tables of the newest solution.
     pub fn tables(&self) -> impl Iterator<Item = &TableExhibit> {
-        self.exhibits().filter_map(|exhibit| if let Exhibit::Table(table) = exhibit { Some(table) } else { None })
+        self.exhibits()
+            .filter_map(|exhibit| if let Exhibit::Table(table) = exhibit { Some(table) } else { None })
     }
 
     /// The shown one of several, by its place; the last one where there are fewer now.

@@ -188,7 +188,8 @@ pub fn offered(model: &Model, typed: &str) -> Vec<(Place, &'static Binding)> {
 impl Sheet {
     /// A text with the cursor at its beginning.
     pub fn new(path: String, text: &str) -> Self {
-        let lines = if text.is_empty() { vec![String::new()] } else { text.lines().map(str::to_owned).collect() };
+        let lines =
+            if text.is_empty() { vec![String::new()] } else { text.lines().map(str::to_owned).collect() };
         Self { path, lines, row: 0, column: 0 }
     }
 

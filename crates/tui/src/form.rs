@@ -156,13 +156,16 @@ impl Form {
 
     /// Puts a text in place of that of a field.
     pub fn set(&mut self, path: &str, text: String) -> bool {
-        self.change(Change::Other, |draft, shape| Some(*draft.at_mut(shape, path).ok()?.0 = Draft::Leaf(text)))
+        self.put(Change::Other, path, Draft::Leaf(text))
     }
 
     /// Puts a whole draft in place of this one.
     pub fn replace(&mut self, with: Draft) -> bool {
         self.edit = None;
-        let changed = self.change(Change::Other, |draft, _| Some(*draft = with));
+        let changed = self.change(Change::Other, |draft, _| {
+            *draft = with;
+            Some(())
+        });
         self.step(0);
         changed
     }
@@ -200,9 +203,7 @@ impl Form {
             },
         };
         self.left.insert((path.to_owned(), from), old);
-        self.change(Change::Other, |draft, shape| {
-            Some(*draft.at_mut(shape, path).ok()?.0 = Draft::OneOf(to, Box::new(new)))
-        })
+        self.put(Change::Other, path, Draft::OneOf(to, Box::new(new)))
     }
 
     /// Chooses the alternative, or the name, so many places further.
@@ -235,7 +236,8 @@ impl Form {
             Role::Absent => self.change(Change::Other, |draft, shape| {
                 let (place, shape) = draft.at_mut(shape, &line.path).ok()?;
                 let blank = Draft::blank(&present(shape));
-                Some(*place = blank)
+                *place = blank;
+                Some(())
             }),
             _ if line.optional => self.leave_out(&line.path),
             _ => false,
@@ -291,7 +293,8 @@ impl Form {
         let done = self.change(Change::Other, |draft, shape| {
             let (rows, _) = rows_mut(draft, shape, &list)?;
             let copy = rows.get(at)?.clone();
-            Some(rows.insert(at + 1, copy))
+            rows.insert(at + 1, copy);
+            Some(())
         });
         self.go_to(&format!("{list}[{}]", at + 2));
         done
@@ -341,9 +344,7 @@ impl Form {
         }
         let exact = matches!(draft::read_leaf(&text, &shape, ""), Ok(Value::Quantity(value)) if value.last_place == 0.0);
         let Some(text) = nudged(&text, tenths).filter(|_| !exact) else { return false };
-        self.change(Change::Nudge(path.clone()), |draft, shape| {
-            Some(*draft.at_mut(shape, &path).ok()?.0 = Draft::Leaf(text))
-        })
+        self.put(Change::Nudge(path.clone()), &path, Draft::Leaf(text))
     }
 
     /// Writes the field under the cursor in the next unit of its kind.
@@ -355,13 +356,19 @@ impl Form {
         };
         let Some(shown) = in_next_unit(&typed, &text, &shape) else { return false };
         self.converted = Some(Converted { path: path.clone(), typed, shown: shown.clone() });
-        self.change(Change::Unit(path.clone()), |draft, shape| {
-            Some(*draft.at_mut(shape, &path).ok()?.0 = Draft::Leaf(shown))
-        })
+        self.put(Change::Unit(path.clone()), &path, Draft::Leaf(shown))
     }
 
     fn leave_out(&mut self, path: &str) -> bool {
-        self.change(Change::Other, |draft, shape| Some(*draft.at_mut(shape, path).ok()?.0 = Draft::Absent))
+        self.put(Change::Other, path, Draft::Absent)
+    }
+
+    /// Puts a part in place of that at a path.
+    fn put(&mut self, what: Change, path: &str, part: Draft) -> bool {
+        self.change(what, |draft, shape| {
+            *draft.at_mut(shape, path).ok()?.0 = part;
+            Some(())
+        })
     }
 
     /// Changes the draft so that it can be taken back. `None` means that there was nothing to change.
@@ -462,12 +469,20 @@ fn in_next_unit(typed: &str, shown: &str, shape: &Shape) -> Option<String> {
     match (read(typed)?, read(shown)?, shape) {
         (Value::Quantity(typed_as), Value::Quantity(now), Shape::Quantity(measure)) => {
             let unit = next(&now.unit, measure.kind())?;
-            Some(if same(&unit, &typed_as.unit) { typed.to_owned() } else { units::write_quantity(typed_as.si, &unit, style) })
+            Some(if same(&unit, &typed_as.unit) {
+                typed.to_owned()
+            } else {
+                units::write_quantity(typed_as.si, &unit, style)
+            })
         }
         (Value::Vector(typed_as), Value::Vector(now), Shape::Vector(measure, _)) => {
             let unit = next(&now.unit, measure.kind())?;
             let components = &typed_as.si[..typed_as.len];
-            Some(if same(&unit, &typed_as.unit) { typed.to_owned() } else { units::write_components(components, &unit, style) })
+            Some(if same(&unit, &typed_as.unit) {
+                typed.to_owned()
+            } else {
+                units::write_components(components, &unit, style)
+            })
         }
         _ => None,
     }
@@ -502,7 +517,8 @@ fn with_common_texts(blank: Draft, old: &Draft, shape: &Shape, from: usize, to: 
     let (Draft::Group(mut blank), Draft::Group(old)) = (blank, old) else { return Draft::Absent };
     let names = shape.fields(Some(from));
     for (field, place) in shape.fields(Some(to)).iter().zip(&mut blank) {
-        let common = names.iter().position(|other| other.name == field.name && alike(&other.shape, &field.shape));
+        let common =
+            names.iter().position(|other| other.name == field.name && alike(&other.shape, &field.shape));
         if let Some(old) = common.and_then(|at| old.get(at)) {
             *place = old.clone();
         }
@@ -515,7 +531,8 @@ fn alike(a: &Shape, b: &Shape) -> bool {
     match (a, b) {
         (Shape::OneOf(a), Shape::OneOf(b)) => std::ptr::eq(a(), b()),
         (Shape::Group(a), Shape::Group(b)) => std::ptr::eq(a(), b()),
-        (Shape::Rows { item: a, .. }, Shape::Rows { item: b, .. }) | (Shape::Optional(a), Shape::Optional(b)) => alike(a(), b()),
+        (Shape::Rows { item: a, .. }, Shape::Rows { item: b, .. })
+        | (Shape::Optional(a), Shape::Optional(b)) => alike(a(), b()),
         _ => a.is_leaf() && b.is_leaf(),
     }
 }

@@ -258,8 +258,18 @@ pub const PICKER: &[Binding] = &[
     bind(Action::Filter, &[typed('/')], "type a filter", "filter"),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::NextPane, &[plain(KeyCode::Tab), plain(KeyCode::Right), typed('l')], "to the published cases", "see cases"),
-    bind(Action::PreviousPane, &[plain(KeyCode::BackTab), plain(KeyCode::Left), typed('h')], "to the list", ""),
+    bind(
+        Action::NextPane,
+        &[plain(KeyCode::Tab), plain(KeyCode::Right), typed('l')],
+        "to the published cases",
+        "see cases",
+    ),
+    bind(
+        Action::PreviousPane,
+        &[plain(KeyCode::BackTab), plain(KeyCode::Left), typed('h')],
+        "to the list",
+        "",
+    ),
     bind(Action::PageUp, PAGE_UP, "page up", ""),
     bind(Action::PageDown, PAGE_DOWN, "page down", ""),
     bind(Action::First, FIRST, "to the first line", ""),
@@ -288,8 +298,18 @@ pub const FORM: &[Binding] = &[
     bind(Action::Nudge(-10), &[typed('-')], "last digit down", ""),
     bind(Action::Nudge(100), &[shift(KeyCode::Up)], "last digit up by ten", ""),
     bind(Action::Nudge(-100), &[shift(KeyCode::Down), typed('_')], "last digit down by ten", ""),
-    bind(Action::Nudge(1), &[alt(KeyCode::Up), alt(KeyCode::Char('+')), alt(KeyCode::Char('='))], "a tenth of the last digit up", ""),
-    bind(Action::Nudge(-1), &[alt(KeyCode::Down), alt(KeyCode::Char('-'))], "a tenth of the last digit down", ""),
+    bind(
+        Action::Nudge(1),
+        &[alt(KeyCode::Up), alt(KeyCode::Char('+')), alt(KeyCode::Char('='))],
+        "a tenth of the last digit up",
+        "",
+    ),
+    bind(
+        Action::Nudge(-1),
+        &[alt(KeyCode::Down), alt(KeyCode::Char('-'))],
+        "a tenth of the last digit down",
+        "",
+    ),
     bind(Action::Left, LEFT, "alternative before", ""),
     bind(Action::Right, RIGHT, "next alternative", ""),
     bind(Action::Toggle, &[typed(' ')], "yes or no, in or out", ""),
@@ -317,7 +337,12 @@ pub const FORM: &[Binding] = &[
 pub const EDIT: &[Binding] = &[
     bind(Action::Enter, ENTER, "keep the text", "keep"),
     bind(Action::Back, ESC, "as it was before", "as before"),
-    bind(Action::Down, &[plain(KeyCode::Down), plain(KeyCode::Tab)], "keep, and edit the next field", "next field"),
+    bind(
+        Action::Down,
+        &[plain(KeyCode::Down), plain(KeyCode::Tab)],
+        "keep, and edit the next field",
+        "next field",
+    ),
     bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "keep, and edit the field before", ""),
 ];
 
@@ -365,13 +390,16 @@ pub const PROMPT: &[Binding] = &[
 ];
 
 /// Keys of a text of many lines.
-pub const SHEET: &[Binding] = &[
-    bind(Action::Back, ESC, "keep and close", "keep and close"),
-];
+pub const SHEET: &[Binding] = &[bind(Action::Back, ESC, "keep and close", "keep and close")];
 
 /// Keys of the help.
 pub const HELP: &[Binding] = &[
-    bind(Action::Back, &[plain(KeyCode::Esc), plain(KeyCode::Enter), typed('q'), typed('?')], "close", "close"),
+    bind(
+        Action::Back,
+        &[plain(KeyCode::Esc), plain(KeyCode::Enter), typed('q'), typed('?')],
+        "close",
+        "close",
+    ),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
     bind(Action::PageUp, PAGE_UP, "page up", ""),

@@ -50,7 +50,8 @@ pub fn bench(area: Rect, focus: Focus) -> Areas {
     if body.width >= THREE_COLUMNS {
         let form = (body.width * 3 / 10).clamp(44, 60);
         let [form, pane, picture] =
-            Layout::horizontal([Constraint::Length(form), Constraint::Fill(1), Constraint::Fill(1)]).areas(body);
+            Layout::horizontal([Constraint::Length(form), Constraint::Fill(1), Constraint::Fill(1)])
+                .areas(body);
         return Areas { form: Some(form), pane: Some(pane), picture: Some(picture), ..areas };
     }
     if body.width >= TWO_COLUMNS {
@@ -102,5 +103,9 @@ pub fn framed(area: Rect) -> bool {
 
 /// What is left inside the frame of an area.
 pub fn inside(area: Rect) -> Rect {
-    if framed(area) { area.inner(Margin::new(2, 1)) } else { Rect { height: area.height.saturating_sub(1), y: area.y + u16::from(area.height > 0), ..area } }
+    if framed(area) {
+        area.inner(Margin::new(2, 1))
+    } else {
+        Rect { height: area.height.saturating_sub(1), y: area.y + u16::from(area.height > 0), ..area }
+    }
 }

@@ -67,6 +67,8 @@ pub enum Screen {
 pub struct Notice {
     /// What is said.
     pub text: Text,
+    /// What a program said, on a line of its own; may be empty.
+    pub detail: String,
     /// Whether something went wrong.
     pub wrong: bool,
 }
@@ -116,6 +118,8 @@ pub enum Msg {
     },
     /// Earlier sessions ended without saving.
     Crashed(Vec<Crashed>),
+    /// Unsaved work could not be kept aside.
+    Trouble(FileError),
     /// Something to tell.
     Notice(String),
 }
@@ -217,11 +221,11 @@ impl Model {
 
     /// Tells something.
     pub fn say(&mut self, text: impl Into<Text>) {
-        self.notice = Some(Notice { text: text.into(), wrong: false });
+        self.notice = Some(Notice { text: text.into(), detail: String::new(), wrong: false });
     }
 
     /// Tells that something went wrong.
     pub fn complain(&mut self, text: impl Into<Text>) {
-        self.notice = Some(Notice { text: text.into(), wrong: true });
+        self.notice = Some(Notice { text: text.into(), detail: String::new(), wrong: true });
     }
 }

@@ -55,8 +55,12 @@ impl Listing {
         let cases = cases::cases(entry).unwrap_or_default();
         let about = entry.about;
         let in_portuguese = |text: &'static str| Text::from(text).render(&Locale::portuguese());
-        let mut words =
-            vec![about.id.to_owned(), about.keywords.to_owned(), about.summary.to_owned(), in_portuguese(about.summary)];
+        let mut words = vec![
+            about.id.to_owned(),
+            about.keywords.to_owned(),
+            about.summary.to_owned(),
+            in_portuguese(about.summary),
+        ];
         words.extend(about.sources.iter().map(|source| format!("{} {}", source.short, source.full)));
         words.extend(cases.iter().map(|case| format!("{} {}", case.name, case.source)));
         Self { entry, cases, words: words.join("\n") }
@@ -100,7 +104,8 @@ fn visible(listings: &[Listing], filter: &str) -> Vec<usize> {
     let mut matcher = Matcher::new(Config::DEFAULT);
     let pattern = |kind| Pattern::new(filter, CaseMatching::Ignore, Normalization::Smart, kind);
     let (with_gaps, as_is) = (pattern(AtomKind::Fuzzy), pattern(AtomKind::Substring));
-    let mut of = |pattern: &Pattern, text: &str| pattern.score(Utf32Str::new(text, &mut Vec::new()), &mut matcher);
+    let mut of =
+        |pattern: &Pattern, text: &str| pattern.score(Utf32Str::new(text, &mut Vec::new()), &mut matcher);
     let mut rank = |listing: &Listing| {
         let titles = [Language::English, Language::Portuguese]
             .map(|language| listing.title(&Locale { language, ..Locale::default() }));
@@ -109,7 +114,9 @@ fn visible(listings: &[Listing], filter: &str) -> Vec<usize> {
             names.iter().filter_map(|name| of(pattern, name)).max()
         };
         let exact = best(&as_is, &mut of).map(|score| (2, score));
-        exact.or_else(|| of(&as_is, &listing.words).map(|score| (1, score))).or_else(|| best(&with_gaps, &mut of).map(|score| (0, score)))
+        exact
+            .or_else(|| of(&as_is, &listing.words).map(|score| (1, score)))
+            .or_else(|| best(&with_gaps, &mut of).map(|score| (0, score)))
     };
     let mut found: Vec<((u8, u32), usize)> =
         listings.iter().enumerate().filter_map(|(at, listing)| Some((rank(listing)?, at))).collect();

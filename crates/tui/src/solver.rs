@@ -204,7 +204,9 @@ mod tests {
         solver.submit(job(21, Fault::Analysis));
         let newest = outcomes.iter().find(|outcome| outcome.generation == 21);
         assert!(start.elapsed() < Duration::from_millis(800), "{:?}", start.elapsed());
-        assert!(matches!(newest.map(|outcome| outcome.result), Some(Err(Failure::Fault(panic))) if panic.contains("requested")));
+        assert!(
+            matches!(newest.map(|outcome| outcome.result), Some(Err(Failure::Fault(panic))) if panic.contains("requested"))
+        );
     }
 
     #[test]

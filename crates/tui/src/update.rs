@@ -16,7 +16,7 @@ use crate::{
     dialog::{Answer, Dialog, Purpose},
     form,
     keys::{Action, Place},
-    model::{After, Effect, Model, Msg, Screen},
+    model::{After, Effect, Model, Msg, Notice, Screen},
     panes::sources::Judged,
     solver::{Failure, Outcome},
 };
@@ -52,10 +52,14 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
             }
             Vec::new()
         }
-        Msg::Saved { path, text, result } => files::saved(model, path, text, result),
+        Msg::Saved { path, text, result } => files::saved(model, &path, text, result),
         Msg::Opened { path, result } => files::opened(model, path, result),
         Msg::Crashed(sessions) => {
             files::crashed(model, sessions);
+            Vec::new()
+        }
+        Msg::Trouble(error) => {
+            model.complain(files::words(&error));
             Vec::new()
         }
         Msg::Notice(text) => {
@@ -91,14 +95,15 @@ fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
         Action::Quit => return quit(model),
         Action::Suspend => return vec![Effect::Suspend],
         Action::Redraw => return vec![Effect::Redraw],
-        Action::Help if place != Place::Help => model.dialog = Some(Dialog::Help { scroll: 0 }),
+        Action::Help if model.dialog.is_none() => model.dialog = Some(Dialog::Help { scroll: 0 }),
         Action::Palette => model.dialog = Some(Dialog::palette()),
         Action::Language => model.speak(match model.locale.language {
             Language::English => Language::Portuguese,
             Language::Portuguese => Language::English,
         }),
         Action::Open => {
-            model.dialog = Some(Dialog::Prompt { purpose: Purpose::Open, input: Input::default(), error: None });
+            model.dialog =
+                Some(Dialog::Prompt { purpose: Purpose::Open, input: Input::default(), error: None });
         }
         _ => {
             return match place {
@@ -113,10 +118,13 @@ fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
 
 /// Ends the program, or asks what becomes of unsaved work.
 fn quit(model: &mut Model) -> Vec<Effect> {
+    // What is being typed counts.
+    let mut effects = dialog::close(model);
     if let Some(bench) = &mut model.bench {
         bench.form.keep();
     }
-    leave(model, After::Quit)
+    effects.extend(leave(model, After::Quit));
+    effects
 }
 
 /// Does what comes after the problem is left, or asks what becomes of unsaved work.
@@ -170,7 +178,8 @@ fn show_case(model: &mut Model, entry: &'static Entry, case: usize) -> Vec<Effec
 /// The cases of an analysis, not compared yet.
 fn judged_later(model: &Model, entry: &'static Entry) -> Vec<Judged> {
     let known = model.listings.iter().find(|listing| listing.entry.about.id == entry.about.id);
-    let cases = known.map_or_else(|| cases::cases(entry).unwrap_or_default(), |listing| listing.cases.clone());
+    let cases =
+        known.map_or_else(|| cases::cases(entry).unwrap_or_default(), |listing| listing.cases.clone());
     cases.into_iter().map(|case| Judged { case, verdicts: None }).collect()
 }
 
@@ -185,8 +194,8 @@ fn show(model: &mut Model, mut bench: Bench) -> Vec<Effect> {
 
 fn solved(model: &mut Model, outcome: Outcome) {
     if let Err(Failure::Fault(panic)) = &outcome.result {
-        let text = Text::new("this analysis failed (a fault of the program); your inputs are kept: {panic}");
-        model.complain(text.with("panic", panic));
+        let text = "this analysis failed (a fault of the program); your inputs are kept".into();
+        model.notice = Some(Notice { text, detail: panic.clone(), wrong: true });
     }
     match (&mut model.picker.preview, &mut model.bench) {
         (_, Some(bench)) if bench.found.state == crate::bench::State::Solving(outcome.generation) => {
@@ -253,7 +262,8 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Effect> {
         None => {
             if let Some(bench) = &mut model.bench
                 && let Some(edit) = &mut bench.form.edit
-                && (edit.input.value().len() < form::LONGEST || !matches!(requests, [InputRequest::InsertChar(_)]))
+                && (edit.input.value().len() < form::LONGEST
+                    || !matches!(requests, [InputRequest::InsertChar(_)]))
                 && handle(&mut edit.input)
             {
                 bench.form.typed();

@@ -11,7 +11,7 @@ use dalembert_core::Text;
 use ratatui::{
     Frame,
     buffer::Buffer,
-    layout::{Position, Rect},
+    layout::Rect,
     text::Line,
     widgets::{Block, BorderType, Widget},
 };
@@ -68,14 +68,14 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
 }
 
 /// A frame with a title, and what is left inside.
-fn boxed(title: Line<'_>, focused: bool, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn boxed(title: &Line<'_>, focused: bool, look: &Look, area: Rect, buffer: &mut Buffer) {
     if layout::framed(area) {
         let kind = if look.ascii { BorderType::Plain } else { BorderType::Rounded };
         Block::bordered().border_type(kind).border_style(look.border(focused)).render(area, buffer);
         let room = area.width.saturating_sub(4);
-        buffer.set_line(area.x + 2, area.y, &title, room);
+        buffer.set_line(area.x + 2, area.y, title, room);
     } else {
-        buffer.set_line(area.x, area.y, &title, area.width);
+        buffer.set_line(area.x, area.y, title, area.width);
     }
 }
 
@@ -103,9 +103,4 @@ fn draw_lines(lines: &[Line<'_>], first: usize, area: Rect, buffer: &mut Buffer)
 /// A word of the interface in the person's language.
 fn word(english: &'static str, model: &Model) -> String {
     Text::from(english).render(&model.locale)
-}
-
-/// Where the cursor of a text stands on the screen.
-fn cursor_at(x: u16, y: u16) -> Option<Position> {
-    Some(Position { x, y })
 }

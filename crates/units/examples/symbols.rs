@@ -20,7 +20,7 @@ fn main() {
     }
     for (kind, rows) in kinds {
         println!("\n## {}\n\n| symbols | prefixes | in SI |\n|---|---|---|", heading(kind));
-        rows.iter().for_each(|row| println!("{row}"));
+        println!("{}", rows.join("\n"));
     }
 }
 

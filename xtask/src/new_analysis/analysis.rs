@@ -52,8 +52,12 @@ impl Analysis for AnalysisName {
             sdof::natural_frequency(given.stiffness, given.mass),
             ("Natural frequency without damping", TEXTBOOK.at("§2.2")),
         );
-        let period =
-            sheet.step("T", "s", W::Num::from(TAU) / natural, ("Period of one oscillation", TEXTBOOK.at("§2.2")));
+        let period = sheet.step(
+            "T",
+            "s",
+            W::Num::from(TAU) / natural,
+            ("Period of one oscillation", TEXTBOOK.at("§2.2")),
+        );
         let speed = sheet.step(
             "v",
             "m/s",

@@ -59,9 +59,9 @@ impl PartialEq for Line {
     fn eq(&self, other: &Self) -> bool {
         let same_role = match (&self.role, &other.role) {
             (Role::Leaf { text: a, .. }, Role::Leaf { text: b, .. }) => a == b,
-            (Role::Choice { chosen: a, .. }, Role::Choice { chosen: b, .. }) => a == b,
-            (Role::Rows { count: a }, Role::Rows { count: b }) => a == b,
-            (Role::Table { lines: a }, Role::Table { lines: b }) => a == b,
+            (Role::Choice { chosen: a, .. }, Role::Choice { chosen: b, .. })
+            | (Role::Rows { count: a }, Role::Rows { count: b })
+            | (Role::Table { lines: a }, Role::Table { lines: b }) => a == b,
             // The lines of the row follow, and tell.
             (Role::Group { .. }, Role::Group { .. }) | (Role::Absent, Role::Absent) => true,
             _ => false,
@@ -109,7 +109,13 @@ fn push(mut line: Line, shape: &Shape, draft: &Draft, lines: &mut Vec<Line>) {
             let variants = variants();
             lines.push(Line { role: Role::Choice { variants, chosen: *chosen }, ..line });
             if let (Some(variant), Draft::Group(drafts)) = (variants.get(*chosen), &**inner) {
-                push_fields((variant.fields)(), drafts, &format!("{path}.{}", variant.name), depth + 1, lines);
+                push_fields(
+                    (variant.fields)(),
+                    drafts,
+                    &format!("{path}.{}", variant.name),
+                    depth + 1,
+                    lines,
+                );
             }
         }
         (Shape::Rows { item, .. }, Draft::Rows(rows)) => {
@@ -117,7 +123,8 @@ fn push(mut line: Line, shape: &Shape, draft: &Draft, lines: &mut Vec<Line>) {
             for (n, row) in rows.iter().enumerate() {
                 let path = format!("{path}[{}]", n + 1);
                 let number = Some(n + 1);
-                let line = Line { path, depth: depth + 1, field, number, optional: false, role: Role::Absent };
+                let line =
+                    Line { path, depth: depth + 1, field, number, optional: false, role: Role::Absent };
                 push(line, item(), row, lines);
             }
         }

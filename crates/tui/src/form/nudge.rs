@@ -15,7 +15,9 @@ pub fn nudged(text: &str, tenths: i64) -> Option<String> {
     // An expression has no last digit: 1/2 in, 2*pi, 3 + 4. A decimal exponent stays as it is.
     let unit = rest.trim_start();
     if unit.starts_with(['/', '+', '-', '−', '^', '(', '√'])
-        || unit.strip_prefix(['*', '×', '·']).is_some_and(|factor| !factor.trim_start().starts_with("10^") && !factor.starts_with("10⁻"))
+        || unit
+            .strip_prefix(['*', '×', '·'])
+            .is_some_and(|factor| !factor.trim_start().starts_with("10^") && !factor.starts_with("10⁻"))
     {
         return None;
     }

@@ -1,6 +1,7 @@
 //! Keys of a problem.
 
 use dalembert_core::{Draft, Shape, Text, file};
+use dalembert_units as units;
 use ratatui::{
     crossterm::event::{KeyCode, KeyEvent},
     layout::Rect,
@@ -92,7 +93,15 @@ pub(super) fn kept(bench: &Bench) -> Effect {
 pub(super) fn take(bench: &mut Bench, outcome: Outcome) {
     bench.found.state = State::Current;
     match outcome.result {
-        Ok(solution) => {
+        Ok(mut solution) => {
+            for answer in solution.iter_mut().flat_map(|solution| &mut solution.answers) {
+                let wanted = bench.show.iter().find(|(name, _)| name == answer.name);
+                if let Some(unit) = wanted.and_then(|(_, unit)| units::unit(unit).ok())
+                    && unit.dim.agrees(answer.unit.dim)
+                {
+                    answer.unit = unit;
+                }
+            }
             bench.found.solution = solution.or(bench.found.solution.take());
             bench.found.failure = None;
         }
@@ -159,11 +168,7 @@ fn form(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::First => form.step(isize::MIN),
         Action::Last => form.step(isize::MAX),
         Action::Enter => return enter(model),
-        Action::Clear => {
-            if form.begin(Some(String::new())) {
-                return changed(model);
-            }
-        }
+        Action::Clear if form.begin(Some(String::new())) => return changed(model),
         Action::Left => return after(model, |bench| bench.form.cycle(-1), ""),
         Action::Right => return after(model, |bench| bench.form.cycle(1), ""),
         Action::Toggle => return after(model, |bench| bench.form.toggle(), ""),
@@ -172,10 +177,16 @@ fn form(model: &mut Model, action: Action) -> Vec<Effect> {
         }
         Action::NextUnit => return after(model, |bench| bench.form.next_unit(), "this has no other unit"),
         Action::AddRow => return after(model, |bench| bench.form.add_row(), "there is no list here"),
-        Action::DuplicateRow => return after(model, |bench| bench.form.duplicate_row(), "there is no row here"),
+        Action::DuplicateRow => {
+            return after(model, |bench| bench.form.duplicate_row(), "there is no row here");
+        }
         Action::DeleteRow => return after(model, |bench| bench.form.delete_row(), "there is no row here"),
-        Action::MoveRowUp => return after(model, |bench| bench.form.move_row(-1), "this row cannot go further"),
-        Action::MoveRowDown => return after(model, |bench| bench.form.move_row(1), "this row cannot go further"),
+        Action::MoveRowUp => {
+            return after(model, |bench| bench.form.move_row(-1), "this row cannot go further");
+        }
+        Action::MoveRowDown => {
+            return after(model, |bench| bench.form.move_row(1), "this row cannot go further");
+        }
         Action::Back => model.screen = Screen::Picker,
         _ => {}
     }
@@ -187,7 +198,9 @@ fn enter(model: &mut Model) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let Some(Line { path, role, .. }) = bench.form.line() else { return Vec::new() };
     match role {
-        Role::Leaf { shape: Shape::Flag, .. } | Role::Absent => return after(model, |bench| bench.form.toggle(), ""),
+        Role::Leaf { shape: Shape::Flag, .. } | Role::Absent => {
+            return after(model, |bench| bench.form.toggle(), "");
+        }
         Role::Leaf { shape: Shape::Reference(list), text, .. } => {
             let names = bench.form.names(list);
             let chosen = names.iter().position(|name| *name == text).unwrap_or(0);
@@ -198,9 +211,10 @@ fn enter(model: &mut Model) -> Vec<Effect> {
                     Choice { label, help: String::new(), value: Chosen::Text(name) }
                 })
                 .collect();
-            match options.is_empty() {
-                true => _ = bench.form.begin(None),
-                false => model.dialog = Some(Dialog::Choice { path, options, chosen }),
+            if options.is_empty() {
+                bench.form.begin(None);
+            } else {
+                model.dialog = Some(Dialog::Choice { path, options, chosen });
             }
         }
         Role::Leaf { .. } => _ = bench.form.begin(None),
@@ -276,7 +290,8 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::Enter if bench.tab == Tab::Sources => return load_case(model),
         Action::Up | Action::Down if bench.tab == Tab::Sources => {
             let last = bench.cases.len().saturating_sub(1);
-            bench.case = if action == Action::Up { bench.case.saturating_sub(1) } else { (bench.case + 1).min(last) };
+            bench.case =
+                if action == Action::Up { bench.case.saturating_sub(1) } else { (bench.case + 1).min(last) };
             reveal_case(model);
         }
         Action::Up => scroll(model, -1),
@@ -326,7 +341,9 @@ fn load_case(model: &mut Model) -> Vec<Effect> {
     if untouched {
         bench.mark_saved();
     }
-    model.say(Text::new("{case} is loaded; z brings the inputs back").with("case", filter_untrusted(&case.name)));
+    model.say(
+        Text::new("{case} is loaded; z brings the inputs back").with("case", filter_untrusted(&case.name)),
+    );
     changed(model)
 }
 
@@ -374,7 +391,9 @@ fn copy(model: &mut Model) -> Vec<Effect> {
         return Vec::new();
     }
     let text = match Bench::nth(bench.plots(), bench.plot) {
-        Some(plot) if bench.tab == Tab::Plot => plot::readout(plot, &bench.plot_state, &model.locale).unwrap_or_default(),
+        Some(plot) if bench.tab == Tab::Plot => {
+            plot::readout(plot, &bench.plot_state, &model.locale).unwrap_or_default()
+        }
         _ if bench.tab.is_picture() => String::new(),
         _ => {
             let page = view::page(model, bench, bench.tab, 100);

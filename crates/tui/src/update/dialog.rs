@@ -93,7 +93,8 @@ fn answer(model: &mut Model, answer: Answer) -> Vec<Effect> {
     }
 }
 
-fn close(model: &mut Model) -> Vec<Effect> {
+/// Closes a dialog without an answer; what was typed in a table is kept.
+pub(super) fn close(model: &mut Model) -> Vec<Effect> {
     match model.dialog.take() {
         Some(Dialog::Sheet(sheet)) => {
             let done = model.bench.as_mut().is_some_and(|bench| bench.form.set(&sheet.path, sheet.text()));

@@ -64,41 +64,52 @@ pub(super) fn ask_path(model: &mut Model) -> Vec<Effect> {
 
 pub(super) fn saved(
     model: &mut Model,
-    path: PathBuf,
+    path: &Path,
     text: String,
     result: Result<Fingerprint, FileError>,
 ) -> Vec<Effect> {
     match result {
         Ok(fingerprint) => {
             let Some(bench) = &mut model.bench else { return Vec::new() };
-            bench.file = Some(OpenFile { path: path.clone(), text, fingerprint: Some(fingerprint) });
+            bench.file = Some(OpenFile { path: path.to_owned(), text, fingerprint: Some(fingerprint) });
             bench.mark_saved();
-            model.say(Text::new("saved as {file}").with("file", shown(&path)));
+            model.say(Text::new("saved as {file}").with("file", shown(path)));
             let after = std::mem::take(&mut model.after_save);
             let mut effects = vec![Effect::Forget];
             effects.extend(go_on(model, after));
             effects
         }
         Err(FileError::Changed(_) | FileError::Removed(_)) => {
-            ask(model, "{file} was changed by another program since it was opened.", &path, vec![
-                ("save under another name", Answer::SaveAs),
-                ("read it again; changes here are lost", Answer::Reload(path.clone())),
-                ("write over it", Answer::Overwrite(path.clone())),
-                ("stay", Answer::Cancel),
-            ]);
+            ask(
+                model,
+                "{file} was changed by another program since it was opened.",
+                path,
+                vec![
+                    ("save under another name", Answer::SaveAs),
+                    ("read it again; changes here are lost", Answer::Reload(path.to_owned())),
+                    ("write over it", Answer::Overwrite(path.to_owned())),
+                    ("stay", Answer::Cancel),
+                ],
+            );
             Vec::new()
         }
         Err(FileError::Exists(_)) => {
-            ask(model, "{file} exists already.", &path, vec![
-                ("save under another name", Answer::SaveAs),
-                ("write over it", Answer::Overwrite(path.clone())),
-                ("stay", Answer::Cancel),
-            ]);
+            ask(
+                model,
+                "{file} exists already.",
+                path,
+                vec![
+                    ("save under another name", Answer::SaveAs),
+                    ("write over it", Answer::Overwrite(path.to_owned())),
+                    ("stay", Answer::Cancel),
+                ],
+            );
             Vec::new()
         }
         Err(error) => {
             let input = path.display().to_string().into();
-            model.dialog = Some(Dialog::Prompt { purpose: Purpose::SaveAs, input, error: Some(words(&error)) });
+            model.dialog =
+                Some(Dialog::Prompt { purpose: Purpose::SaveAs, input, error: Some(words(&error)) });
             Vec::new()
         }
     }
@@ -123,7 +134,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
             let title = Text::new("{file} cannot be opened as a problem").with("file", shown(&path));
             let line = |span: &Option<std::ops::Range<usize>>| {
                 let at = span.as_ref()?.start.min(opened.text.len());
-                Some(1 + opened.text.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count())
+                Some(1 + opened.text.get(..at)?.matches('\n').count())
             };
             let mut lines: Vec<String> = errors
                 .iter()
@@ -133,7 +144,8 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
                         Some(line) => Text::new("line {line}: {why}").with("line", line),
                         None => Text::new("{why}"),
                     };
-                    filter_untrusted(&text.with_text("why", error.why.clone()).render(&model.locale)).into_owned()
+                    filter_untrusted(&text.with_text("why", error.why.clone()).render(&model.locale))
+                        .into_owned()
                 })
                 .collect();
             if errors.len() > MOST_FAULTS {
@@ -154,7 +166,8 @@ pub(super) fn crashed(model: &mut Model, sessions: Vec<Crashed>) {
         |path| Text::new("{file}").with("file", shown(path)),
     );
     let minutes = newest.kept.elapsed().map_or(0, |past| past.as_secs() / 60);
-    let question = Text::new("An earlier session ended without saving {name}, {minutes} min ago; its work was kept.");
+    let question =
+        Text::new("An earlier session ended without saving {name}, {minutes} min ago; its work was kept.");
     model.dialog = Some(Dialog::Ask {
         question: question.with_text("name", name).with("minutes", minutes),
         answers: vec![
@@ -244,4 +257,3 @@ fn ask(model: &mut Model, question: &'static str, path: &Path, answers: Vec<(&'s
 fn shown(path: &Path) -> String {
     filter_untrusted(&path.display().to_string()).replace('\n', "\u{FFFD}")
 }
-

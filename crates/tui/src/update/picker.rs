@@ -1,7 +1,5 @@
 //! Keys of the list of analyses.
 
-use dalembert_core::Draft;
-
 use super::open_case;
 use crate::{
     keys::Action,
@@ -57,7 +55,10 @@ pub(super) fn preview(model: &mut Model) -> Vec<Effect> {
     let record = listing.cases.get(case).and_then(|case| case.record(entry).ok());
     let generation = model.next_generation();
     model.picker.preview = Some(Preview { id, case, generation, solution: None });
-    record.map(|record| Effect::Solve(Job { generation, work: Work::Solve(entry, record) })).into_iter().collect()
+    record
+        .map(|record| Effect::Solve(Job { generation, work: Work::Solve(entry, record) }))
+        .into_iter()
+        .collect()
 }
 
 fn step(model: &mut Model, by: isize) -> Vec<Effect> {
@@ -82,7 +83,8 @@ fn back(model: &mut Model) -> Vec<Effect> {
         picker.typing = false;
         picker.filter.reset();
         // The line that was chosen stays chosen in the whole list.
-        picker.chosen = model.listings.iter().position(|listing| Some(listing.entry.about.id) == kept).unwrap_or(0);
+        picker.chosen =
+            model.listings.iter().position(|listing| Some(listing.entry.about.id) == kept).unwrap_or(0);
     }
     preview(model)
 }
@@ -95,10 +97,7 @@ fn enter(model: &mut Model) -> Vec<Effect> {
     if let (true, None) = (same, case) {
         // Back to where it was left.
         model.screen = Screen::Bench;
-        return match &model.bench {
-            Some(bench) if bench.form.draft == Draft::Absent => open_case(model, entry, 0),
-            _ => Vec::new(),
-        };
+        return Vec::new();
     }
     open_case(model, entry, case.unwrap_or(0))
 }

@@ -5,10 +5,11 @@ use ratatui::{
     buffer::Buffer,
     layout::Rect,
     text::{Line, Span},
+    widgets::{Clear, Widget},
 };
 
 use super::{
-    text::{fit, width},
+    text::{fit, width, wrapped},
     word,
 };
 use crate::{
@@ -17,9 +18,11 @@ use crate::{
     glyphs::filter_untrusted,
     keys::{Action, Binding, Place},
     look::Glyph,
-    model::Model,
+    model::{Model, Notice},
 };
 
+/// Lines of the longest notice.
+const MOST_NOTICE: usize = 4;
 /// Cells between two keys.
 const GAP: usize = 2;
 
@@ -73,15 +76,37 @@ pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
     if area.is_empty() {
         return;
     }
-    let look = &model.look;
     let room = usize::from(area.width).saturating_sub(2);
     if let Some(notice) = &model.notice {
-        let text = filter_untrusted(&notice.text.render(&model.locale)).replace('\n', " ");
-        let style = if notice.wrong { look.error() } else { look.good() };
-        buffer.set_string(area.x + 1, area.y, fit(&text, room, look), style);
+        draw_notice(model, notice, area, buffer);
         return;
     }
     buffer.set_line(area.x + 1, area.y, &hints(model, model.place(), room), area.width.saturating_sub(1));
+}
+
+/// A word to the person, at the foot of the screen and as far up as it needs.
+fn draw_notice(model: &Model, notice: &Notice, foot: Rect, buffer: &mut Buffer) {
+    let look = &model.look;
+    let style = if notice.wrong { look.error() } else { look.good() };
+    let text = filter_untrusted(&notice.text.render(&model.locale)).into_owned();
+    let room = usize::from(foot.width).saturating_sub(2);
+    let mut lines = wrapped(&text, room);
+    if !notice.detail.is_empty() {
+        lines.extend(wrapped(&filter_untrusted(&notice.detail), room));
+    }
+    let most = usize::from(buffer.area.height / 2).clamp(1, MOST_NOTICE);
+    if lines.len() > most {
+        lines.truncate(most);
+        if let Some(last) = lines.last_mut() {
+            *last = fit(&format!("{last} {}", look.glyph(Glyph::Ellipsis)), room, look);
+        }
+    }
+    let rows = lines.len() as u16;
+    let area = Rect { y: foot.bottom().saturating_sub(rows), height: rows, ..foot };
+    Clear.render(area, buffer);
+    for (y, line) in (area.y..area.bottom()).zip(lines) {
+        buffer.set_string(area.x + 1, y, line, style);
+    }
 }
 
 /// As many keys of a place as there is room for; the help is always among them.
@@ -98,7 +123,12 @@ fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
     let cells = |(keys, hint): &(String, String)| width(keys) + 1 + width(hint);
     let all: Vec<_> = place.bindings().filter(|binding| !binding.hint.is_empty()).collect();
     let mut left = room + GAP;
-    left -= all.iter().filter(|binding| binding.action == Action::Help).map(|help| cells(&written(help)) + GAP).sum::<usize>().min(left);
+    left -= all
+        .iter()
+        .filter(|binding| binding.action == Action::Help)
+        .map(|help| cells(&written(help)) + GAP)
+        .sum::<usize>()
+        .min(left);
     let mut line = Line::default();
     for binding in all {
         let hint = written(binding);
@@ -125,14 +155,17 @@ fn about_field(model: &Model, bench: &Bench) -> String {
     match &line.role {
         Role::Choice { variants, chosen } => {
             let variant = variants.get(*chosen);
-            parts.push(format!("{label}: {}", variant.map_or_else(String::new, |variant| say(variant.label))));
+            parts
+                .push(format!("{label}: {}", variant.map_or_else(String::new, |variant| say(variant.label))));
             parts.extend(variant.map(|variant| say(variant.help)));
         }
         Role::Rows { .. } => parts.extend([label, say(line.field.help), word("a adds a row", model)]),
         Role::Group { .. } if line.number.is_some() => {
             parts.extend([label, word("a add, d duplicate, x delete, J K move", model)]);
         }
-        Role::Table { .. } => parts.extend([label, say(line.field.help), word("Enter edits; paste replaces", model)]),
+        Role::Table { .. } => {
+            parts.extend([label, say(line.field.help), word("Enter edits; paste replaces", model)]);
+        }
         Role::Absent => parts.extend([label, say(line.field.help), word("Space puts it in", model)]),
         Role::Group { .. } => parts.extend([label, say(line.field.help)]),
         Role::Leaf { shape, text } => {
@@ -143,7 +176,9 @@ fn about_field(model: &Model, bench: &Bench) -> String {
             if let Shape::Quantity(measure) | Shape::Vector(measure, _) = shape {
                 let unit = measure.own_unit().pretty();
                 if !unit.is_empty() {
-                    parts.push(Text::new("a number alone is in {unit}").with("unit", unit).render(&model.locale));
+                    parts.push(
+                        Text::new("a number alone is in {unit}").with("unit", unit).render(&model.locale),
+                    );
                 }
             }
         }

@@ -11,7 +11,7 @@ use ratatui::{
 use tui_input::Input;
 
 use super::{
-    bars, boxed, cursor_at, draw_lines, scroll_mark,
+    bars, boxed, draw_lines, scroll_mark,
     text::{fit, padded, width, wrapped},
     word,
 };
@@ -24,8 +24,8 @@ use crate::{
     model::{Model, Screen},
 };
 
-/// So many actions are offered at once.
-const OFFERED: usize = 8;
+/// So many actions are offered at once: few, for the sake of slow lines, and always as many rows.
+const OFFERED: usize = 4;
 /// The widest box.
 const WIDEST: u16 = 76;
 
@@ -34,7 +34,8 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
     let [_, _, _, footer] = layout::frame(screen);
     match dialog {
         Dialog::Help { scroll } => {
-            let lines = help_lines(model.screen, &model.look, &model.locale, layout::inside(screen).width.into());
+            let lines =
+                help_lines(model.screen, &model.look, &model.locale, layout::inside(screen).width.into());
             Clear.render(screen, buffer);
             framed(model, &word("What keys do", model), screen, buffer);
             let inner = layout::inside(screen);
@@ -53,24 +54,34 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
                 Purpose::SaveAs => "Save as",
                 Purpose::Open => "File to open",
             };
-            let error: Vec<Line<'static>> = error.iter().flat_map(|error| {
-                let text = filter_untrusted(&error.render(&model.locale)).into_owned();
-                wrapped(&text, usize::from(box_width(screen)).saturating_sub(4))
-            }).map(|text| Line::styled(text, model.look.error())).collect();
+            let error: Vec<Line<'static>> = error
+                .iter()
+                .flat_map(|error| {
+                    let text = filter_untrusted(&error.render(&model.locale)).into_owned();
+                    wrapped(&text, usize::from(box_width(screen)).saturating_sub(4))
+                })
+                .map(|text| Line::styled(text, model.look.error()))
+                .collect();
             let area = centred(screen, 3 + error.len());
             Clear.render(area, buffer);
             framed(model, &word(title, model), area, buffer);
             let inner = layout::inside(area);
-            draw_lines(&error, 0, Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner }, buffer);
+            draw_lines(
+                &error,
+                0,
+                Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner },
+                buffer,
+            );
             bars::footer(model, footer, buffer);
             draw_input(model, input, "", Rect { height: inner.height.min(1), ..inner }, buffer)
         }
         Dialog::Ask { question, answers, chosen } => {
             let room = usize::from(box_width(screen)).saturating_sub(4);
-            let mut lines: Vec<Line<'static>> = wrapped(&filter_untrusted(&question.render(&model.locale)), room)
-                .into_iter()
-                .map(Line::from)
-                .collect();
+            let mut lines: Vec<Line<'static>> =
+                wrapped(&filter_untrusted(&question.render(&model.locale)), room)
+                    .into_iter()
+                    .map(Line::from)
+                    .collect();
             lines.push(Line::default());
             for (n, (name, _)) in answers.iter().enumerate() {
                 lines.push(option(model, &word(name, model), n == *chosen, room));
@@ -92,15 +103,21 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
         }
         Dialog::Sheet(sheet) => {
             Clear.render(screen, buffer);
-            let cursor = draw_sheet(model, sheet, Rect { height: screen.height.saturating_sub(1), ..screen }, buffer);
+            let cursor =
+                draw_sheet(model, sheet, Rect { height: screen.height.saturating_sub(1), ..screen }, buffer);
             bars::footer(model, footer, buffer);
-            cursor
+            Some(cursor)
         }
     }
 }
 
 /// The most that the help can be scrolled.
-pub(crate) fn longest_scroll_of_help(screen: Screen, size: (u16, u16), look: &Look, locale: &Locale) -> usize {
+pub(crate) fn longest_scroll_of_help(
+    screen: Screen,
+    size: (u16, u16),
+    look: &Look,
+    locale: &Locale,
+) -> usize {
     let inner = layout::inside(Rect::new(0, 0, size.0, size.1));
     help_lines(screen, look, locale, inner.width.into()).len().saturating_sub(inner.height.into())
 }
@@ -143,33 +160,50 @@ fn help_lines(screen: Screen, look: &Look, locale: &Locale, room: usize) -> Vec<
 }
 
 /// The typed line at the foot of the screen, and what it may mean above it.
-fn draw_palette(model: &Model, input: &Input, chosen: usize, screen: Rect, footer: Rect, buffer: &mut Buffer) -> Option<Position> {
+fn draw_palette(
+    model: &Model,
+    input: &Input,
+    chosen: usize,
+    screen: Rect,
+    footer: Rect,
+    buffer: &mut Buffer,
+) -> Option<Position> {
     let look = &model.look;
     let offers = offered(model, input.value());
-    let rows = offers.len().min(OFFERED).min(usize::from(screen.height.saturating_sub(4)));
-    let columns = screen.width.min(56);
-    let area = Rect::new(screen.x, footer.y.saturating_sub(rows as u16 + 2), columns, rows as u16 + 2);
+    let rows = OFFERED.min(usize::from(screen.height.saturating_sub(4)));
+    let height = rows as u16 + 2;
+    let area = Rect::new(screen.x, footer.y.saturating_sub(height), screen.width.min(56), height);
     if rows > 0 {
         Clear.render(area, buffer);
         framed(model, &word("Every action", model), area, buffer);
         let inner = layout::inside(area);
-        let first = chosen.min(offers.len() - 1).saturating_sub(rows - 1);
-        let room = usize::from(inner.width);
+        let first = chosen.saturating_sub(rows - 1);
         for ((n, (_, binding)), y) in offers.iter().enumerate().skip(first).zip(inner.y..inner.bottom()) {
-            let keys = binding.keys.first().map_or_else(String::new, |key| key.name());
-            let style = if n == chosen { look.focus() } else { Style::new() };
-            let name = padded(&word(binding.name, model), room.saturating_sub(10), look);
-            let line = Line::from(vec![Span::styled(name, style), Span::styled(format!("  {keys}"), look.key())]);
+            let (pointer, style) =
+                if n == chosen { (look.glyph(Glyph::Pointer), look.title()) } else { (" ", Style::new()) };
+            let key = binding.keys.first().map_or_else(String::new, |key| key.name());
+            let left = usize::from(inner.width).saturating_sub(width(&key) + 4);
+            let name = fit(&word(binding.name, model), left, look);
+            let line = Line::from(vec![
+                Span::styled(format!("{pointer} "), look.border(true)),
+                Span::styled(name, style),
+                Span::styled(format!("  {key}"), look.key()),
+            ]);
             buffer.set_line(inner.x, y, &line, inner.width);
         }
-        scroll_mark(first, rows, offers.len(), look, area, buffer);
     }
     Clear.render(footer, buffer);
     draw_input(model, input, ":", footer, buffer)
 }
 
 /// A line of text with its cursor.
-fn draw_input(model: &Model, input: &Input, before: &str, area: Rect, buffer: &mut Buffer) -> Option<Position> {
+fn draw_input(
+    model: &Model,
+    input: &Input,
+    before: &str,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> Option<Position> {
     if area.is_empty() {
         return None;
     }
@@ -179,7 +213,10 @@ fn draw_input(model: &Model, input: &Input, before: &str, area: Rect, buffer: &m
     let text: String = input.value().chars().skip(scroll).take(room).collect();
     buffer.set_stringn(area.x, area.y, before, area.width.into(), model.look.key());
     buffer.set_stringn(area.x + offset as u16, area.y, filter_untrusted(&text), room, Style::new());
-    cursor_at(area.x + (offset + input.visual_cursor().saturating_sub(scroll).min(room)) as u16, area.y)
+    Some(Position::new(
+        area.x + (offset + input.visual_cursor().saturating_sub(scroll).min(room)) as u16,
+        area.y,
+    ))
 }
 
 fn draw_choice(model: &Model, options: &[Choice], chosen: usize, screen: Rect, buffer: &mut Buffer) {
@@ -209,7 +246,7 @@ fn draw_choice(model: &Model, options: &[Choice], chosen: usize, screen: Rect, b
     draw_box(model, &word("Choose one", model), &lines, screen, buffer);
 }
 
-fn draw_sheet(model: &Model, sheet: &Sheet, area: Rect, buffer: &mut Buffer) -> Option<Position> {
+fn draw_sheet(model: &Model, sheet: &Sheet, area: Rect, buffer: &mut Buffer) -> Position {
     let look = &model.look;
     framed(model, &sheet.path, area, buffer);
     let inner = layout::inside(area);
@@ -221,7 +258,7 @@ fn draw_sheet(model: &Model, sheet: &Sheet, area: Rect, buffer: &mut Buffer) -> 
         buffer.set_string(inner.x, y, fit(&filter_untrusted(&seen), room, look), Style::new());
     }
     scroll_mark(first, height, sheet.lines.len(), look, area, buffer);
-    cursor_at(inner.x + sheet.column.min(room) as u16, inner.y + (sheet.row - first) as u16)
+    Position::new(inner.x + sheet.column.min(room) as u16, inner.y + (sheet.row - first) as u16)
 }
 
 fn option(model: &Model, name: &str, chosen: bool, room: usize) -> Line<'static> {
@@ -247,7 +284,7 @@ fn draw_box(model: &Model, title: &str, lines: &[Line<'static>], screen: Rect, b
 
 fn framed(model: &Model, title: &str, area: Rect, buffer: &mut Buffer) {
     let title = if title.is_empty() { String::new() } else { format!(" {title} ") };
-    boxed(Line::styled(title, model.look.title()), true, &model.look, area, buffer);
+    boxed(&Line::styled(title, model.look.title()), true, &model.look, area, buffer);
 }
 
 fn box_width(screen: Rect) -> u16 {
@@ -256,6 +293,14 @@ fn box_width(screen: Rect) -> u16 {
 
 fn centred(screen: Rect, height: usize) -> Rect {
     let width = box_width(screen);
-    let height = u16::try_from(height).unwrap_or(u16::MAX).min(screen.height.saturating_sub(1)).max(screen.height.min(3));
-    Rect::new(screen.x + (screen.width - width) / 2, screen.y + screen.height.saturating_sub(height) / 3, width, height)
+    let height = u16::try_from(height)
+        .unwrap_or(u16::MAX)
+        .min(screen.height.saturating_sub(1))
+        .max(screen.height.min(3));
+    Rect::new(
+        screen.x + (screen.width - width) / 2,
+        screen.y + screen.height.saturating_sub(height) / 3,
+        width,
+        height,
+    )
 }

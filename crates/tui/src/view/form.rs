@@ -9,7 +9,7 @@ use ratatui::{
 };
 
 use super::{
-    boxed, cursor_at, scroll_mark,
+    boxed, scroll_mark,
     text::{fit, padded, width, wrapped},
     word,
 };
@@ -42,12 +42,14 @@ struct Columns {
 pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer) -> Option<Position> {
     let look = &model.look;
     let focused = bench.focus == Focus::Form;
-    let mut title = vec![Span::styled(format!(" {} ", word("Inputs", model)), look.border(focused).patch(look.title()))];
+    let mut title =
+        vec![Span::styled(format!(" {} ", word("Inputs", model)), look.border(focused).patch(look.title()))];
     if !bench.errors.is_empty() {
-        let count = Text::new("{count} to be put right").with("count", bench.errors.len()).render(&model.locale);
+        let count =
+            Text::new("{count} to be put right").with("count", bench.errors.len()).render(&model.locale);
         title.push(Span::styled(format!("{} {count} ", look.glyph(Glyph::Bad)), look.error()));
     }
-    boxed(Shown::from(title), focused, look, area, buffer);
+    boxed(&Shown::from(title), focused, look, area, buffer);
     let mut inner = layout::inside(area);
     if layout::framed(area) {
         // The pointer is margin enough.
@@ -82,7 +84,10 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
     scroll_mark(first, height, rows.len(), look, area, buffer);
     let (row, column) = cursor?;
     let y = row.checked_sub(first).filter(|y| *y < height)?;
-    cursor_at(inner.x + column.min(usize::from(inner.width).saturating_sub(1)) as u16, inner.y + y as u16)
+    Some(Position::new(
+        inner.x + column.min(usize::from(inner.width).saturating_sub(1)) as u16,
+        inner.y + y as u16,
+    ))
 }
 
 fn columns(model: &Model, lines: &[Line], room: usize) -> Columns {
@@ -92,7 +97,9 @@ fn columns(model: &Model, lines: &[Line], room: usize) -> Columns {
     let symbol = leaves().map(|line| width(line.field.symbol)).max().unwrap_or(0).min(6);
     let symbol = if room < 30 { 0 } else { symbol };
     let gaps = 1 + usize::from(symbol > 0);
-    let value = lines.iter().filter_map(|line| if let Role::Leaf { text, .. } = &line.role { Some(width(text)) } else { None });
+    let value = lines
+        .iter()
+        .filter_map(|line| if let Role::Leaf { text, .. } = &line.role { Some(width(text)) } else { None });
     // Values come first, within reason; what is left goes to the labels, and what they leave to echoes.
     let value = value.max().unwrap_or(0).clamp(LEAST_VALUE, (room / 2).max(LEAST_VALUE));
     let label = label.min(room.saturating_sub(symbol + gaps + value));
@@ -159,9 +166,9 @@ fn draw_line(
             push_value(model, line, shape, text, wrong, picked, columns.value, &mut shown);
         }
         Role::Choice { variants, chosen } => {
-            let value = variants.get(*chosen).map_or_else(String::new, |variant| {
-                Text::from(variant.label).render(&model.locale)
-            });
+            let value = variants
+                .get(*chosen)
+                .map_or_else(String::new, |variant| Text::from(variant.label).render(&model.locale));
             let left = columns.label + columns.symbol + usize::from(columns.symbol > 0);
             let narrow = width(&value) + 2 > columns.value;
             let name = if narrow { fit(&name, left, look) } else { padded(&name, left, look) };
@@ -173,7 +180,11 @@ fn draw_line(
             shown.push_span(Span::styled(format!(" {open}"), look.dim()));
         }
         Role::Table { lines } => {
-            shown.push_span(padded(&name, columns.label + columns.symbol + usize::from(columns.symbol > 0), look));
+            shown.push_span(padded(
+                &name,
+                columns.label + columns.symbol + usize::from(columns.symbol > 0),
+                look,
+            ));
             shown.push_span(" ");
             let count = Text::new("{count} lines").with("count", lines).render(&model.locale);
             shown.push_span(Span::styled(fit(&count, columns.value.saturating_sub(2), look), picked));
@@ -242,7 +253,8 @@ fn push_value(
             let value = fit_quantity(&seen, room, look);
             let left = room.saturating_sub(width(&value) + 4);
             shown.push_span(Span::styled(value, style.patch(picked)));
-            if let Some(echo) = form::echo(text, shape, model.locale.style).filter(|echo| width(echo) <= left) {
+            if let Some(echo) = form::echo(text, shape, model.locale.style).filter(|echo| width(echo) <= left)
+            {
                 shown.push_span(Span::styled(format!("  = {echo}"), look.dim()));
             }
         }
@@ -250,7 +262,13 @@ fn push_value(
 }
 
 /// What is wrong with the field, below its line.
-fn draw_errors(model: &Model, bench: &Bench, line: &Line, under_cursor: bool, room: usize) -> Vec<Shown<'static>> {
+fn draw_errors(
+    model: &Model,
+    bench: &Bench,
+    line: &Line,
+    under_cursor: bool,
+    room: usize,
+) -> Vec<Shown<'static>> {
     let look = &model.look;
     let most = if under_cursor { LONG_ERROR } else { SHORT_ERROR };
     let before = (indent(line) + POINTER).min(room / 4);
@@ -261,11 +279,18 @@ fn draw_errors(model: &Model, bench: &Bench, line: &Line, under_cursor: bool, ro
         if lines.len() > most {
             lines.truncate(most);
             if let Some(last) = lines.last_mut() {
-                *last = fit(&format!("{last} {}", look.glyph(Glyph::Ellipsis)), room.saturating_sub(before), look);
+                *last = fit(
+                    &format!("{last} {}", look.glyph(Glyph::Ellipsis)),
+                    room.saturating_sub(before),
+                    look,
+                );
             }
         }
         shown.extend(lines.into_iter().map(|text| {
-            Shown::from(vec![Span::raw(" ".repeat(before)), Span::styled(text, look.error().remove_modifier(Modifier::BOLD))])
+            Shown::from(vec![
+                Span::raw(" ".repeat(before)),
+                Span::styled(text, look.error().remove_modifier(Modifier::BOLD)),
+            ])
         }));
     }
     shown

@@ -63,7 +63,9 @@ pub(crate) fn area_of_tab(model: &Model, bench: &Bench, areas: &Areas) -> Option
 pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
     let (look, locale) = (&model.look, &model.locale);
     let solution = bench.found.solution.as_ref();
-    let stale = |lines: Vec<Line<'static>>| if bench.is_stale() { results::stale(lines, look, locale, width) } else { lines };
+    let stale = |lines: Vec<Line<'static>>| {
+        if bench.is_stale() { results::stale(lines, look, locale, width) } else { lines }
+    };
     match tab {
         Tab::Results => {
             let mut lines = why_not(model, bench, width);
@@ -93,7 +95,11 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
                 }
                 lines.extend(panes::table::lines(table, look, locale, width));
             }
-            if lines.is_empty() { nothing(model, bench, width) } else { Page { lines: stale(lines), starts: Vec::new() } }
+            if lines.is_empty() {
+                nothing(model, bench, width)
+            } else {
+                Page { lines: stale(lines), starts: Vec::new() }
+            }
         }
         Tab::Sources => {
             let chosen = (bench.focus == Focus::Pane).then_some(bench.case);
@@ -115,7 +121,7 @@ fn pictures(bench: &Bench, picture: Rect) -> [Rect; 2] {
 fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area: Rect, buffer: &mut Buffer) {
     let (look, locale) = (&model.look, &model.locale);
     let focused = bench.focus == Focus::Pane && bench.tab == tab;
-    boxed(title.clone(), focused, look, area, buffer);
+    boxed(title, focused, look, area, buffer);
     let inner = layout::inside(area);
     if inner.is_empty() {
         return;
@@ -159,9 +165,10 @@ fn why_not(model: &Model, bench: &Bench, width: u16) -> Vec<Line<'static>> {
         None => Vec::new(),
         Some(Failure::Unsolved(error)) => results::refusal(error, look, locale, width),
         Some(Failure::Fault(panic)) => {
-            let text = Text::new("this analysis failed (a fault of the program); your inputs are kept: {panic}");
-            let text = text.with("panic", filter_untrusted(panic)).render(locale);
-            wrapped(&text, width.into()).into_iter().map(|text| Line::styled(text, look.error())).collect()
+            let said = word("this analysis failed (a fault of the program); your inputs are kept", model);
+            let mut lines = wrapped(&said, width.into());
+            lines.extend(wrapped(&filter_untrusted(panic), width.into()));
+            lines.into_iter().map(|text| Line::styled(text, look.error())).collect()
         }
     }
 }
@@ -190,7 +197,10 @@ fn nothing(model: &Model, bench: &Bench, width: u16) -> Page {
         (None, State::Current) => "there is no solution",
     };
     let lines = wrapped(&word(why, model), width.into());
-    Page { lines: lines.into_iter().map(|text| Line::styled(text, model.look.dim())).collect(), starts: Vec::new() }
+    Page {
+        lines: lines.into_iter().map(|text| Line::styled(text, model.look.dim())).collect(),
+        starts: Vec::new(),
+    }
 }
 
 /// The names of the tabs, the chosen one marked; where there is no room for all, those around it.
@@ -199,7 +209,8 @@ fn tab_bar(model: &Model, bench: &Bench, columns: u16) -> Line<'static> {
     let names: Vec<String> = tabs.iter().map(|tab| word(tab.name(), model)).collect();
     let chosen = tabs.iter().position(|tab| *tab == bench.tab).unwrap_or(0);
     let room = usize::from(columns).saturating_sub(4);
-    let cells = |range: std::ops::Range<usize>| names[range].iter().map(|name| width(name) + 1).sum::<usize>() + 1;
+    let cells =
+        |range: std::ops::Range<usize>| names[range].iter().map(|name| width(name) + 1).sum::<usize>() + 1;
     let (mut first, mut end) = (0, names.len());
     // Where not all fit, the far ones go first, and arrows say so.
     while cells(first..end) + 2 * usize::from(first > 0 || end < names.len()) > room && end - first > 1 {
@@ -245,5 +256,10 @@ fn tab_title(model: &Model, bench: &Bench, tab: Tab) -> Line<'static> {
         (false, true) => look.title().add_modifier(Modifier::UNDERLINED),
         _ => look.dim(),
     };
-    Line::from(vec![Span::raw(" "), Span::styled(word(tab.name(), model), style), Span::raw(" "), Span::styled(many, look.dim())])
+    Line::from(vec![
+        Span::raw(" "),
+        Span::styled(word(tab.name(), model), style),
+        Span::raw(" "),
+        Span::styled(many, look.dim()),
+    ])
 }

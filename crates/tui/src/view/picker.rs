@@ -1,6 +1,6 @@
 //! The list of analyses and what is to be known of the chosen one.
 
-use dalembert_core::{Draft, Exhibit, Text};
+use dalembert_core::{Exhibit, Text};
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -8,7 +8,7 @@ use ratatui::{
 };
 
 use super::{
-    boxed, cursor_at, draw_lines, scroll_mark,
+    boxed, draw_lines, scroll_mark,
     text::{fit, padded, width, wrapped},
     word,
 };
@@ -43,11 +43,11 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
     let visible = picker.visible(&model.listings);
     let filtered = picker.typing || !picker.filter.value().is_empty();
     let focused = picker.case.is_none();
-    let title = match filtered {
-        true => format!(" {} {}/{} ", word("List of analyses", model), visible.len(), model.listings.len()),
-        false => format!(" {} ", word("List of analyses", model)),
-    };
-    boxed(Line::styled(title, look.border(focused).patch(look.title())), focused, look, area, buffer);
+    let mut title = format!(" {} ", word("List of analyses", model));
+    if filtered {
+        title += &format!("{}/{} ", visible.len(), model.listings.len());
+    }
+    boxed(&Line::styled(title, look.border(focused).patch(look.title())), focused, look, area, buffer);
     let mut inner = layout::inside(area);
     let mut cursor = None;
     if filtered && inner.height > 1 {
@@ -58,13 +58,20 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
         let text = filter_untrusted(&text).chars().take(room).collect::<String>();
         buffer.set_stringn(inner.x + 2, inner.y, text, room, look.title());
         if picker.typing {
-            cursor = cursor_at(inner.x + 2 + (picker.filter.visual_cursor() - scroll).min(room) as u16, inner.y);
+            cursor = Some(Position::new(
+                inner.x + 2 + (picker.filter.visual_cursor() - scroll).min(room) as u16,
+                inner.y,
+            ));
         }
         inner.y += 1;
         inner.height -= 1;
     }
     if visible.is_empty() {
-        let text = if model.listings.is_empty() { "no analysis is linked" } else { "nothing matches; Esc drops the filter" };
+        let text = if model.listings.is_empty() {
+            "no analysis is linked"
+        } else {
+            "nothing matches; Esc drops the filter"
+        };
         for (y, text) in (inner.y..inner.bottom()).zip(wrapped(&word(text, model), inner.width.into())) {
             buffer.set_string(inner.x, y, text, look.dim());
         }
@@ -118,7 +125,7 @@ fn draw_preview(model: &Model, listing: &Listing, area: Rect, buffer: &mut Buffe
     let about = listing.entry.about;
     let focused = model.picker.case.is_some();
     let name = fit(about.id, usize::from(area.width).saturating_sub(6), look);
-    boxed(Line::styled(format!(" {name} "), look.border(focused)), focused, look, area, buffer);
+    boxed(&Line::styled(format!(" {name} "), look.border(focused)), focused, look, area, buffer);
     let inner = layout::inside(area);
     let room = usize::from(inner.width);
     let mut lines: Vec<Line<'static>> = Vec::new();
@@ -139,13 +146,17 @@ fn draw_preview(model: &Model, listing: &Listing, area: Rect, buffer: &mut Buffe
             }
             for (n, text) in wrapped.into_iter().enumerate() {
                 lines.push(match text.strip_prefix(&heading).filter(|_| n == 0) {
-                    Some(rest) => Line::from(vec![Span::styled(heading.clone(), look.title()), Span::styled(rest.to_owned(), look.dim())]),
+                    Some(rest) => Line::from(vec![
+                        Span::styled(heading.clone(), look.title()),
+                        Span::styled(rest.to_owned(), look.dim()),
+                    ]),
                     None => Line::styled(text, look.dim()),
                 });
             }
         }
     };
-    let fields = listing.entry.fields().iter().map(|field| lower(&Text::from(field.label).render(&model.locale)));
+    let fields =
+        listing.entry.fields().iter().map(|field| lower(&Text::from(field.label).render(&model.locale)));
     listed(&mut lines, "In", fields.collect());
     let solution = model
         .picker
@@ -154,7 +165,11 @@ fn draw_preview(model: &Model, listing: &Listing, area: Rect, buffer: &mut Buffe
         .filter(|preview| preview.id == about.id)
         .and_then(|preview| preview.solution.as_ref());
     let answers = solution.iter().flat_map(|solution| &solution.answers);
-    listed(&mut lines, "Out", answers.map(|answer| lower(&Text::from(answer.label).render(&model.locale))).collect());
+    listed(
+        &mut lines,
+        "Out",
+        answers.map(|answer| lower(&Text::from(answer.label).render(&model.locale))).collect(),
+    );
     lines.push(Line::default());
     let first_case = lines.len();
     let mut shown_case = first_case;
@@ -168,17 +183,21 @@ fn draw_preview(model: &Model, listing: &Listing, area: Rect, buffer: &mut Buffe
         let name = fit(&filter_untrusted(&case.name), room.saturating_sub(2), look);
         let left = room.saturating_sub(width(&name) + 4);
         let source = filter_untrusted(&case.source).into_owned();
-        let mut line = Line::from(vec![Span::styled(format!("{pointer} "), look.dim()), Span::styled(name, style)]);
+        let mut line =
+            Line::from(vec![Span::styled(format!("{pointer} "), look.dim()), Span::styled(name, style)]);
         if left >= width(&source).min(12) {
             line.push_span(Span::styled(format!("  {}", fit(&source, left, look)), look.dim()));
         }
         lines.push(line);
     }
-    if listing.cases.is_empty() && matches!(Draft::blank(&listing.entry.shape()), Draft::Group(_)) {
+    if listing.cases.is_empty() {
         lines.push(Line::styled(word("no published case", model), look.dim()));
     }
     let drawing = solution.and_then(|solution| {
-        solution.exhibits.iter().find_map(|exhibit| if let Exhibit::Drawing(drawing) = exhibit { Some(drawing) } else { None })
+        solution
+            .exhibits
+            .iter()
+            .find_map(|exhibit| if let Exhibit::Drawing(drawing) = exhibit { Some(drawing) } else { None })
     });
     let text_height = u16::try_from(lines.len()).unwrap_or(u16::MAX).min(inner.height);
     let left = inner.height.saturating_sub(text_height + 1);

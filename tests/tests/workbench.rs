@@ -1,0 +1,108 @@
+//! The program itself, at a terminal: what no test without one can see.
+
+use std::{fs, path::Path, time::Duration};
+
+use dalembert_tests::pty::{self, Launch, Pty, Signal};
+
+fn started(launch: Launch) -> Pty {
+    let pty = launch.start();
+    pty.expect("dalembert");
+    pty
+}
+
+/// A program in a home folder that outlives it.
+fn at_home(home: &Path) -> Launch {
+    Launch::new(pty::program()).env("XDG_STATE_HOME", home.to_str().expect("a readable path"))
+}
+
+/// The newest speed of the fan is 1500 rpm: in the form, the results, the working and the plot.
+#[test]
+fn a_person_changes_the_speed_of_the_fan_and_sees_everything_follow() {
+    let mut pty = started(Launch::new(pty::program()));
+    pty.types("/rotating<enter>");
+    pty.expect("19.456 mm");
+    pty.types("<end><del>1500 rpm<enter>");
+    pty.expect("4.5535 mm");
+    pty.types("]<tab><end>");
+    pty.expect("4.5535 mm");
+    pty.types("]<right>");
+    pty.expect("1500 rpm");
+    pty.types("q");
+    pty.expect("quit without saving");
+    pty.types("<down><enter>");
+    assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
+}
+
+/// The old amplitude is never on the screen beside the new speed: a key and what it leads to are one frame.
+#[test]
+fn a_key_and_its_results_are_one_frame() {
+    let mut pty = started(Launch::new(pty::program()).size(40, 120));
+    pty.types("/rotating<enter>");
+    pty.expect("19.456");
+    pty.types("<end>");
+    pty.idle(Duration::from_millis(200));
+    let before = pty.raw().len();
+    pty.types("<s-up>");
+    pty.expect("1010 rpm");
+    pty.idle(Duration::from_millis(200));
+    let raw = pty.raw();
+    let frames = String::from_utf8_lossy(&raw[before..]).matches("\x1b[?2026h").count();
+    assert_eq!(frames, 1, "{:?}", String::from_utf8_lossy(&raw[before..]));
+}
+
+#[test]
+fn what_is_typed_outlives_the_window_and_is_offered_again() {
+    let home = tempfile::tempdir().expect("a folder");
+    let mut pty = started(at_home(home.path()));
+    pty.types("/rotating<enter>");
+    pty.expect("19.456 mm");
+    pty.types("<end><del>1234 rpm<enter>");
+    pty.idle(Duration::from_millis(200));
+    pty.signal(-1, Signal::TERM);
+    assert_eq!(pty.exit_code(), Some(143));
+
+    let mut pty = started(at_home(home.path()));
+    pty.expect("ended without saving");
+    pty.types("<enter>");
+    pty.expect("1234 rpm");
+    // Thrown away when the person says so, and not offered again.
+    pty.types("q");
+    pty.expect("quit without saving");
+    pty.types("<down><enter>");
+    assert_eq!(pty.exit_code(), Some(0));
+    let mut pty = started(at_home(home.path()));
+    pty.idle(Duration::from_millis(200));
+    assert!(!pty.screen().contains("ended without saving"), "{}", pty.screen());
+    pty.types("q");
+    assert_eq!(pty.exit_code(), Some(0));
+}
+
+#[test]
+fn a_problem_file_is_opened_changed_and_saved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("fan.toml");
+    let text = "# the fan of the paint shop\nanalysis = \"vibration/rotating-unbalance\"\n\n[inputs]\nmass = \"40 kg\"\nunbalance = \"0.1 kg*m\"\nspeed = \"1000 rpm\" # its plate\nsupport.stiffness.stiffness = \"450 kN/m\"\ndamping.ratio.ratio = \"0.1\"\n";
+    fs::write(&path, text).expect("written");
+    let mut pty = started(
+        Launch::new(pty::program()).in_script(&format!("\"$PROGRAM\" '{}'; exit $?", path.display())),
+    );
+    pty.expect("fan.toml");
+    pty.types("<end><del>1200 rpm<enter>s");
+    pty.expect("saved as");
+    pty.types("q");
+    assert_eq!(pty.exit_code(), Some(0));
+    let saved = fs::read_to_string(&path).expect("the file is there");
+    assert_eq!(saved, text.replace("1000 rpm", "1200 rpm"));
+}
+
+#[test]
+fn copies_go_to_the_clipboard_of_the_terminal() {
+    let mut pty = started(Launch::new(pty::program()));
+    pty.types("/rotating<enter>");
+    pty.expect("19.456 mm");
+    pty.types("y");
+    pty.expect("copied");
+    assert!(String::from_utf8_lossy(&pty.raw()).contains("\x1b]52;c;"));
+    pty.types("q");
+    assert_eq!(pty.exit_code(), Some(0));
+}
