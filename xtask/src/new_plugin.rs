@@ -27,8 +27,6 @@ workspace = true
 [dependencies]
 dalembert-core.workspace = true
 dalembert-mechanics.workspace = true
-dalembert-units.workspace = true
-nalgebra.workspace = true
 ";
 
 /// Writes the crate of a new family.

@@ -141,7 +141,9 @@ fn catalogue(root: &Path) -> Found {
 
 fn documentation(root: &Path) -> Found {
     run_command(
-        cargo(root).args(["doc", "--workspace", "--no-deps", "--locked"]).env("RUSTDOCFLAGS", "-D warnings"),
+        cargo(root)
+            .args(["doc", "--workspace", "--no-deps", "--locked", "--keep-going"])
+            .env("RUSTDOCFLAGS", "-D warnings"),
     )?;
     Ok(String::new())
 }

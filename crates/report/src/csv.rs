@@ -9,7 +9,7 @@ use dalembert_units::{self as units, Style, Unit};
 
 use crate::{Worked, inputs::inputs};
 
-/// The names of the tables that [`csv`] writes: `inputs`, `answers`, `steps`, `checks`, then `table-1` …, `plot-1` ….
+/// The names of the tables that [`csv()`] writes: `inputs`, `answers`, `steps`, `checks`, then `table-1` …, `plot-1` ….
 pub fn csv_tables(worked: &Worked<'_>) -> Vec<String> {
     let mut names: Vec<String> = ["answers", "inputs", "steps", "checks"].map(str::to_owned).into();
     if let Ok(solution) = worked.outcome {

@@ -536,3 +536,62 @@ fn alike(a: &Shape, b: &Shape) -> bool {
         _ => a.is_leaf() && b.is_leaf(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use dalembert_core::{Limit, Measure};
+
+    use super::*;
+
+    fn quantity(unit: &'static str) -> Shape {
+        Shape::Quantity(Measure { unit, kind: None, min: Limit::None, max: Limit::None })
+    }
+
+    #[test]
+    fn a_reading_is_echoed_where_the_text_does_not_say_it() {
+        for (text, unit, echoed) in [
+            ("1000 rpm", "rad/s", Some("104.72 rad/s")),
+            ("1000", "rad/s", Some("1000 rad/s")),
+            ("2*pi*50 rad/s", "rad/s", Some("314.16 rad/s")),
+            ("20.3 mm", "m", Some("0.0203 m")),
+            ("40 kg", "kg", None),
+            ("40kg", "kg", None),
+            ("0,1 kg*m", "kg*m", None),
+            ("10 m/s^2", "m/s^2", None),
+            ("nothing", "kg", None),
+        ] {
+            assert_eq!(echo(text, &quantity(unit), Style::default()).as_deref(), echoed, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_unit_goes_round_and_comes_back_as_it_was_typed() {
+        let shape = quantity("rad/s");
+        let mut shown = "1000,0 rpm".to_owned();
+        let mut seen = Vec::new();
+        loop {
+            shown = in_next_unit("1000,0 rpm", &shown, &shape).expect("an angular velocity has many units");
+            let Ok(Value::Quantity(read)) = draft::read_leaf(&shown, &shape, "") else { panic!("{shown}") };
+            assert!((read.si / 104.719_755_119_66 - 1.0).abs() < 1e-8, "{shown}");
+            seen.push(read.unit.ascii());
+            if shown == "1000,0 rpm" {
+                break;
+            }
+        }
+        assert_eq!(seen, ["Hz", "rev/s", "deg/s", "rad/s", "rpm"]);
+        assert_eq!(in_next_unit("far", "far", &shape), None);
+    }
+
+    #[test]
+    fn pastes_become_one_line() {
+        assert_eq!(as_line("  20.3\r\n mm\u{7}\t "), ("20.3  mm".to_owned(), false));
+        let (line, cut) = as_line(&"9".repeat(1_000_000));
+        assert_eq!((line.len(), cut), (LONGEST, true));
+    }
+
+    #[test]
+    fn the_innermost_row_counts() {
+        assert_eq!(row_of("a[2].b[3].c"), Some(Row { list: "a[2].b".into(), at: Some(2) }));
+        assert_eq!(row_of("mass"), None);
+    }
+}
