@@ -81,6 +81,19 @@ impl Person {
         person
     }
 
+    /// Before a list of these analyses alone, not of all that are linked.
+    #[must_use]
+    pub fn knows(mut self, ids: &[&str]) -> Self {
+        let entries: Vec<_> = ids.iter().map(|id| find(id).expect("the analysis is linked")).collect();
+        let (size, language, look, marker) =
+            (self.model.size, self.model.locale.language, self.model.look, self.capabilities.marker);
+        self.model = Model::new(&entries, language, look, marker);
+        self.model.size = size;
+        let effects = start(&mut self.model, None, None);
+        self.perform(effects);
+        self
+    }
+
     /// Opens the first case of an analysis.
     #[must_use]
     pub fn opens(mut self, id: &str) -> Self {

@@ -87,7 +87,8 @@ pub fn stale(lines: Vec<Line<'static>>, look: &Look, locale: &Locale, width: u16
     note.chain([Line::default()]).chain(dimmed).collect()
 }
 
-/// Labels at the left, numbers with their decimal marks in one column; below their labels where both do not fit.
+/// Labels at the left, numbers with their decimal marks in one column. In a narrow pane each answer stands beside its
+/// label, at the right edge, where both fit, and below it where they do not.
 fn answers(answers: &[Answer], look: &Look, locale: &Locale, width: usize) -> Vec<Line<'static>> {
     let labels: Vec<String> = answers.iter().map(|answer| Text::new(answer.label).render(locale)).collect();
     let aligned: Vec<Option<Aligned>> = answers
@@ -105,29 +106,34 @@ fn answers(answers: &[Answer], look: &Look, locale: &Locale, width: usize) -> Ve
         .max()
         .unwrap_or(0);
     let label_width = labels.iter().map(|label| label.width()).max().unwrap_or(0);
-    let beside = label_width + 2 + values.max(16) <= width;
+    let columns = label_width + 2 + values.max(16) <= width;
     let mut lines = Vec::new();
     for ((answer, label), aligned) in answers.iter().zip(&labels).zip(aligned) {
-        let head = if beside {
-            vec![Span::raw(format!("{}  ", padded(label, label_width)))]
-        } else {
-            lines.extend(wrap::words(label, width).into_iter().map(Line::from));
-            vec![Span::raw("  ")]
-        };
+        let shown = answer.shown(locale);
         match aligned {
-            // A narrow pane has no room for columns.
-            Some(_) if !beside => {
-                lines.extend(wrap::hanging(head, &answer.shown(locale), look.answer(), width));
-            }
-            Some(aligned) => {
-                let mut line = head;
+            Some(aligned) if columns => {
                 let number = number(&aligned, number_widths);
                 // A pure number leaves nothing behind it.
                 let number = if aligned.unit.is_empty() { number.trim_end().to_owned() } else { number };
-                line.extend([Span::styled(number, look.answer()), Span::raw(aligned.unit)]);
-                lines.push(Line::from(line));
+                lines.push(Line::from(vec![
+                    Span::raw(format!("{}  ", padded(label, label_width))),
+                    Span::styled(number, look.answer()),
+                    Span::raw(aligned.unit),
+                ]));
             }
-            None => lines.extend(wrap::hanging(head, &answer.shown(locale), look.answer(), width)),
+            _ if columns => {
+                let head = vec![Span::raw(format!("{}  ", padded(label, label_width)))];
+                lines.extend(wrap::hanging(head, &shown, look.answer(), width));
+            }
+            _ if label.width() + 2 + shown.width() <= width => {
+                let gap = width - label.width() - shown.width();
+                let label = Span::raw(format!("{label}{}", " ".repeat(gap)));
+                lines.push(Line::from(vec![label, Span::styled(shown, look.answer())]));
+            }
+            _ => {
+                lines.extend(wrap::words(label, width).into_iter().map(Line::from));
+                lines.extend(wrap::hanging(vec![Span::raw("  ")], &shown, look.answer(), width));
+            }
         }
         if let AnswerValue::Set(_, limits) = &answer.value {
             for limit in limits {

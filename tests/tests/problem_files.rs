@@ -1,0 +1,120 @@
+//! Problem files as a person opens, changes and saves them in the workbench.
+
+use std::fs;
+
+use dalembert_tests::person::Person;
+
+const FAN: &str = "vibration/rotating-unbalance";
+
+fn fan(columns: u16, rows: u16) -> Person {
+    Person::at(columns, rows).opens(FAN)
+}
+
+#[test]
+fn a_problem_is_saved_and_opened_with_its_comments() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("fan.toml");
+    let mut person = fan(80, 24);
+    person.types("<end>+s<c-u>").types(path.to_str().expect("a readable path"));
+    assert!(person.sees().contains("Save as"));
+    person.types("<enter>");
+    assert!(person.sees().contains("saved as") && !person.sees().contains("●"), "{}", person.sees());
+    let text = fs::read_to_string(&path).expect("the file is there");
+    assert!(text.contains("1001 rpm"), "{text}");
+
+    fs::write(&path, text.replace("speed =", "# measured on Monday\nspeed =")).expect("written");
+    let mut person = Person::at(80, 24).opens_file(&path);
+    assert!(person.sees().contains("1001 rpm") && person.sees().contains("fan.toml"), "{}", person.sees());
+    person.types("<end>+");
+    assert!(person.sees().contains("● fan.toml"), "{}", person.sees());
+    person.types("s");
+    let text = fs::read_to_string(&path).expect("the file is there");
+    assert!(text.contains("# measured on Monday") && text.contains("1002 rpm"), "{text}");
+}
+
+#[test]
+fn a_file_that_changed_on_disk_is_never_written_over_unasked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("fan.toml");
+    let mut person = fan(80, 24);
+    person.types("s<c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
+    let ours = fs::read_to_string(&path).expect("the file is there");
+    let theirs = ours.replace("1000 rpm", "800 rpm");
+    fs::write(&path, &theirs).expect("written");
+    person.types("<end>+s");
+    assert!(person.sees().contains("was changed by another program"), "{}", person.sees());
+    assert_eq!(fs::read_to_string(&path).expect("the file is there"), theirs);
+    // Stay: nothing happens. Read again: theirs. Write over: ours.
+    person.types("<esc>");
+    assert!(person.sees().contains("1001 rpm"));
+    person.types("s<down><enter>");
+    assert!(person.sees().contains("800 rpm"), "{}", person.sees());
+    fs::write(&path, &ours).expect("written");
+    person.types("<end>+s<end><up><enter>");
+    assert!(fs::read_to_string(&path).expect("the file is there").contains("801 rpm"), "{}", person.sees());
+
+    // Another problem under the same name asks too.
+    let mut person = fan(80, 24);
+    person.types("s<c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
+    assert!(person.sees().contains("exists already"), "{}", person.sees());
+    assert!(fs::read_to_string(&path).expect("the file is there").contains("801 rpm"));
+}
+
+#[test]
+fn the_end_keeps_what_is_being_typed() {
+    let mut person = fan(80, 24);
+    person.types("<end><del>77 rpm<c-c>");
+    assert!(person.sees().contains("not saved") && !person.has_left, "{}", person.sees());
+    assert!(person.types("<esc>").sees().contains("77 rpm"));
+    // A question that is asked while saving before the end does not end the program later.
+    person.types("q<enter>");
+    assert!(person.sees().contains("Save as"));
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("late.toml");
+    person.types("<esc>s<c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
+    assert!(path.exists() && !person.has_left);
+}
+
+#[test]
+fn saving_before_the_end_ends() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("last.toml");
+    let mut person = fan(80, 24);
+    person.types("<end>+q<enter><c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
+    assert!(person.has_left);
+    assert!(fs::read_to_string(&path).expect("the file is there").contains("1001 rpm"));
+}
+
+#[test]
+fn what_cannot_be_opened_or_saved_says_why_and_asks_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let missing = folder.path().join("nothing.toml");
+    let mut person = Person::at(80, 24);
+    person.types("o").types(missing.to_str().expect("a readable path")).types("<enter>");
+    assert!(person.sees().contains("there is no file"), "{}", person.sees());
+    person.types("<esc>o").types(folder.path().to_str().expect("a readable path")).types("<enter>");
+    assert!(person.sees().contains("is a folder"), "{}", person.sees());
+    person.types("<esc>");
+    let wrong = folder.path().join("wrong.toml");
+    fs::write(&wrong, "analysis = \"vibration/rotating-unbalence\"\n").expect("written");
+    person.types("o").types(wrong.to_str().expect("a readable path")).types("<enter>");
+    let screen = person.sees();
+    assert!(screen.contains("line 1") && screen.contains("rotating-unbalance"), "{screen}");
+    person.types("<esc>/rotunb<enter>s<c-u>/nowhere/at/all.toml<enter>");
+    assert!(person.sees().contains("/nowhere/at/all.toml"), "{}", person.sees());
+    assert!(person.sees().contains("Save as"));
+}
+
+#[test]
+fn the_title_of_a_file_cannot_drive_the_terminal() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("evil.toml");
+    fs::write(&path, format!("analysis = \"{FAN}\"\ntitle = \"a\\u001b[31m\\u202eb\"\n[inputs]\nmass = \"4\\u001b]0;x\\u0007 kg\"\n"))
+        .expect("written");
+    let mut person = Person::at(80, 24).opens_file(&path);
+    for _ in 0..6 {
+        let screen = person.types("]").sees();
+        assert!(!screen.chars().any(|c| c.is_control() && c != '\n'), "{screen:?}");
+        assert!(!screen.contains('\u{202e}'));
+    }
+}
