@@ -139,8 +139,20 @@ pub fn locate(text: &str, error: &FieldError) -> Option<Range<usize>> {
 
 /// The TOML document of a text, or where it is not TOML.
 pub(crate) fn document(text: &str) -> Result<Document<&str>, Vec<FileError>> {
-    Document::parse(text)
-        .map_err(|err| vec![FileError { why: Text::new(err.message().to_owned()), span: err.span() }])
+    Document::parse(text).map_err(|err| {
+        let key = err.span().and_then(|span| text.get(span)).unwrap_or_default().to_owned();
+        let why = match err.message() {
+            "duplicate key" => {
+                Text::new("the key `{key}` stands here a second time: keep one of the two").with("key", key)
+            }
+            nested if nested.contains("recurse") => {
+                Text::new("the file nests too deeply to be a problem: a problem has a handful of levels")
+            }
+            // The words of the TOML reader.
+            other => Text::new(other.to_owned()),
+        };
+        vec![FileError { why, span: err.span() }]
+    })
 }
 
 /// What an item of a file says, in the shape of the inputs.

@@ -277,7 +277,7 @@ fn text_that_is_no_problem_file_is_refused_with_its_place() {
         ("analysis = 3", "must be a text"),
         ("title = \"x\"", "the analysis is not named"),
         ("analysis = \"no/such\"", "there is no analysis `no/such`"),
-        ("analysis = \"a\"\nanalysis = \"b\"", "duplicate key"),
+        ("analysis = \"a\"\nanalysis = \"b\"", "the key `analysis` stands here a second time"),
         ("a = [[[[[[", ""),
     ] {
         let errors = file::parse(text).unwrap_err();

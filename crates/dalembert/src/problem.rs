@@ -81,9 +81,9 @@ fn of_analysis(entry: &'static Entry, case: Option<u32>, changes: &[String]) -> 
         Ok(record) if errors.is_empty() => Ok(Problem {
             entry,
             // With other inputs it is no longer the published problem.
+            name: if changes.is_empty() { case.name } else { String::new() },
             source: if changes.is_empty() { case.source } else { String::new() },
             note: if changes.is_empty() { case.note } else { String::new() },
-            name: case.name,
             draft,
             record,
             show: Vec::new(),

@@ -91,7 +91,11 @@ fn escaped(words: &str) -> String {
     }
     // A sentence that begins like an item of a list.
     match text.split_once(['.', ')']) {
-        Some((number, _)) if !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()) => {
+        Some((number, rest))
+            if !number.is_empty()
+                && number.bytes().all(|byte| byte.is_ascii_digit())
+                && (rest.is_empty() || rest.starts_with(' ')) =>
+        {
             text.insert(number.len(), '\\');
             text
         }

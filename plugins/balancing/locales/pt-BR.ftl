@@ -48,9 +48,10 @@ no-force-is-left = não resta força
 no-moment-is-left-about-plane-b = não resta momento em relação ao plano B
 
 ## Answers
-correction-in-plane-a-m-r = Correção no plano A, m r
-correction-in-plane-b-m-r = Correção no plano B, m r
-its-angle = Seu ângulo
+unbalance-of-the-correction-in-plane-a = Desbalanceamento da correção no plano A
+unbalance-of-the-correction-in-plane-b = Desbalanceamento da correção no plano B
+angle-in-plane-a = Ângulo no plano A
+angle-in-plane-b = Ângulo no plano B
 mass-in-plane-a = Massa no plano A
 mass-in-plane-b = Massa no plano B
 radius-in-plane-a = Raio no plano A

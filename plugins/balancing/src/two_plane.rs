@@ -2,7 +2,7 @@
 
 use dalembert_core::{
     About, Analysis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text,
-    Worksheet, register,
+    Worksheet, register, trace::ROUNDING,
 };
 use dalembert_mechanics::{
     Real, Vector,
@@ -124,14 +124,14 @@ impl Analysis for TwoPlane {
 
         let b = self.correction(sheet, ("U_B", "m_B", "r_B", "θ_B"), (x.in_b, y.in_b), &given.correction_b);
         let a = self.correction(sheet, ("U_A", "m_A", "r_A", "θ_A"), (x.in_a, y.in_a), &given.correction_a);
-        sheet.answer("unbalance_a", "Correction in plane A, m r", a.unbalance);
-        sheet.answer("angle_a", "Its angle", a.angle);
+        sheet.answer("unbalance_a", "Unbalance of the correction in plane A", a.unbalance);
+        sheet.answer("angle_a", "Angle in plane A", a.angle);
         match self.correction_a {
             Correction::Radius { .. } => sheet.answer("mass_a", "Mass in plane A", a.wanted),
             Correction::Mass { .. } => sheet.answer("radius_a", "Radius in plane A", a.wanted),
         }
-        sheet.answer("unbalance_b", "Correction in plane B, m r", b.unbalance);
-        sheet.answer("angle_b", "Its angle", b.angle);
+        sheet.answer("unbalance_b", "Unbalance of the correction in plane B", b.unbalance);
+        sheet.answer("angle_b", "Angle in plane B", b.angle);
         match self.correction_b {
             Correction::Radius { .. } => sheet.answer("mass_b", "Mass in plane B", b.wanted),
             Correction::Mass { .. } => sheet.answer("radius_b", "Radius in plane B", b.wanted),
@@ -292,6 +292,8 @@ impl TwoPlane {
         let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
         let row = |name: Text, x: f64, y: f64, z: f64| -> Vec<Cell> {
             let (u, angle) = (x.hypot(y), y.atan2(x).rem_euclid(TAU));
+            // The cosine of a right angle is zero, not its rounding.
+            let [x, y] = [x, y].map(|component| if component.abs() < ROUNDING * u { 0.0 } else { component });
             vec![
                 name.into(),
                 u.into(),
