@@ -435,7 +435,10 @@ fn files_that_are_no_problem_are_refused_in_one_message() {
         (b"analysis = 3", "must be a text"),
         (b"analysis = \"vibration/rotating-unbalence\"", "did you mean `vibration/rotating-unbalance`"),
         (b"format = 99\nanalysis = \"x\"", "99"),
-        (b"analysis = \"vibration/rotating-unbalance\"\n[inputs]\nmass = 1\nmass = 2", "stands here a second time"),
+        (
+            b"analysis = \"vibration/rotating-unbalance\"\n[inputs]\nmass = 1\nmass = 2",
+            "stands here a second time",
+        ),
         (deep.as_bytes(), "problem.toml"),
         (dotted.as_bytes(), "problem.toml"),
         (long.as_bytes(), "mass"),

@@ -3,6 +3,7 @@
 use std::fs;
 
 use dalembert_tests::person::Person;
+use dalembert_tui::{Msg, files::FileError};
 
 const FAN: &str = "vibration/rotating-unbalance";
 
@@ -30,6 +31,57 @@ fn a_problem_is_saved_and_opened_with_its_comments() {
     person.types("s");
     let text = fs::read_to_string(&path).expect("the file is there");
     assert!(text.contains("# measured on Monday") && text.contains("1002 rpm"), "{text}");
+}
+
+#[test]
+fn a_name_that_is_typed_takes_the_place_of_the_proposed_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("mine.toml");
+    let mut person = fan(80, 24);
+    person.types("s");
+    assert!(person.sees().contains("rotating-unbalance.toml"));
+    person.types(path.to_str().expect("a readable path")).types("<enter>");
+    assert!(path.exists(), "{}", person.sees());
+    // After a key that moves the cursor the proposal is edited.
+    person.types("S<end><bs><bs><bs><bs><bs>2<enter>");
+    assert!(folder.path().join("mine2.toml").exists(), "{}", person.sees());
+}
+
+#[test]
+fn the_name_of_a_published_case_does_not_stay_on_other_inputs() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let saved = |person: &mut Person, name: &str| {
+        let path = folder.path().join(name);
+        person.types("S").types(path.to_str().expect("a readable path")).types("<enter>");
+        fs::read_to_string(&path).expect("the file is there")
+    };
+    let mut person = fan(80, 24);
+    let case = "Fan on a cantilever";
+    assert!(saved(&mut person, "case.toml").contains(&format!("title = \"{case}\"")));
+    person.types("<end>+");
+    assert!(person.sees().contains(&format!("{case} (changed)")), "{}", person.sees());
+    assert!(!saved(&mut person, "changed.toml").contains(case));
+    // Back to the case, and back to its name.
+    person.types("-");
+    assert!(!person.sees().contains("(changed)") && person.sees().contains(case), "{}", person.sees());
+
+    // The same from the file of the case.
+    let mut person = Person::at(80, 24).opens_file(folder.path().join("case.toml"));
+    assert!(person.sees().contains(case) && !person.sees().contains("(changed)"), "{}", person.sees());
+    person.types("<end>+s");
+    let text = fs::read_to_string(folder.path().join("case.toml")).expect("the file is there");
+    assert!(!text.contains(case) && text.contains("1001 rpm"), "{text}");
+
+    // A title that the person gives stays.
+    person.types(":rename<enter>Paint shop<enter>");
+    assert!(
+        person.sees().contains("● case.toml") && person.sees().contains("Paint shop"),
+        "{}",
+        person.sees()
+    );
+    person.types("+s");
+    let text = fs::read_to_string(folder.path().join("case.toml")).expect("the file is there");
+    assert!(text.contains("title = \"Paint shop\""), "{text}");
 }
 
 #[test]
@@ -117,4 +169,41 @@ fn the_title_of_a_file_cannot_drive_the_terminal() {
         assert!(!screen.chars().any(|c| c.is_control() && c != '\n'), "{screen:?}");
         assert!(!screen.contains('\u{202e}'));
     }
+}
+
+#[test]
+fn every_question_shows_its_answers_however_small_the_screen() {
+    let questions: [(Asked, &[&str]); 3] = [
+        (|person| _ = person.types("<end>+q"), &["save and quit", "quit without", "stay"]),
+        (
+            |person| is_refused(person, FileError::Exists(DEEP.into())),
+            &["save under", "write over it", "stay"],
+        ),
+        (
+            |person| is_refused(person, FileError::Changed(DEEP.into())),
+            &["save under", "read it again", "write over it", "stay"],
+        ),
+    ];
+    for (columns, rows) in [(20, 6), (30, 8), (40, 12), (80, 24)] {
+        for (asked, answers) in &questions {
+            let mut person = fan(columns, rows);
+            asked(&mut person);
+            let screen = person.sees();
+            for answer in *answers {
+                assert!(screen.contains(answer), "{columns} × {rows} hides `{answer}`:\n{screen}");
+            }
+            assert!(screen.contains("Esc close"), "{columns} × {rows}:\n{screen}");
+        }
+    }
+}
+
+/// What leads to a question.
+type Asked = fn(&mut Person);
+
+/// A path that takes a line and more of a small screen.
+const DEEP: &str = "/a/long/way/down/to/the/fan.toml";
+
+/// A save ends in an error.
+fn is_refused(person: &mut Person, error: FileError) {
+    person.happens(Msg::Saved { path: DEEP.into(), text: String::new(), result: Err(error) });
 }

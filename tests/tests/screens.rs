@@ -1,4 +1,5 @@
 //! The workbench as a person sees it: keys in, screens out.
+// Long because every key and every screen has its test here, and they share their words.
 
 use dalembert_core::registry;
 use dalembert_tests::person::Person;
@@ -97,6 +98,29 @@ fn a_wide_screen_has_three_columns() {
 }
 
 #[test]
+fn a_wide_screen_has_room_for_the_names_of_materials() {
+    let mut seen = 0;
+    for entry in registry() {
+        let cases = dalembert_core::cases::cases(entry).expect("the cases of an analysis can be read");
+        for (at, case) in cases.iter().enumerate() {
+            let mut person = Person::at(160, 50).opens(entry.about.id);
+            person.types("[<tab>").types(&"<down>".repeat(at)).types("<enter><tab>");
+            let form = &person.model.bench.as_ref().expect("a problem is open").form;
+            let wanted = form.lines().iter().filter(|line| line.field.label == "Young's modulus").count();
+            let screen = person.sees();
+            assert!(
+                screen.matches("Young's modulus").count() >= wanted,
+                "{}, {}:\n{screen}",
+                entry.about.id,
+                case.name
+            );
+            seen += wanted;
+        }
+    }
+    assert!(seen > 0, "some case has a Young's modulus");
+}
+
+#[test]
 fn a_small_screen_has_one() {
     let mut person = fan(40, 12);
     assert_snapshot!("small_form", person.sees());
@@ -189,7 +213,6 @@ fn what_cannot_be_read_is_said_and_old_results_are_not_passed_off() {
 #[test]
 fn every_kind_of_wrong_text_names_field_value_and_repair() {
     for (typed, said) in [
-        ("", "speed"),
         ("abc", "abc"),
         ("3 kg", "angular velocity"),
         ("1.000,5 rpm", "1.000,5"),
@@ -200,10 +223,53 @@ fn every_kind_of_wrong_text_names_field_value_and_repair() {
         let mut person = fan(100, 40);
         person.types("<end><del>").types(typed).types("<enter>");
         let screen = person.sees();
-        assert!(screen.contains("speed: "), "{typed}:\n{screen}");
+        assert!(screen.contains("Speed of the machine: "), "{typed}:\n{screen}");
         assert!(screen.contains(said), "{typed} does not say {said}:\n{screen}");
         assert!(person.sees_dim("Amplitude at this speed"), "{typed}");
     }
+}
+
+#[test]
+fn an_empty_input_is_needed_and_not_wrong() {
+    let mut person = fan(100, 40);
+    let red =
+        |person: &mut Person| person.draws().content.iter().filter(|cell| cell.fg == Color::Red).count();
+    let before = red(&mut person);
+    person.types("<end><del><enter>");
+    let screen = person.sees();
+    assert_eq!(screen.matches("1 to be filled in").count(), 2, "inputs and results say it:\n{screen}");
+    assert!(after(&screen, "▸ Speed").contains("needed"), "{screen}");
+    assert!(person.sees_dim("Amplitude at this speed"));
+    assert_eq!(red(&mut person), before, "{screen}");
+    // What is wrong comes before what is missing, on every tab.
+    person.types("<home><del>heavy<enter>");
+    assert!(person.sees().contains("1 to be put right"), "{}", person.sees());
+}
+
+#[test]
+fn a_row_that_is_added_waits_at_its_first_field() {
+    let mut person = Person::at(80, 40).opens(ROTOR);
+    let form = &mut person.model.bench.as_mut().expect("a problem is open").form;
+    let row = form.lines().iter().find_map(|line| line.number.map(|_| line.path.clone()));
+    form.go_to(&row.expect("it has rows"));
+    person.types("a");
+    let form = &person.model.bench.as_ref().expect("a problem is open").form;
+    let at = form.line().expect("the cursor is on a line");
+    assert!(matches!(at.role, dalembert_tui::form::Role::Leaf { .. }), "{at:?}");
+    assert!(at.path.contains("[2]."), "{}", at.path);
+    let needed = person.model.bench.as_ref().expect("a problem is open").errors.len();
+    let screen = person.sees();
+    assert!(needed > 1 && screen.contains(&format!("{needed} to be filled in")), "{screen}");
+    assert!(!screen.contains("to be put right") && !screen.contains("✗"), "{screen}");
+    assert_eq!(screen.matches(" needed").count(), needed, "{screen}");
+}
+
+#[test]
+fn a_digit_on_a_field_with_a_list_says_what_opens_it() {
+    let mut person = fan(80, 24);
+    person.types("<down><down>4");
+    assert!(person.sees().contains("Enter opens the choices"), "{}", person.sees());
+    assert!(person.types("<esc>").model.bench.as_ref().is_some_and(|bench| !bench.is_unsaved()));
 }
 
 #[test]
@@ -280,6 +346,15 @@ fn units_are_cycled_without_changing_the_quantity() {
         assert_eq!(after(&screen, "Amplitude at this speed"), before, "{unit}");
     }
     assert!(line_with(&person.sees(), "▸ Speed").contains("1000 rpm"), "{}", person.sees());
+}
+
+#[test]
+fn a_converted_number_is_written_and_nudged_as_a_person_would() {
+    let mut person = Person::in_portuguese(110, 30).opens(FAN);
+    person.types("<end>uuuu");
+    assert!(line_with(&person.sees(), "▸ Rotação").contains("104,719755 rad/s"), "{}", person.sees());
+    person.types("+");
+    assert!(line_with(&person.sees(), "▸ Rotação").contains("104,819755 rad/s"), "{}", person.sees());
 }
 
 #[test]

@@ -1,8 +1,9 @@
 //! The widgets of the workbench: plots, drawings and panes, as plain functions of plain data.
+// Long because plots, drawings and panes are held to the same few machines, drawn here once.
 
 use dalembert_core::{
-    Answer, AnswerValue, Axis, Cell, Check, Column, Draft, Drawing, DrawnShape, Entry, Exhibit, Ink, Locale,
-    Plot, Refusal, Scale, Series, Solution, SolveError, Stop, TableExhibit, Text, cases, find,
+    Answer, AnswerValue, Axis, Cell, Check, Column, Draft, Drawing, DrawnShape, Entry, Exhibit, FieldError,
+    Ink, Locale, Plot, Refusal, Scale, Series, Solution, SolveError, Stop, TableExhibit, Text, cases, find,
 };
 use dalembert_mechanics::{intervals::IntervalSet, sdof};
 use dalembert_plugins as _;
@@ -10,7 +11,7 @@ use dalembert_tui::{
     drawing,
     glyphs::Colors,
     look::Look,
-    panes::{results, sources, table, working},
+    panes::{label_of, results, sources, table, working},
     plot::{self, Marker, State},
 };
 use ratatui::{buffer::Buffer, layout::Rect, style::Color, text::Line};
@@ -451,7 +452,7 @@ fn doubts_and_faults_are_not_passed_over() {
 #[test]
 fn a_refusal_is_said_in_words() {
     let error = SolveError::Refused(Refusal::NoAnswer("there is no steady state".into()));
-    let shown = text(&results::refusal(&error, &UNICODE, &Locale::english(), 40));
+    let shown = text(&results::refusal(None, &error, &UNICODE, &Locale::english(), 40));
     assert_eq!(shown, "There is no answer\n\nthere is no steady state");
     let (entry, _) = solved();
     let mut draft = cases::first(entry).unwrap().draft;
@@ -459,7 +460,7 @@ fn a_refusal_is_said_in_words() {
         fields.clear();
     }
     let Err(errors) = draft.read(&entry.shape()) else { panic!("an empty form was read") };
-    let shown = text(&results::refusal(&SolveError::Fields(errors), &UNICODE, &Locale::english(), 60));
+    let shown = text(&results::refusal(None, &SolveError::Fields(errors), &UNICODE, &Locale::english(), 60));
     assert!(shown.contains("✗ mass: "), "{shown}");
 }
 
@@ -471,7 +472,7 @@ fn cases_are_shown_with_their_verdicts() {
         .into_iter()
         .map(|case| sources::Judged { verdicts: Some(case.verify(entry)), case })
         .collect();
-    let page = sources::lines(entry, &cases, Some(0), &UNICODE, &Locale::english(), 90);
+    let page = sources::lines(entry, &cases, Some(0), &[], &UNICODE, &Locale::english(), 90);
     let shown = text(&page.lines);
     assert_eq!(page.starts.len(), cases.len());
     assert!(page.lines[page.starts[0]].to_string().starts_with("▸ 1  "), "{shown}");
@@ -479,7 +480,7 @@ fn cases_are_shown_with_their_verdicts() {
         assert!(shown.contains(words), "{words} in\n{shown}");
     }
     for width in 24..120u16 {
-        let page = sources::lines(entry, &cases, None, &UNICODE, &Locale::portuguese(), width);
+        let page = sources::lines(entry, &cases, None, &[], &UNICODE, &Locale::portuguese(), width);
         assert!(
             page.lines.iter().all(|line| line.width() <= width.into()),
             "{width}:\n{}",
@@ -487,7 +488,7 @@ fn cases_are_shown_with_their_verdicts() {
         );
     }
     let waiting = sources::Judged { verdicts: None, ..cases[0].clone() };
-    let shown = text(&sources::lines(entry, &[waiting], None, &UNICODE, &Locale::english(), 90).lines);
+    let shown = text(&sources::lines(entry, &[waiting], None, &[], &UNICODE, &Locale::english(), 90).lines);
     assert!(shown.contains("not solved yet"));
 }
 
@@ -521,6 +522,126 @@ fn a_table_is_aligned_and_none_of_its_columns_is_lost() {
 }
 
 #[test]
+fn every_block_of_a_table_names_its_rows() {
+    let column = |heading: &'static str| Column { heading: heading.into(), unit: "mm" };
+    let names = Column { heading: "Method of computation".into(), unit: "" };
+    let table = TableExhibit {
+        title: "".into(),
+        columns: [
+            vec![names],
+            ["Greatest amplitude", "Least amplitude", "Mean amplitude"].map(column).into(),
+        ]
+        .concat(),
+        rows: vec![vec!["Newton's second law".into(), 1.0.into(), 2.0.into(), 3.0.into()]],
+        foot: Vec::new(),
+    };
+    // Names get half the width where they need it; at 32 cells, that shows eleven letters.
+    for width in 32..90 {
+        let lines = table::lines(&table, &UNICODE, &Locale::english(), width);
+        let shown = text(&lines);
+        let headings = shown.lines().filter(|line| line.contains("amplitude")).count();
+        let named = shown.lines().filter(|line| line.starts_with("Newton's se")).count();
+        assert_eq!(named, headings, "{width}:\n{shown}");
+        assert!(lines.iter().all(|line| line.width() <= width.into()), "{width}:\n{shown}");
+        for heading in ["Greatest", "Least", "Mean"] {
+            assert!(shown.contains(heading), "{heading} at {width}:\n{shown}");
+        }
+    }
+}
+
+#[test]
+fn one_long_label_does_not_undo_the_columns() {
+    let (_, mut solution) = solved();
+    let long = "Greatest amplitude of the machine at any speed that its motor can reach";
+    solution.answers.push(Answer { label: long, ..solution.answers[0].clone() });
+    let shown = text(&results::lines(&solution, &UNICODE, &Locale::english(), 70));
+    let column = |words: &str, of: &str| {
+        let line = shown.lines().find(|line| line.contains(words)).expect("the line is there");
+        line.find(of).map(|at| line[..at].chars().count()).expect("the line holds it")
+    };
+    assert_eq!(column("Natural frequency", "rad/s"), column("Amplitude at this speed", "mm"), "{shown}");
+    assert_eq!(column("Phase lag", "°"), column("Amplitude at this speed", "mm"), "{shown}");
+    assert_eq!(column("Phase lag", "."), column("Amplitude at this speed", "."), "{shown}");
+    assert!(
+        shown.contains("Greatest amplitude of the machine at any\nspeed that its motor can reach "),
+        "{shown}"
+    );
+}
+
+#[test]
+fn fields_are_named_by_their_labels() {
+    let (entry, _) = solved();
+    let label = |path: &str, locale: Locale| label_of(&entry.shape(), path, &locale);
+    assert_eq!(label("mass", Locale::english()).as_deref(), Some("Mass of the machine"));
+    let length = label("support.cantilever.length", Locale::english());
+    assert_eq!(length.as_deref(), Some("Length"));
+    assert_ne!(label("mass", Locale::portuguese()), label("mass", Locale::english()));
+    for path in ["", "no_such_field", "mass.x", "support.cantilever.no_such_field", "mass[1]", "[[]."] {
+        assert_eq!(label(path, Locale::english()), None, "{path}");
+    }
+    let errors = vec![
+        FieldError::new("mass", "it must be positive"),
+        FieldError::new("nowhere", "it must be positive"),
+    ];
+    let shape = entry.shape();
+    let error = SolveError::Fields(errors);
+    let shown = text(&results::refusal(Some(&shape), &error, &UNICODE, &Locale::english(), 60));
+    assert!(shown.contains("✗ Mass of the machine: it must be positive"), "{shown}");
+    assert!(shown.contains("✗ nowhere: it must be positive"), "{shown}");
+}
+
+#[test]
+fn verdicts_are_written_as_everything_else_is() {
+    let (entry, solution) = solved();
+    let case = cases::first(entry).unwrap();
+    let mut verdicts = case.verify(entry).unwrap();
+    (verdicts[0].printed, verdicts[0].ours) = ("-1.5e-3 m s^-1".into(), "−1.5004 m/s".into());
+    let judged = [sources::Judged { verdicts: Some(Ok(verdicts)), case }];
+    let shown = |look: &Look, locale: &Locale| {
+        text(&sources::lines(entry, &judged, None, &solution.answers, look, locale, 100).lines)
+    };
+    let english = shown(&UNICODE, &Locale::english());
+    assert!(english.contains("✓ Natural frequency "), "{english}");
+    assert!(english.contains(" −1.5e-3 m s^-1  −1.5004 m/s "), "{english}");
+    let portuguese = shown(&UNICODE, &Locale::portuguese());
+    assert!(portuguese.contains(" −1.5e-3 m s^-1  −1,5004 m/s "), "{portuguese}");
+    let ascii = shown(&ASCII, &Locale::english());
+    assert!(ascii.contains(" -1.5e-3 m s^-1  -1.5004 m/s "), "{ascii}");
+}
+
+#[test]
+fn long_titles_go_on_in_a_second_line() {
+    let title = "Steady amplitude of the machine against the speed of its motor";
+    let plot = Plot { title: title.into(), ..fan() };
+    let drawing = Drawing { title: title.into(), shapes: vec![DrawnShape::Pin((0.0, 0.0))] };
+    let whole = |screen: &str| {
+        let lines: Vec<&str> = screen.lines().take(2).map(str::trim).collect();
+        lines.join(" ") == title
+    };
+    let sketch = |height| {
+        screen(40, height, |area, buffer| {
+            drawing::render(&drawing, &UNICODE, &Locale::english(), area, buffer);
+        })
+    };
+    let curve = |height| drawn(&plot, &State::default(), &UNICODE, &Locale::english(), (40, height));
+    assert!(whole(&curve(20)) && whole(&sketch(20)));
+    for low in [curve(10), sketch(10)] {
+        assert!(low.lines().next().unwrap().ends_with('…'), "{low}");
+    }
+}
+
+#[test]
+fn marks_are_seen_on_their_curves_in_ascii() {
+    let plot = fan().mark("at half of it", (50.0, amplitude(50.0)));
+    let shown = drawn(&plot, &State::default(), &ASCII, &Locale::english(), (76, 20));
+    assert_eq!(shown.matches('@').count(), 2, "{shown}");
+    assert!(shown.contains("at this speed") && shown.contains("at half of it"), "{shown}");
+    let cursor = State { cursor: Some(200.0), ..State::default() };
+    let shown = drawn(&plot, &cursor, &ASCII, &Locale::english(), (76, 20));
+    assert_eq!(shown.matches('O').count(), 1, "{shown}");
+}
+
+#[test]
 fn the_panes_speak_portuguese() {
     let locale = Locale::portuguese();
     let (_, mut solution) = solved();
@@ -533,7 +654,7 @@ fn the_panes_speak_portuguese() {
         assert!(shown.contains(words), "{words} in\n{shown}");
     }
     let error = SolveError::Refused(Refusal::NoAnswer("k".into()));
-    assert!(text(&results::refusal(&error, &UNICODE, &locale, 40)).starts_with("Não há resposta"));
+    assert!(text(&results::refusal(None, &error, &UNICODE, &locale, 40)).starts_with("Não há resposta"));
     let nothing = Plot::new("", Axis::linear("", ""), Axis::linear("", ""), Vec::new());
     assert!(drawn(&nothing, &State::default(), &UNICODE, &locale, (40, 5)).contains("nada a desenhar"));
     for words in [
@@ -553,6 +674,9 @@ fn the_panes_speak_portuguese() {
         "agreed",
         "disputed",
         "differing",
+        "refusal",
+        "permitted",
+        "forbidden",
     ] {
         assert!(dalembert_core::text::is_translated(words), "{words}");
     }

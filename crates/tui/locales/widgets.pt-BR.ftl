@@ -20,3 +20,6 @@ ours = nosso
 agreed = confere
 disputed = contestada
 differing = diverge
+permitted = permitido
+forbidden = proibido
+refusal = recusa

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use dalembert_core::{
-    Draft, Drawing, Entry, Exhibit, FieldError, Plot, Solution, TableExhibit, file::Problem,
+    Draft, Drawing, Entry, Exhibit, FieldError, Plot, Solution, TableExhibit, Text, cases::Case,
+    file::Problem,
 };
 
 use crate::{files::Fingerprint, form::Form, keys::Place, panes::sources::Judged, plot, solver::Failure};
@@ -13,8 +14,10 @@ use crate::{files::Fingerprint, form::Form, keys::Place, panes::sources::Judged,
 pub struct Bench {
     /// Its analysis.
     pub entry: &'static Entry,
-    /// What it is called: the case it began with, or the title of its file.
+    /// The title that the person gave it; may be empty.
     pub title: String,
+    /// The published case that its inputs began as.
+    pub origin: Option<Case>,
     /// How answers are shown: `(answer, unit)`.
     pub show: Vec<(String, String)>,
     /// Its inputs.
@@ -43,8 +46,8 @@ pub struct Bench {
     pub plot_state: plot::State,
     /// Its file.
     pub file: Option<OpenFile>,
-    /// The inputs as they are in the file, or as the case has them.
-    saved: Draft,
+    /// Title and inputs as they are in the file, or as the case has them.
+    saved: (String, Draft),
 }
 
 /// The file of a problem.
@@ -136,9 +139,11 @@ impl Bench {
     pub fn new(entry: &'static Entry, title: String, draft: Draft, cases: Vec<Judged>) -> Self {
         Self {
             entry,
+            saved: (title.clone(), draft.clone()),
             title,
+            origin: None,
             show: Vec::new(),
-            form: Form::new(entry, draft.clone()),
+            form: Form::new(entry, draft),
             errors: Vec::new(),
             found: Found::default(),
             cases,
@@ -151,7 +156,6 @@ impl Bench {
             drawing: 0,
             plot_state: plot::State::default(),
             file: None,
-            saved: draft,
         }
     }
 
@@ -166,23 +170,66 @@ impl Bench {
 
     /// Whether there is something to save.
     pub fn is_unsaved(&self) -> bool {
-        self.form.draft != self.saved
+        (&self.title, &self.form.draft) != (&self.saved.0, &self.saved.1)
     }
 
     /// What is on the screen is in the file now.
     pub fn mark_saved(&mut self) {
-        self.saved = self.form.draft.clone();
+        self.saved = (self.title.clone(), self.form.draft.clone());
     }
 
     /// What is on the screen is in no file: it comes from a crashed session.
     pub fn mark_unsaved(&mut self) {
-        self.saved = Draft::Absent;
+        self.saved.1 = Draft::Absent;
     }
 
     /// The problem as it is saved.
     pub fn problem(&self) -> Problem {
-        let Self { entry, title, form, show, .. } = self;
-        Problem { entry, title: title.clone(), draft: form.draft.clone(), show: show.clone() }
+        let Self { entry, form, show, .. } = self;
+        let title = match &self.origin {
+            Some(case) if self.title.is_empty() && case.draft == form.draft => case.name.clone(),
+            _ => self.title.clone(),
+        };
+        Problem { entry, title, draft: form.draft.clone(), show: show.clone() }
+    }
+
+    /// What it is called: its title, or the case it began as, which it is no more once an input was changed.
+    pub fn name(&self) -> Text {
+        match &self.origin {
+            _ if !self.title.is_empty() => Text::new("{title}").with("title", &self.title),
+            Some(case) if case.draft == self.form.draft => Text::new("{title}").with("title", &case.name),
+            Some(case) => Text::new("{title} (changed)").with("title", &case.name),
+            None => Text::from(""),
+        }
+    }
+
+    /// Errors of what is written; an input that is still empty is [needed](Self::needed), not wrong.
+    pub fn wrong(&self) -> impl Iterator<Item = &FieldError> {
+        self.errors.iter().filter(|error| !self.is_empty(error))
+    }
+
+    /// Errors of inputs that are still to be filled in.
+    pub fn needed(&self) -> impl Iterator<Item = &FieldError> {
+        self.errors.iter().filter(|error| self.is_empty(error))
+    }
+
+    /// How much is left to do before there can be a solution; `None` where there is nothing.
+    pub fn to_do(&self) -> Option<Text> {
+        let (wrong, needed) = (self.wrong().count(), self.needed().count());
+        match (wrong, needed) {
+            (0, 0) => None,
+            (0, _) => Some(Text::new("{count} to be filled in").with("count", needed)),
+            _ => Some(Text::new("{count} to be put right").with("count", wrong)),
+        }
+    }
+
+    /// How many plots or drawings a tab can show, one at a time.
+    pub fn exhibits_of(&self, tab: Tab) -> usize {
+        match tab {
+            Tab::Plot => self.plots().count(),
+            Tab::Drawing => self.drawings().count(),
+            Tab::Results | Tab::Working | Tab::Table | Tab::Sources => 0,
+        }
     }
 
     /// The tabs that have something to show; the first and the last always do.
@@ -229,6 +276,11 @@ impl Bench {
     /// Whether the newest solution does not belong to the present inputs.
     pub fn is_stale(&self) -> bool {
         self.found.state != State::Current || self.found.failure.is_some()
+    }
+
+    fn is_empty(&self, error: &FieldError) -> bool {
+        let place = self.form.draft.at(&self.entry.shape(), &error.path);
+        matches!(place, Ok((Draft::Leaf(text), _)) if text.trim().is_empty())
     }
 
     fn exhibits(&self) -> impl Iterator<Item = &Exhibit> {

@@ -39,12 +39,14 @@ pub enum Dialog {
         /// The chosen one.
         chosen: usize,
     },
-    /// A path is asked for.
+    /// A line of text is asked for.
     Prompt {
         /// What for.
         purpose: Purpose,
-        /// What is typed.
+        /// What is typed, or proposed.
         input: Input,
+        /// Whether it is a proposal still: the first character that is typed takes its place.
+        proposed: bool,
         /// Why the last one would not do.
         error: Option<Text>,
     },
@@ -88,13 +90,15 @@ pub enum Chosen {
     Text(String),
 }
 
-/// What a path is for.
+/// What a line of text is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// To save under.
+    /// The path to save under.
     SaveAs,
-    /// To open.
+    /// The path to open.
     Open,
+    /// The title of the problem.
+    Title,
 }
 
 /// What follows an answer.
@@ -140,6 +144,16 @@ impl Dialog {
             Dialog::Choice { .. } | Dialog::Ask { .. } => Place::List,
             Dialog::Sheet(_) => Place::Sheet,
         }
+    }
+
+    /// A line of text is asked for; a proposal gives way to what is typed.
+    pub fn prompt(purpose: Purpose, proposal: String) -> Self {
+        Dialog::Prompt { purpose, proposed: !proposal.is_empty(), input: proposal.into(), error: None }
+    }
+
+    /// What was typed will not do: it is asked for again, to be put right.
+    pub fn prompt_again(purpose: Purpose, typed: String, error: Text) -> Self {
+        Dialog::Prompt { purpose, proposed: false, input: typed.into(), error: Some(error) }
     }
 
     /// An empty palette.

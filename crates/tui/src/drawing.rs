@@ -2,13 +2,14 @@
 
 mod strokes;
 
-use dalembert_core::{Drawing, DrawnShape, Locale, Point, Text};
-use ratatui::{buffer::Buffer, layout::Rect};
+use dalembert_core::{Drawing, DrawnShape, Ink, Locale, Point, Text};
+use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
 use self::strokes::{Box2, Part, Stroke, strokes};
 use crate::{
     look::Look,
+    panes::wrap,
     plot::{
         Marker,
         dots::{Dots, Pen},
@@ -24,9 +25,11 @@ pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffe
     }
     let locale = Locale { style: dalembert_units::Style { ascii: look.ascii, ..locale.style }, ..*locale };
     if area.height >= 6 {
-        let title = look.shortened(&drawing.title.render(&locale), area.width.into());
-        buffer.set_string(area.x, area.y, title, look.title());
-        area = Rect { y: area.y + 1, height: area.height - 1, ..area };
+        let most = if area.height > 10 { 2 } else { 1 };
+        for line in wrap::title(&drawing.title.render(&locale), area.width.into(), most, look) {
+            buffer.set_string(area.x, area.y, line, look.title());
+            area = Rect { y: area.y + 1, height: area.height - 1, ..area };
+        }
     }
     let all = strokes(drawing);
     let labels: Vec<(Point, String)> = labels(drawing, &locale);
@@ -69,8 +72,18 @@ fn draw(stroke: &Stroke, fit: &Fit, look: &Look, dots: &mut Dots) {
     if stroke.part == Part::Solid {
         dots.hide(&points);
     }
-    if look.ascii && stroke.part == Part::Head {
-        return;
+    if look.ascii {
+        match (stroke.part, &points[..]) {
+            (Part::Head | Part::Hatch, _) => return,
+            (Part::Spring, [from, .., to]) => return spring(*from, *to, style, dots),
+            (Part::Ground, [from, to]) => hatch(*from, *to, look, dots),
+            (Part::Round, _) if is_small(&points) => {
+                let at = middle(&points);
+                dots.line(at, at, Pen::solid(style, 'O'));
+                return;
+            }
+            _ => {}
+        }
     }
     for pair in points.windows(2) {
         let stamp = if stroke.part == Part::Round { 'o' } else { stamp(pair[0], pair[1]) };
@@ -81,6 +94,47 @@ fn draw(stroke: &Stroke, fit: &Fit, look: &Look, dots: &mut Dots) {
     {
         dots.line(*head, *head, Pen::solid(style, head_stamp(*tail, *head)));
     }
+}
+
+/// A zigzag of slashes between two straight ends: where a cell is one dot, a wave is not wide enough to be seen.
+fn spring(from: (f64, f64), to: (f64, f64), style: Style, dots: &mut Dots) {
+    let (across, down) = (to.0 - from.0, to.1 - from.1);
+    let steps = across.abs().max(down.abs()).round().clamp(1.0, 1000.0);
+    let straight = stamp(from, to);
+    for n in 0..=steps as u32 {
+        let share = f64::from(n) / steps;
+        let at = (from.0 + across * share, from.1 + down * share);
+        let stamp = match ((0.15..=0.85).contains(&share), n % 2) {
+            (false, _) => straight,
+            (true, 0) => '/',
+            (true, _) => '\\',
+        };
+        dots.line(at, at, Pen::solid(style, stamp));
+    }
+}
+
+/// A row of slashes one cell from the surface of the ground, at its right-hand side.
+fn hatch(from: (f64, f64), to: (f64, f64), look: &Look, dots: &mut Dots) {
+    let (across, down) = (to.0 - from.0, to.1 - from.1);
+    let longer = across.abs().max(down.abs());
+    if longer > 0.0 {
+        let beside = |at: (f64, f64)| ((at.0).round() - down / longer, (at.1).round() + across / longer);
+        dots.line(beside(from), beside(to), Pen::solid(look.ink(Ink::Faint), '/'));
+    }
+}
+
+/// Whether a circle is too small for its outline to be seen as one.
+fn is_small(points: &[(f64, f64)]) -> bool {
+    let size = |of: fn(&(f64, f64)) -> f64| {
+        let least = points.iter().map(of).fold(f64::INFINITY, f64::min);
+        points.iter().map(of).fold(f64::NEG_INFINITY, f64::max) - least
+    };
+    size(|at| at.0) < 2.5 && size(|at| at.1) < 1.25
+}
+
+fn middle(points: &[(f64, f64)]) -> (f64, f64) {
+    let sum = points.iter().fold((0.0, 0.0), |sum, at| (sum.0 + at.0, sum.1 + at.1));
+    (sum.0 / points.len().max(1) as f64, sum.1 / points.len().max(1) as f64)
 }
 
 /// The character that runs along a line of cells. A cell is twice as high as wide.

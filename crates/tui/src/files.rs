@@ -5,6 +5,7 @@
 //! unsaved work where the next start finds it. Every message names the file and says what to do.
 
 mod autosave;
+mod process;
 mod save;
 #[cfg(test)]
 mod tests;

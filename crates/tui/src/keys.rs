@@ -67,6 +67,8 @@ pub enum Action {
     Save,
     /// Saves it under another name.
     SaveAs,
+    /// Asks for the title of the problem.
+    Rename,
     /// Opens a problem file.
     Open,
     /// Types into the filter.
@@ -329,6 +331,7 @@ pub const FORM: &[Binding] = &[
     bind(Action::Redo, &[typed('Z')], "redo", ""),
     bind(Action::Save, &[typed('s'), ctrl('s')], "save", "save"),
     bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
+    bind(Action::Rename, &[typed('T')], "rename: give it a title", ""),
     bind(Action::Copy, &[typed('y')], "copy what the tab shows", ""),
     bind(Action::Back, ESC, "one step back", ""),
 ];

@@ -48,7 +48,7 @@ pub fn bench(area: Rect, focus: Focus) -> Areas {
     let [title, body, help, footer] = frame(area);
     let areas = Areas { title, form: None, pane: None, picture: None, help, footer };
     if body.width >= THREE_COLUMNS {
-        let form = (body.width * 3 / 10).clamp(44, 60);
+        let form = (body.width * 5 / 16).clamp(44, 60);
         let [form, pane, picture] =
             Layout::horizontal([Constraint::Length(form), Constraint::Fill(1), Constraint::Fill(1)])
                 .areas(body);

@@ -5,8 +5,9 @@ pub mod results;
 pub mod sources;
 pub mod table;
 pub mod working;
-mod wrap;
+pub(crate) mod wrap;
 
+use dalembert_core::{Field, Locale, Shape, Text};
 use ratatui::text::Line;
 
 dalembert_core::messages!("../locales/widgets.pt-BR.ftl");
@@ -18,4 +19,39 @@ pub struct Page {
     pub lines: Vec<Line<'static>>,
     /// The first line of each step or case.
     pub starts: Vec<usize>,
+}
+
+/// The label of the field at a path, in the language: `Radius` for `masses[1].radius`. A component of a vector and a
+/// row keep their own part behind it: `Position x`, `Masses 2`. `None` where the path names no field.
+pub fn label_of(shape: &Shape, path: &str, locale: &Locale) -> Option<String> {
+    let mut shape = *shape;
+    let mut label: Option<String> = None;
+    for part in path.split(['.', '[']) {
+        while let Shape::Optional(inner) = shape {
+            shape = *inner();
+        }
+        let field = |fields: &'static [Field]| fields.iter().find(|field| field.name == part);
+        match shape {
+            Shape::Group(fields) | Shape::Table(fields) => {
+                let field = field(fields())?;
+                label = Some(Text::new(field.label).render(locale));
+                shape = field.shape;
+            }
+            Shape::OneOf(variants) => {
+                let variant = variants().iter().find(|variant| variant.name == part)?;
+                label = Some(Text::new(variant.label).render(locale));
+                shape = Shape::Group(variant.fields);
+            }
+            Shape::Rows { item, .. } => {
+                label = Some(format!("{} {}", label?, part.strip_suffix(']')?));
+                shape = *item();
+            }
+            Shape::Vector(measure, _) => {
+                label = Some(format!("{} {part}", label?));
+                shape = Shape::Quantity(measure);
+            }
+            _ => return None,
+        }
+    }
+    label
 }

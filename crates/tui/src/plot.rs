@@ -122,6 +122,13 @@ pub(crate) fn point(n: usize, look: &Look) -> char {
     if look.ascii { ascii[n % ascii.len()] } else { unicode[n % unicode.len()] }
 }
 
+/// What permitted and forbidden ranges are shaded with: no sign of the grid or of a curve.
+pub(crate) fn shade(permitted: bool, look: &Look) -> (char, Style) {
+    let (unicode, ascii, style) =
+        if permitted { ('░', '=', look.good()) } else { ('╱', '/', look.error()) };
+    (if look.ascii { ascii } else { unicode }, style.remove_modifier(Modifier::BOLD))
+}
+
 /// The inside of the axes.
 struct Canvas<'a> {
     axes: &'a Axes<'a>,
@@ -153,7 +160,7 @@ impl Canvas<'_> {
         let style = Style::new().add_modifier(Modifier::BOLD);
         for mark in &plot.marks {
             if let Some(cell) = self.cell(&dots, mark.at) {
-                buffer[cell].set_symbol(look.glyph(Glyph::Full)).set_style(style);
+                buffer[cell].set_char(if look.ascii { '@' } else { '●' }).set_style(style);
                 labels.reserve(cell);
             }
         }
@@ -285,22 +292,17 @@ impl Canvas<'_> {
         Some((column(from), column(to)))
     }
 
-    /// Forbidden ranges are hatched, permitted ones dotted.
+    /// Forbidden ranges are hatched, permitted ones have a bar at the top and at the bottom.
     fn bands(&self, buffer: &mut Buffer) {
         let look = self.look;
         for band in &self.axes.plot.bands {
             let Some((first, last)) = self.columns(band.from, band.to) else { continue };
-            let (shade, style) = match (band.permitted, look.ascii) {
-                (true, false) => ('·', look.good()),
-                (true, true) => ('.', look.good()),
-                (false, false) => ('╱', look.error()),
-                (false, true) => ('/', look.error()),
-            };
-            let style = style.remove_modifier(Modifier::BOLD).add_modifier(Modifier::DIM);
+            let (shade, style) = shade(band.permitted, look);
+            let style = style.add_modifier(Modifier::DIM);
             for row in 0..self.area.height {
                 for column in first..=last {
                     let drawn = if band.permitted {
-                        row % 2 == 0 && (column + row) % 4 == 0
+                        row == 0 || row + 1 == self.area.height
                     } else {
                         (column + row) % 3 == 0
                     };
@@ -340,9 +342,8 @@ impl Canvas<'_> {
         for (n, series) in self.axes.plot.series.iter().enumerate() {
             let Some((y, _)) = self.axes.read(series, cursor) else { continue };
             if let Some(cell) = self.cell(dots, (cursor, y)) {
-                buffer[cell]
-                    .set_char(point(n, self.look))
-                    .set_style(self.look.series(n).add_modifier(Modifier::BOLD));
+                let symbol = if self.look.ascii { 'O' } else { point(n, self.look) };
+                buffer[cell].set_char(symbol).set_style(self.look.series(n).add_modifier(Modifier::BOLD));
                 labels.reserve(cell);
             }
         }

@@ -102,8 +102,7 @@ fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
             Language::Portuguese => Language::English,
         }),
         Action::Open => {
-            model.dialog =
-                Some(Dialog::Prompt { purpose: Purpose::Open, input: Input::default(), error: None });
+            model.dialog = Some(Dialog::prompt(Purpose::Open, String::new()));
         }
         _ => {
             return match place {
@@ -166,12 +165,14 @@ fn open_case(model: &mut Model, entry: &'static Entry, case: usize) -> Vec<Effec
 
 fn show_case(model: &mut Model, entry: &'static Entry, case: usize) -> Vec<Effect> {
     let cases = judged_later(model, entry);
-    let (title, draft) = match cases.get(case) {
-        Some(judged) => (judged.case.name.clone(), judged.case.draft.clone()),
-        None => (String::new(), dalembert_core::Draft::blank(&entry.shape())),
+    let origin = cases.get(case).map(|judged| judged.case.clone());
+    let draft = match &origin {
+        Some(case) => case.draft.clone(),
+        None => dalembert_core::Draft::blank(&entry.shape()),
     };
-    let mut bench = Bench::new(entry, title, draft, cases);
+    let mut bench = Bench::new(entry, String::new(), draft, cases);
     bench.case = case;
+    bench.origin = origin;
     show(model, bench)
 }
 
@@ -246,7 +247,10 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Effect> {
                 *chosen = 0;
             }
         }
-        Some(Dialog::Prompt { input, error, .. }) => {
+        Some(Dialog::Prompt { input, proposed, error, .. }) => {
+            if std::mem::take(proposed) && matches!(requests, [InputRequest::InsertChar(_), ..]) {
+                input.reset();
+            }
             if handle(input) {
                 *error = None;
             }

@@ -24,6 +24,12 @@ pub(crate) enum Part {
     Round,
     /// The edge of something that hides what lies under it.
     Solid,
+    /// The wave of a spring, from its first point to its last.
+    Spring,
+    /// The surface of the ground, which lies at its right-hand side.
+    Ground,
+    /// A stroke of the hatch of the ground.
+    Hatch,
     /// The shaft of an arrow.
     Shaft,
     /// The head of an arrow.
@@ -157,13 +163,13 @@ impl Strokes {
     }
 
     fn ground(&mut self, a: Point, b: Point) {
-        self.line(vec![a, b], Ink::Body);
+        self.part(vec![a, b], Ink::Body, Part::Ground);
         let Some(along) = Along::new(a, b) else { return };
         let count = (along.length / (1.2 * self.sign)).round().clamp(1.0, 60.0);
         for n in 1..=count as u32 {
             let at = along.length * f64::from(n) / count;
             let end = along.at(at - self.sign, -self.sign);
-            self.line(vec![along.at(at, 0.0), end], Ink::Faint);
+            self.part(vec![along.at(at, 0.0), end], Ink::Faint, Part::Hatch);
         }
     }
 
@@ -179,7 +185,7 @@ impl Strokes {
             points.push(along.at(at, if n % 2 == 0 { half } else { -half }));
         }
         points.extend([along.at(last, 0.0), b]);
-        self.line(points, Ink::Body);
+        self.part(points, Ink::Body, Part::Spring);
     }
 
     /// A dashpot: a cylinder on the first point, a piston on the second.

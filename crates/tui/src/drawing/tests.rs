@@ -72,3 +72,35 @@ fn arrows_point_where_they_point() {
         assert_eq!(all.matches(sign).count(), 1, "{head:?}");
     }
 }
+
+#[test]
+fn a_spring_is_a_zigzag_and_ground_is_hatched_where_a_cell_is_a_dot() {
+    let ascii = Look { ascii: true, ..Look::default() };
+    let across = vec![DrawnShape::Spring((0.0, 0.0), (10.0, 0.0))];
+    let all = drawn(&drawing(across), &ascii, 42, 12).join("\n");
+    assert!(all.contains(r"-/\/\/\/\/\/\/\/\") || all.contains(r"-\/\/\/\/\/\/\/\/"), "{all}");
+    let up = vec![
+        DrawnShape::Ground((-2.0, 0.0), (2.0, 0.0)),
+        DrawnShape::Spring((0.0, 0.0), (0.0, 5.0)),
+        DrawnShape::Polyline(vec![(-2.0, 5.0), (2.0, 5.0)], Ink::Body),
+    ];
+    let rows = drawn(&drawing(up), &ascii, 42, 24);
+    let column = rows.iter().find_map(|row| row.find('\\')).expect("the spring is drawn");
+    let down: String = rows.iter().filter_map(|row| row.chars().nth(column)).collect();
+    assert!(down.contains(r"/\/\/\/\"), "{down}");
+    let ground = rows.iter().rposition(|row| row.contains("-----")).expect("the ground is drawn");
+    assert!(
+        rows[ground + 1].trim().len() > 10 && rows[ground + 1].trim().chars().all(|c| c == '/'),
+        "{rows:#?}"
+    );
+}
+
+#[test]
+fn the_smallest_circle_is_one_sign() {
+    let shapes = vec![
+        DrawnShape::Polyline(vec![(0.0, 0.0), (40.0, 0.0)], Ink::Body),
+        DrawnShape::Circle((20.0, 3.0), 0.5, Ink::Body),
+    ];
+    let all = drawn(&drawing(shapes), &Look { ascii: true, ..Look::default() }, 42, 12).join("\n");
+    assert_eq!((all.matches('O').count(), all.matches('o').count()), (1, 0), "{all}");
+}

@@ -18,8 +18,10 @@ use std::{
 use etcetera::{BaseStrategy, choose_base_strategy};
 
 use super::{
-    Before, FileError, failed, read,
-    save::{remove_strays, runs, save},
+    Before, FileError, failed,
+    process::{began, runs},
+    read,
+    save::{remove_strays, save},
 };
 
 /// The unsaved work of this session.
@@ -176,7 +178,8 @@ fn header(original: Option<&Path>) -> String {
             escape(std::path::absolute(path).as_deref().unwrap_or(path).as_os_str().as_bytes())
         )
     });
-    format!("{MARK} pid={} host={}{path}", process::id(), escape(host().as_bytes()))
+    let began = began("self").map_or_else(String::new, |began| format!(" began={began}"));
+    format!("{MARK} pid={}{began} host={}{path}", process::id(), escape(host().as_bytes()))
 }
 
 fn crashed(file: PathBuf) -> Option<Crashed> {
@@ -188,7 +191,14 @@ fn crashed(file: PathBuf) -> Option<Crashed> {
     let process: i32 = field("pid=")?.parse().ok()?;
     let kept = metadata.modified().ok()?;
     let ended = match field("host=").map(unescape) {
-        Some(theirs) if theirs == host().as_bytes() => !runs(process),
+        Some(theirs) if theirs == host().as_bytes() => {
+            // A number that is used again belongs to a process that began later.
+            let another = match (field("began="), began(&process.to_string())) {
+                (Some(noted), Some(now)) => noted != now,
+                _ => false,
+            };
+            another || !runs(process)
+        }
         _ => kept.elapsed().is_ok_and(|past| past > FORGOTTEN),
     };
     let original = field("path=").map(|path| PathBuf::from(std::ffi::OsString::from_vec(unescape(path))));

@@ -14,7 +14,7 @@ use std::{
 
 use tempfile::NamedTempFile;
 
-use super::{FileError, Fingerprint, failed, ordinary, read_bytes};
+use super::{FileError, Fingerprint, failed, ordinary, process::runs, read_bytes};
 
 /// What the file must be for a save to go ahead.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -120,20 +120,6 @@ pub(super) fn remove_strays_older(folder: &Path, age: Duration) -> usize {
                 && fs::remove_file(entry.path()).is_ok()
         })
         .count()
-}
-
-/// Whether a process with this number runs, and is one of this program as far as can be seen.
-pub(super) fn runs(process: i32) -> bool {
-    let Some(pid) = rustix::process::Pid::from_raw(process) else { return false };
-    if matches!(rustix::process::test_kill_process(pid), Err(rustix::io::Errno::SRCH)) {
-        return false;
-    }
-    // Numbers are used again; where the system tells names, another program is not ours.
-    let name = |process: &str| fs::read(format!("/proc/{process}/comm"));
-    match (name(&process.to_string()), name("self")) {
-        (Ok(theirs), Ok(ours)) => theirs == ours,
-        _ => true,
-    }
 }
 
 /// A new file beside the target that nobody else has: random name, created exclusively, with the process in its name.

@@ -1,6 +1,6 @@
 use std::{
     fs::{self, Permissions},
-    io::{BufRead, BufReader},
+    io::{BufRead, BufReader, Read},
     os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, symlink},
     path::{Path, PathBuf},
     process::{Command, Stdio},
@@ -9,6 +9,7 @@ use std::{
 };
 
 use super::{
+    process::began,
     save::{
         Step::{Create, Permit, Rename, Sync, SyncFolder, Write},
         remove_strays_older, save_with,
@@ -300,6 +301,42 @@ fn unsaved_work_of_a_crashed_session_is_found() {
     assert_eq!(found.text, "mass = 1\nlength = 2\n");
     found.clone().discard().unwrap();
     assert_eq!(names(&state), [""; 0]);
+}
+
+#[test]
+fn a_session_has_ended_even_if_its_number_is_taken() {
+    let folder = folder();
+    let state = folder.path().join("autosave");
+    let autosave = Autosave::in_folder(state.clone()).unwrap();
+    autosave.note(None, "work".into());
+    autosave.flush().unwrap();
+    let file = state.join(&names(&state)[0]);
+    let text = fs::read_to_string(&file).unwrap();
+    assert_eq!(autosave.crashed(), [], "this session runs");
+
+    // Ended, and nobody asked how.
+    let mut child = Command::new(std::env::current_exe().unwrap())
+        .args(["--exact", "no test has this name"])
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let (ours, theirs) = (format!("pid={} ", std::process::id()), format!("pid={} ", child.id()));
+    let began = |process: u32| format!(" began={}", began(&process.to_string()).unwrap());
+    let of_child = text.replace(&ours, &theirs).replace(&began(std::process::id()), &began(child.id()));
+    assert_ne!(of_child, text);
+    fs::write(&file, of_child).unwrap();
+    let mut output = child.stdout.take().unwrap();
+    Read::read_to_end(&mut output, &mut Vec::new()).unwrap();
+    let found = (0..500).any(|_| {
+        thread::sleep(Duration::from_millis(10));
+        autosave.crashed().len() == 1
+    });
+    assert!(found, "the session of a process that has ended is offered");
+    child.wait().unwrap();
+
+    // The number is this process's now, which began at another time.
+    fs::write(&file, text.replace(&began(std::process::id()), " began=1")).unwrap();
+    assert_eq!(autosave.crashed().len(), 1);
 }
 
 #[test]

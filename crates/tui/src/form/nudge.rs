@@ -1,6 +1,14 @@
 //! The last digit of a number, up and down.
 
+/// A number of more significant digits than these was not typed to be changed in its last one.
+const LONG: usize = 6;
+/// Of such a number, the last of so many digits changes.
+const KEPT: usize = 4;
+
 /// A number and its unit with the last written digit changed by so many tenths: `20.3 mm` by 10 is `20.4 mm`.
+///
+/// A number of many digits, as a conversion of units writes it, changes in its fourth: `104.719755 rad/s` by 10 is
+/// `104.819755 rad/s`.
 ///
 /// Only the digits change; the decimal mark, an exponent and the unit stay as they are written. `None` where the text
 /// is not one number, or has no room for more digits.
@@ -27,8 +35,10 @@ pub fn nudged(text: &str, tenths: i64) -> Option<String> {
     if whole.is_empty() && decimals.is_empty() || decimals.contains(['.', ',']) {
         return None;
     }
+    let significant = format!("{whole}{decimals}").trim_start_matches('0').len();
+    let coarse = if significant > LONG { 10_i64.checked_pow((significant - KEPT) as u32)? } else { 1 };
     // Tenths of the last digit need one decimal more.
-    let (step, extra) = if tenths % 10 == 0 { (tenths / 10, "") } else { (tenths, "0") };
+    let (step, extra) = if tenths * coarse % 10 == 0 { (tenths * coarse / 10, "") } else { (tenths, "0") };
     let places = decimals.len() + extra.len();
     let digits: i64 = format!("{whole}{decimals}{extra}").parse().ok()?;
     if digits > 1_000_000_000_000_000 {
@@ -62,6 +72,11 @@ mod tests {
             ("1.3×10^-6 m^4", 10, "1.4×10^-6 m^4"),
             ("7", 10, "8"),
             (".5", 10, "0.6"),
+            ("104,719755 rad/s", 10, "104,819755 rad/s"),
+            ("104.719755 rad/s", 1, "104.729755 rad/s"),
+            ("0.0166666667 Hz", -10, "0.0166566667 Hz"),
+            ("200000000 Pa", 100, "201000000 Pa"),
+            ("1000.25 rpm", 10, "1000.26 rpm"),
         ] {
             assert_eq!(nudged(text, tenths).as_deref(), Some(wanted), "{text} by {tenths}");
         }

@@ -1,6 +1,8 @@
 //! The answers, how they were checked, and what is doubtful about them.
 
-use dalembert_core::{Answer, AnswerValue, Check, Locale, Number, Refusal, Solution, SolveError, Text};
+use dalembert_core::{
+    Answer, AnswerValue, Check, Locale, Number, Refusal, Shape, Solution, SolveError, Text,
+};
 use dalembert_units::{Style as Digits, write_number};
 use ratatui::{
     style::Style,
@@ -10,7 +12,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{
     columns::{Aligned, number, padded, widths},
-    wrap,
+    label_of, wrap,
 };
 use crate::look::{Glyph, Look};
 
@@ -46,8 +48,15 @@ pub fn lines(solution: &Solution, look: &Look, locale: &Locale, width: u16) -> V
     lines
 }
 
-/// Why there is no solution.
-pub fn refusal(error: &SolveError, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
+/// Why there is no solution. Fields are named by their labels in `shape`, the inputs of the analysis, where it holds
+/// them.
+pub fn refusal(
+    shape: Option<&Shape>,
+    error: &SolveError,
+    look: &Look,
+    locale: &Locale,
+    width: u16,
+) -> Vec<Line<'static>> {
     let width = usize::from(width).max(1);
     let heading = |words: &'static str, style: Style| {
         wrap::words(&Text::new(words).render(locale), width)
@@ -68,7 +77,9 @@ pub fn refusal(error: &SolveError, look: &Look, locale: &Locale, width: u16) -> 
             let mut lines = heading("Not every input can be read", look.error());
             lines.push(Line::default());
             for error in errors {
-                let words = format!("{}: {}", error.path, error.why.render(locale));
+                let label = shape.and_then(|shape| label_of(shape, &error.path, locale));
+                let words =
+                    format!("{}: {}", label.as_ref().unwrap_or(&error.path), error.why.render(locale));
                 lines.extend(marked(look, Glyph::Bad, look.error(), &words, Style::new(), width));
             }
             lines
@@ -87,8 +98,14 @@ pub fn stale(lines: Vec<Line<'static>>, look: &Look, locale: &Locale, width: u16
     note.chain([Line::default()]).chain(dimmed).collect()
 }
 
-/// Labels at the left, numbers with their decimal marks in one column. In a narrow pane each answer stands beside its
-/// label, at the right edge, where both fit, and below it where they do not.
+/// The widest column of labels: longer ones go on below.
+const WIDEST_LABELS: usize = 40;
+
+/// The narrowest column of labels that is worth having: where there is less room, there are no columns.
+const NARROWEST_LABELS: usize = 24;
+
+/// Labels at the left, numbers with their decimal marks in one column, units in another. In a narrow pane each answer
+/// stands beside its label, at the right edge, where both fit, and below it where they do not.
 fn answers(answers: &[Answer], look: &Look, locale: &Locale, width: usize) -> Vec<Line<'static>> {
     let labels: Vec<String> = answers.iter().map(|answer| Text::new(answer.label).render(locale)).collect();
     let aligned: Vec<Option<Aligned>> = answers
@@ -102,28 +119,41 @@ fn answers(answers: &[Answer], look: &Look, locale: &Locale, width: usize) -> Ve
     let values = aligned
         .iter()
         .flatten()
-        .map(|one| number_widths.0 + number_widths.1 + one.unit.width())
+        .map(|one| number_widths.0 + number_widths.1 + unit_column(one).width())
         .max()
         .unwrap_or(0);
-    let label_width = labels.iter().map(|label| label.width()).max().unwrap_or(0);
-    let columns = label_width + 2 + values.max(16) <= width;
+    let longest = labels.iter().map(|label| label.width()).max().unwrap_or(0);
+    let room = width.saturating_sub(2 + values.max(16));
+    let columns = room >= longest.min(NARROWEST_LABELS);
+    let label_width = longest.min(room).min(WIDEST_LABELS);
     let mut lines = Vec::new();
     for ((answer, label), aligned) in answers.iter().zip(&labels).zip(aligned) {
         let shown = answer.shown(locale);
         match aligned {
             Some(aligned) if columns => {
                 let number = number(&aligned, number_widths);
+                let unit = unit_column(&aligned);
                 // A pure number leaves nothing behind it.
-                let number = if aligned.unit.is_empty() { number.trim_end().to_owned() } else { number };
+                let number = if unit.is_empty() { number.trim_end().to_owned() } else { number };
+                let mut label = wrap::words(label, label_width);
+                let last = label.pop().unwrap_or_default();
+                lines.extend(label.into_iter().map(Line::from));
+                lines.push(Line::from(vec![
+                    Span::raw(format!("{}  ", padded(&last, label_width))),
+                    Span::styled(number, look.answer()),
+                    Span::raw(unit),
+                ]));
+            }
+            // What is no single number stands in the column of the numbers where it fits whole, else below its label.
+            _ if columns && label.width() <= label_width && label_width + 2 + shown.width() <= width => {
                 lines.push(Line::from(vec![
                     Span::raw(format!("{}  ", padded(label, label_width))),
-                    Span::styled(number, look.answer()),
-                    Span::raw(aligned.unit),
+                    Span::styled(shown, look.answer()),
                 ]));
             }
             _ if columns => {
-                let head = vec![Span::raw(format!("{}  ", padded(label, label_width)))];
-                lines.extend(wrap::hanging(head, &shown, look.answer(), width));
+                lines.extend(wrap::words(label, width).into_iter().map(Line::from));
+                lines.extend(wrap::hanging(vec![Span::raw("  ")], &shown, look.answer(), width));
             }
             _ if label.width() + 2 + shown.width() <= width => {
                 let gap = width - label.width() - shown.width();
@@ -144,6 +174,15 @@ fn answers(answers: &[Answer], look: &Look, locale: &Locale, width: usize) -> Ve
         }
     }
     lines
+}
+
+/// The unit with the space before it that every unit of a column has, `°` too.
+fn unit_column(one: &Aligned) -> String {
+    match one.unit.as_str() {
+        "" => String::new(),
+        unit if unit.starts_with(' ') => unit.to_owned(),
+        unit => format!(" {unit}"),
+    }
 }
 
 fn check(check: &Check, look: &Look, locale: &Locale, width: usize) -> Vec<Line<'static>> {

@@ -1,9 +1,10 @@
 //! The books an analysis follows, and how its published cases come out.
 
 use dalembert_core::{
-    Entry, Locale, Refusal, SolveError, Text,
+    Answer, Entry, Locale, Refusal, SolveError, Text,
     cases::{Case, Outcome, Truth, Verdict},
 };
+use dalembert_units::{Decimal, Style as Digits};
 use ratatui::{
     style::Style,
     text::{Line, Span},
@@ -22,21 +23,25 @@ pub struct Judged {
     pub verdicts: Option<Result<Vec<Verdict>, SolveError>>,
 }
 
-/// Books and cases; the page starts at each case, and `chosen` is the case that the keys act on.
+/// Books and cases; the page starts at each case, and `chosen` is the case that the keys act on. Printed answers that
+/// are among `answers`, those of any solution, are named by their labels, the others by their keys.
 pub fn lines(
     entry: &Entry,
     cases: &[Judged],
     chosen: Option<usize>,
+    answers: &[Answer],
     look: &Look,
     locale: &Locale,
     width: u16,
 ) -> Page {
     let width = usize::from(width).max(1);
+    let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
+    let words = Words { answers, look, locale, width };
     let mut page = Page::default();
     heading("Published cases", look, locale, width, &mut page.lines);
     for (n, judged) in cases.iter().enumerate() {
         page.starts.push(page.lines.len());
-        case(judged, n, chosen == Some(n), look, locale, width, &mut page.lines);
+        case(judged, n, chosen == Some(n), &words, &mut page.lines);
         page.lines.push(Line::default());
     }
     if cases.is_empty() {
@@ -55,15 +60,68 @@ fn heading(words: &'static str, look: &Look, locale: &Locale, width: usize, line
     lines.extend(words.into_iter().map(|line| Line::styled(line, look.title())));
 }
 
-fn case(
-    judged: &Judged,
-    n: usize,
-    chosen: bool,
-    look: &Look,
-    locale: &Locale,
+/// How cases are put into words.
+#[derive(Clone, Copy)]
+struct Words<'a> {
+    answers: &'a [Answer],
+    look: &'a Look,
+    locale: &'a Locale,
     width: usize,
-    lines: &mut Vec<Line<'static>>,
-) {
+}
+
+impl Words<'_> {
+    /// The label of the answer with that key; the key in words where no answer has it.
+    fn name(&self, key: &str) -> String {
+        match self.answers.iter().find(|answer| answer.name == key) {
+            Some(answer) => Text::new(answer.label).render(self.locale),
+            None => Text::new(key.replace('_', " ")).render(self.locale),
+        }
+    }
+
+    /// A number of ours with the decimal mark of the language.
+    fn number(&self, text: &str) -> String {
+        let mark = match self.locale.style.decimal {
+            Decimal::Point => '.',
+            Decimal::Comma => ',',
+        };
+        // Without a number it is words of the program: `every value`.
+        if !text.contains(|c: char| c.is_ascii_digit()) {
+            return Text::new(text.to_owned()).render(self.locale);
+        }
+        self.signed(&replaced(text, '.', mark, |before, after| digit(before) && digit(after)))
+    }
+
+    /// As it was printed, but for its minus signs: they are those of every number on the screen.
+    fn signed(&self, text: &str) -> String {
+        let begins =
+            |before: Option<char>| before.is_none_or(|c| c.is_whitespace() || ['(', '[', ','].contains(&c));
+        if self.look.ascii {
+            text.replace('−', "-")
+        } else {
+            replaced(text, '-', '−', |before, after| begins(before) && (digit(after) || after == Some('.')))
+        }
+    }
+}
+
+fn digit(c: Option<char>) -> bool {
+    c.is_some_and(|c| c.is_ascii_digit())
+}
+
+/// The text with `from` replaced by `to` where what stands before and after it is as it must be.
+fn replaced(text: &str, from: char, to: char, wanted: impl Fn(Option<char>, Option<char>) -> bool) -> String {
+    let mut before = None;
+    text.char_indices()
+        .map(|(at, c)| {
+            let after = text[at + c.len_utf8()..].chars().next();
+            let kept = if c == from && wanted(before, after) { to } else { c };
+            before = Some(c);
+            kept
+        })
+        .collect()
+}
+
+fn case(judged: &Judged, n: usize, chosen: bool, words: &Words, lines: &mut Vec<Line<'static>>) {
+    let Words { look, locale, width, .. } = *words;
     let Case { name, source, note, truth, .. } = &judged.case;
     let pointer = if chosen { look.glyph(Glyph::Pointer) } else { " " };
     let head = vec![
@@ -94,26 +152,22 @@ fn case(
             head.push(Span::styled(format!("{} ", look.glyph(Glyph::Bad)), look.error()));
             lines.extend(wrap::hanging(head, &words, look.error(), width));
         }
-        Some(Ok(verdicts)) => compared(verdicts, &space(0), look, locale, width, lines),
+        Some(Ok(verdicts)) => compared(verdicts, &space(0), words, lines),
     }
 }
 
 /// Printed beside ours in columns; below each other where the width does not hold them.
-fn compared(
-    verdicts: &[Verdict],
-    space: &[Span<'static>],
-    look: &Look,
-    locale: &Locale,
-    width: usize,
-    lines: &mut Vec<Line<'static>>,
-) {
+fn compared(verdicts: &[Verdict], space: &[Span<'static>], words: &Words, lines: &mut Vec<Line<'static>>) {
+    let Words { look, locale, width, .. } = *words;
     let widest =
         |text: &dyn Fn(&Verdict) -> String| verdicts.iter().map(|one| text(one).width()).max().unwrap_or(0);
     let (printed, ours) = (Text::new("printed").render(locale), Text::new("ours").render(locale));
-    let name = |one: &Verdict| one.answer.replace('_', " ");
+    let name = |one: &Verdict| words.name(&one.answer);
+    let theirs = |one: &Verdict| words.signed(&one.printed);
+    let mine = |one: &Verdict| words.number(&one.ours);
     let names = widest(&name);
-    let printed_width = widest(&|one| one.printed.clone()).max(printed.width());
-    let ours_width = widest(&|one| one.ours.clone()).max(ours.width());
+    let printed_width = widest(&theirs).max(printed.width());
+    let ours_width = widest(&mine).max(ours.width());
     let outcome = |one: &Verdict| Text::new(one.outcome.name()).render(locale);
     let indent = space.iter().map(Span::width).sum::<usize>();
     let whole = indent + 2 + names + 2 + printed_width + 2 + ours_width + 2 + widest(&outcome);
@@ -132,15 +186,15 @@ fn compared(
         if columns {
             let answers = [
                 Span::raw(format!("{}  ", padded(&name(one), names))),
-                Span::raw(format!("{}  ", padded(&one.printed, printed_width))),
-                Span::raw(format!("{}  ", padded(&one.ours, ours_width))),
+                Span::raw(format!("{}  ", padded(&theirs(one), printed_width))),
+                Span::raw(format!("{}  ", padded(&mine(one), ours_width))),
                 Span::styled(outcome(one), style),
             ];
             lines.push(Line::from([space, &[mark], &answers].concat()));
         } else {
             // A number and its unit stay together.
             let held = |text: &str| text.replace(' ', "\u{A0}");
-            let (theirs, mine) = (held(&one.printed), held(&one.ours));
+            let (theirs, mine) = (held(&theirs(one)), held(&mine(one)));
             let words = format!("{}: {printed} {theirs}, {ours} {mine}, {}", name(one), outcome(one));
             lines.extend(wrap::hanging([space, &[mark]].concat(), &words, Style::new(), width));
         }

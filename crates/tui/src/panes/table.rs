@@ -17,20 +17,28 @@ use crate::look::{Glyph, Look};
 /// Cells between two columns.
 const GAP: usize = 2;
 
+/// The least width of the first column, which names the rows, where its names are longer and the width is scarce.
+const NAMES: usize = 12;
+
 /// The table: its columns side by side as far as the width goes; the others below, after the first column again.
+/// Where the names of the rows and a column do not fit side by side, the heading goes on below, and the names are
+/// shortened.
 pub fn lines(table: &TableExhibit, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
     let width = usize::from(width).max(1);
     let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
     let title = wrap::words(&table.title.render(locale), width);
     let mut lines: Vec<Line<'static>> =
         title.into_iter().map(|line| Line::styled(line, look.title())).collect();
-    let columns: Vec<Written> = table
-        .columns
-        .iter()
-        .enumerate()
-        .map(|(n, column)| Written::of(column, n, table, look, locale, width))
-        .collect();
-    for block in blocks(&columns, width) {
+    let written_in = |n: usize, most: usize| Written::of(n, table, look, locale, (most, width));
+    let names = if table.columns.is_empty() { 0 } else { written_in(0, width).width };
+    let share = names.min(NAMES.max(width / 2));
+    let beside = width.saturating_sub(share + GAP);
+    let others: Vec<Written> = (1..table.columns.len()).map(|n| written_in(n, beside)).collect();
+    for block in blocks(&others, share, width) {
+        let left = width.saturating_sub(block.iter().map(|column| GAP + column.width).sum());
+        // Where numbers leave no room for names, they stand alone.
+        let first = (names > 0 && left >= names.min(2)).then(|| written_in(0, left));
+        let block: Vec<&Written> = first.iter().chain(block.iter().copied()).collect();
         lines.push(Line::default());
         lines.extend(written(&block, table.rows.len(), look));
     }
@@ -39,7 +47,7 @@ pub fn lines(table: &TableExhibit, look: &Look, locale: &Locale, width: u16) -> 
 
 /// A column as it is written, every cell as wide as the column.
 struct Written {
-    heading: String,
+    heading: Vec<String>,
     unit: String,
     cells: Vec<String>,
     foot: Option<String>,
@@ -47,14 +55,15 @@ struct Written {
 }
 
 impl Written {
+    /// In no more than `most` cells where its numbers and unit allow it, in no more than `whole` at all.
     fn of(
-        column: &Column,
         n: usize,
         table: &TableExhibit,
         look: &Look,
         locale: &Locale,
-        most: usize,
+        (most, whole): (usize, usize),
     ) -> Self {
+        let column: &Column = &table.columns[n];
         let unit = unit(column.unit).unwrap_or(Unit::ONE);
         let text = |row: &Vec<Cell>| match row.get(n) {
             None | Some(Cell::Empty) => (String::new(), false),
@@ -69,11 +78,9 @@ impl Written {
         let shown = if shown.is_empty() { shown } else { format!("[{shown}]") };
         let heading = column.heading.render(locale);
         let texts = rows.iter().filter(|(_, is_number)| !is_number).map(|(text, _)| text.width());
-        let width = texts
-            .chain([heading.width(), shown.width(), number_widths.0 + number_widths.1])
-            .max()
-            .unwrap_or(0);
-        let width = width.min(most);
+        let least = shown.width().max(number_widths.0 + number_widths.1);
+        let width = texts.chain([heading.width(), least]).max().unwrap_or(0);
+        let width = width.min(most.max(least)).min(whole);
         let has_numbers = numbers.iter().any(Option::is_some);
         let set = |text: &str| {
             let text = look.shortened(text, width);
@@ -90,32 +97,24 @@ impl Written {
             })
             .collect();
         let foot = cells.pop().filter(|_| !table.foot.is_empty());
-        Self { heading: set(&heading), unit: set(&shown), cells, foot, width }
+        let heading = wrap::words(&heading, width).iter().map(|line| set(line)).collect();
+        Self { heading, unit: set(&shown), cells, foot, width }
     }
 }
 
-/// Columns that fit side by side; every block begins with the first column.
-fn blocks(columns: &[Written], width: usize) -> Vec<Vec<&Written>> {
-    let Some((first, others)) = columns.split_first() else { return Vec::new() };
-    let mut blocks = vec![vec![first]];
-    let mut used = first.width;
-    for column in others {
-        let block = blocks.last_mut().filter(|_| used + GAP + column.width <= width);
-        match block {
-            Some(block) => {
-                block.push(column);
-                used += GAP + column.width;
-            }
-            // Where not even two columns fit, the first is not said again.
-            None if first.width + GAP + column.width > width => {
+/// Columns that fit side by side after names of that width; at least one block, at least one column in the others.
+fn blocks(columns: &[Written], names: usize, width: usize) -> Vec<Vec<&Written>> {
+    let mut blocks = vec![Vec::new()];
+    let mut used = names;
+    for column in columns {
+        match blocks.last_mut() {
+            Some(block) if block.is_empty() || used + GAP + column.width <= width => block.push(column),
+            _ => {
                 blocks.push(vec![column]);
-                used = column.width;
-            }
-            None => {
-                blocks.push(vec![first, column]);
-                used = first.width + GAP + column.width;
+                used = names;
             }
         }
+        used += GAP + column.width;
     }
     blocks
 }
@@ -125,9 +124,15 @@ fn written(block: &[&Written], rows: usize, look: &Look) -> Vec<Line<'static>> {
         let cells: Vec<String> = block.iter().map(|column| cell(column)).collect();
         Line::from(Span::styled(cells.join(&" ".repeat(GAP)).trim_end().to_owned(), style))
     };
-    let width = block.iter().map(|column| column.width).sum::<usize>() + GAP * (block.len() - 1);
+    let width = block.iter().map(|column| column.width).sum::<usize>() + GAP * block.len().saturating_sub(1);
     let rule = || Line::styled(look.glyph(Glyph::Rule).repeat(width), look.dim());
-    let mut lines = vec![row(&|column| column.heading.clone(), look.title())];
+    // Headings end in the same row.
+    let high = block.iter().map(|column| column.heading.len()).max().unwrap_or(0);
+    let heading = |column: &Written, n: usize| {
+        let line = (n + column.heading.len()).checked_sub(high).and_then(|n| column.heading.get(n));
+        line.cloned().unwrap_or_else(|| " ".repeat(column.width))
+    };
+    let mut lines: Vec<Line> = (0..high).map(|n| row(&|column| heading(column, n), look.title())).collect();
     if block.iter().any(|column| !column.unit.trim().is_empty()) {
         lines.push(row(&|column| column.unit.clone(), look.dim()));
     }

@@ -6,6 +6,8 @@ use ratatui::{
 };
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
+use crate::look::Look;
+
 /// Words in lines of at most `width` cells. A word that is longer is broken; a no-break space holds words together.
 pub(super) fn words(text: &str, width: usize) -> Vec<String> {
     let width = width.max(1);
@@ -29,6 +31,16 @@ pub(super) fn words(text: &str, width: usize) -> Vec<String> {
         lines.push(line);
     }
     lines.into_iter().map(|line| line.replace('\u{A0}', " ")).collect()
+}
+
+/// Words in at most `most` lines of at most `width` cells; what is left over is cut, and an ellipsis says so.
+pub(crate) fn title(text: &str, width: usize, most: usize, look: &Look) -> Vec<String> {
+    let mut lines = words(text, width);
+    if lines.len() > most {
+        let rest = lines.split_off(most.saturating_sub(1)).join(" ");
+        lines.push(look.shortened(&rest, width));
+    }
+    lines
 }
 
 /// A formula in lines of at most `first` and then `rest` cells, broken before its operators (after commas): outside
@@ -139,6 +151,10 @@ mod tests {
         }
         assert_eq!(words("one two three", 7), ["one two", "three"]);
         assert_eq!(words("unbreakable", 4), ["unbr", "eaka", "ble"]);
+        let look = Look::default();
+        assert_eq!(title("one two three", 7, 2, &look), ["one two", "three"]);
+        assert_eq!(title("one two three", 7, 1, &look), ["one tw…"]);
+        assert_eq!(title("one two three four", 7, 2, &look), ["one two", "three…"]);
     }
 
     #[test]

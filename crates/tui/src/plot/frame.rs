@@ -1,11 +1,11 @@
 //! What stands round the curves: titles, legend, axes, ticks, the reading of the cursor.
 
-use dalembert_core::Locale;
+use dalembert_core::{Locale, Text};
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
-use super::{Marker, State, axes::Axes, dots::per_cell, pen, point, ticks::Ticks};
-use crate::look::Look;
+use super::{Marker, State, axes::Axes, dots::per_cell, pen, point, shade, ticks::Ticks};
+use crate::{look::Look, panes::wrap};
 
 /// Words and ticks round a canvas, each at its place.
 pub(crate) struct Frame {
@@ -45,15 +45,20 @@ impl Frame {
         let from = |least: u16| u16::from(height >= least);
         let readout = state.cursor.map_or_else(Vec::new, |cursor| axes.readout(cursor, locale));
         let readout = flow(&readout, area.width.into(), usize::from(height / 5).max(1), look);
-        let legend = legend(axes, look, locale);
-        let legend_width =
-            legend.iter().map(|(sample, name, _)| sample.width() + name.width() + 3).sum::<usize>();
-        let legend_width = legend_width.saturating_sub(2) as u16;
-        // The name of the axis and the legend share a row if they can.
+        // The name of the axis and the legend share a row if they can. A low plot has no second one for shades: their
+        // names stand in them.
         let head = axes.y.title(y_ticks(axes, 9, locale).ten, locale);
-        let beside = head.width() as u16 + 2 + legend_width <= area.width;
+        let fits = |legend: &[Sample]| head.width() + 2 + legend_width(legend) <= area.width.into();
+        let mut legend = [curves(axes, look, locale), shades(axes, look, locale)].concat();
+        if height < 14 && !fits(&legend) {
+            legend = curves(axes, look, locale);
+        }
+        let beside = fits(&legend);
+        // A title that is too long goes on in a second row where there is room for one.
+        let title = axes.plot.title.render(locale);
+        let title = wrap::title(&title, area.width.into(), if height > 10 { 2 } else { 1 }, look);
         let rows = Rows {
-            title: from(10),
+            title: from(10) * title.len() as u16,
             head: from(6),
             legend: if legend.is_empty() || beside { 0 } else { from(9) },
             axis: from(4),
@@ -70,9 +75,8 @@ impl Frame {
         let canvas = Rect { x: area.x + gutter, width: area.width - gutter, ..inner };
 
         let mut frame = Self { canvas, words: Vec::new(), lines: Vec::new(), grid: Vec::new() };
-        if rows.title > 0 {
-            let title = look.shortened(&axes.plot.title.render(locale), area.width.into());
-            frame.words.push((area.x, area.y, title, look.title()));
+        for (line, y) in title.into_iter().zip(area.y..area.y + rows.title) {
+            frame.words.push((area.x, y, line, look.title()));
         }
         if rows.head > 0 {
             let y = area.y + rows.title;
@@ -80,7 +84,7 @@ impl Frame {
             let after = area.x + head.width() as u16 + 2;
             frame.words.push((area.x, y, head, look.dim()));
             match rows.legend {
-                0 if beside => frame.legend(&legend, area.right() - legend_width, y, setting),
+                0 if beside => frame.legend(&legend, area.right() - legend_width(&legend) as u16, y, setting),
                 0 => frame.legend(&legend, after, y, setting),
                 _ => frame.legend(&legend, area.x, y + 1, setting),
             }
@@ -182,7 +186,7 @@ impl Frame {
         ticks.ticks.iter().filter(|tick| !tick.label.is_empty()).filter_map(|tick| place(tick.at)).collect()
     }
 
-    fn legend(&mut self, legend: &[(String, String, Style)], x: u16, y: u16, setting: Setting) {
+    fn legend(&mut self, legend: &[Sample], x: u16, y: u16, setting: Setting) {
         let Setting { area, look, .. } = setting;
         let mut x = x;
         for (n, (sample, name, style)) in legend.iter().enumerate() {
@@ -231,8 +235,16 @@ fn cell(first: u16, cells: u16, dots: u16, place: f64) -> Option<u16> {
     inside.then(|| first + (dot.max(0.0) as u16 / dots).min(cells - 1))
 }
 
-/// A sample of each curve, its name and its style; empty where one curve needs no name.
-fn legend(axes: &Axes, look: &Look, locale: &Locale) -> Vec<(String, String, Style)> {
+/// An entry of a legend: what it explains, the explanation, and the style of the first.
+type Sample = (String, String, Style);
+
+fn legend_width(legend: &[Sample]) -> usize {
+    let width = legend.iter().map(|(sample, name, _)| sample.width() + name.width() + 3).sum::<usize>();
+    width.saturating_sub(2)
+}
+
+/// The curves by their names; empty where one curve needs no name.
+fn curves(axes: &Axes, look: &Look, locale: &Locale) -> Vec<Sample> {
     let series = &axes.plot.series;
     if series.len() < 2 {
         return Vec::new();
@@ -247,6 +259,18 @@ fn legend(axes: &Axes, look: &Look, locale: &Locale) -> Vec<(String, String, Sty
         .iter()
         .enumerate()
         .map(|(n, series)| (sample(n, series.joined), series.label.render(locale), look.series(n)))
+        .collect()
+}
+
+/// What the shades mean that there are.
+fn shades(axes: &Axes, look: &Look, locale: &Locale) -> Vec<Sample> {
+    [(true, "permitted"), (false, "forbidden")]
+        .into_iter()
+        .filter(|(permitted, _)| axes.plot.bands.iter().any(|band| band.permitted == *permitted))
+        .map(|(permitted, words)| {
+            let (shade, style) = shade(permitted, look);
+            (shade.to_string(), Text::new(words).render(locale), style)
+        })
         .collect()
 }
 

@@ -11,7 +11,7 @@ use tui_input::InputRequest;
 use super::{files, request, too_long, type_in};
 use crate::{
     bench::{Bench, Focus, State, Tab},
-    dialog::{Choice, Chosen, Dialog, Sheet},
+    dialog::{Choice, Chosen, Dialog, Purpose, Sheet},
     form::{self, Line, Role},
     glyphs::filter_untrusted,
     keys::{Action, Place},
@@ -24,6 +24,8 @@ use crate::{
 
 /// The share of an axis that a key moves the cursor of a plot by.
 const CURSOR_STEP: f64 = 0.01;
+/// What is said of a key that does nothing on a field with a list.
+const OPENS: &str = "Enter opens the choices";
 
 pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
     match action {
@@ -32,6 +34,11 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
         Action::NextTab => return turn(model, 1),
         Action::PreviousTab => return turn(model, -1),
         Action::Copy => return copy(model),
+        Action::Rename => {
+            let title = model.bench.as_ref().map_or_else(String::new, |bench| bench.title.clone());
+            model.dialog = Some(Dialog::prompt(Purpose::Title, title));
+            return Vec::new();
+        }
         _ => {}
     }
     let Some(bench) = &mut model.bench else { return Vec::new() };
@@ -89,6 +96,14 @@ pub(super) fn kept(bench: &Bench) -> Effect {
     }
 }
 
+/// Gives the problem a title; an empty one takes it away.
+pub(super) fn rename(model: &mut Model, title: &str) -> Vec<Effect> {
+    let readonly = model.readonly;
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    title.clone_into(&mut bench.title);
+    if readonly { Vec::new() } else { vec![kept(bench)] }
+}
+
 /// Takes the outcome of the newest job.
 pub(super) fn take(bench: &mut Bench, outcome: Outcome) {
     bench.found.state = State::Current;
@@ -116,12 +131,20 @@ pub(super) fn take(bench: &mut Bench, outcome: Outcome) {
 pub(super) fn begin_by_typing(model: &mut Model, place: Place, key: KeyEvent) -> Vec<Effect> {
     let Some(bench) = model.bench.as_mut().filter(|_| place == Place::Form) else { return Vec::new() };
     let begins = matches!(key.code, KeyCode::Char(c) if c.is_ascii_digit() || matches!(c, '(' | '.' | ',' | '−' | '√'));
-    match request(key) {
-        Some(request @ InputRequest::InsertChar(_)) if begins && bench.form.begin(Some(String::new())) => {
-            type_in(model, &[request])
-        }
-        _ => Vec::new(),
-    }
+    let Some(request @ InputRequest::InsertChar(_)) = request(key).filter(|_| begins) else {
+        return Vec::new();
+    };
+    let instead = match bench.form.line().map(|line| line.role) {
+        Some(Role::Leaf { shape: Shape::Flag, .. }) => "Space changes it",
+        Some(Role::Leaf { shape: Shape::Reference(list), .. }) if !bench.form.names(list).is_empty() => OPENS,
+        Some(Role::Choice { .. }) => OPENS,
+        Some(Role::Table { .. }) => "Enter edits; paste replaces",
+        Some(Role::Absent) => "Space puts it in",
+        _ if bench.form.begin(Some(String::new())) => return type_in(model, &[request]),
+        _ => return Vec::new(),
+    };
+    model.say(instead);
+    Vec::new()
 }
 
 /// A text pasted on a field takes its place.
@@ -158,6 +181,7 @@ fn after(model: &mut Model, change: impl FnOnce(&mut Bench) -> bool, nothing: &'
 
 fn form(model: &mut Model, action: Action) -> Vec<Effect> {
     let page = isize::try_from(model.size.1.saturating_sub(6).max(1)).unwrap_or(1);
+    let decimal = model.locale.style.decimal;
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let form = &mut bench.form;
     match action {
@@ -175,7 +199,9 @@ fn form(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::Nudge(tenths) => {
             return after(model, |bench| bench.form.nudge(tenths), "this is no number with a last digit");
         }
-        Action::NextUnit => return after(model, |bench| bench.form.next_unit(), "this has no other unit"),
+        Action::NextUnit => {
+            return after(model, |bench| bench.form.next_unit(decimal), "this has no other unit");
+        }
         Action::AddRow => return after(model, |bench| bench.form.add_row(), "there is no list here"),
         Action::DuplicateRow => {
             return after(model, |bench| bench.form.duplicate_row(), "there is no row here");
@@ -336,14 +362,15 @@ fn load_case(model: &mut Model) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let Some(case) = bench.cases.get(bench.case).map(|judged| judged.case.clone()) else { return Vec::new() };
     let untouched = !bench.is_unsaved() && bench.file.is_none();
-    bench.form.replace(case.draft);
-    bench.title.clone_from(&case.name);
+    let said =
+        Text::new("{case} is loaded; z brings the inputs back").with("case", filter_untrusted(&case.name));
+    bench.form.replace(case.draft.clone());
+    bench.title.clear();
+    bench.origin = Some(case);
     if untouched {
         bench.mark_saved();
     }
-    model.say(
-        Text::new("{case} is loaded; z brings the inputs back").with("case", filter_untrusted(&case.name)),
-    );
+    model.say(said);
     changed(model)
 }
 

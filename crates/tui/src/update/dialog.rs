@@ -147,12 +147,13 @@ fn enter(model: &mut Model) -> Vec<Effect> {
         },
         Some(Dialog::Prompt { purpose, input, .. }) => {
             let typed = input.value().trim();
-            if typed.is_empty() {
-                let error = Some("type the name of a file".into());
-                model.dialog = Some(Dialog::Prompt { purpose, input, error });
-                return Vec::new();
-            }
             match purpose {
+                Purpose::Title => bench::rename(model, typed),
+                _ if typed.is_empty() => {
+                    let error = "type the name of a file".into();
+                    model.dialog = Some(Dialog::prompt_again(purpose, String::new(), error));
+                    Vec::new()
+                }
                 Purpose::SaveAs => files::save_as(model, PathBuf::from(typed)),
                 Purpose::Open => super::leave(model, After::File(PathBuf::from(typed))),
             }

@@ -57,8 +57,7 @@ pub(super) fn ask_path(model: &mut Model) -> Vec<Effect> {
         Some(file) => file.path.display().to_string(),
         None => format!("{}.toml", bench.entry.about.id.rsplit('/').next().unwrap_or("problem")),
     };
-    let input = proposed.into();
-    model.dialog = Some(Dialog::Prompt { purpose: Purpose::SaveAs, input, error: None });
+    model.dialog = Some(Dialog::prompt(Purpose::SaveAs, proposed));
     Vec::new()
 }
 
@@ -107,9 +106,8 @@ pub(super) fn saved(
             Vec::new()
         }
         Err(error) => {
-            let input = path.display().to_string().into();
-            model.dialog =
-                Some(Dialog::Prompt { purpose: Purpose::SaveAs, input, error: Some(words(&error)) });
+            let typed = path.display().to_string();
+            model.dialog = Some(Dialog::prompt_again(Purpose::SaveAs, typed, words(&error)));
             Vec::new()
         }
     }
@@ -119,8 +117,8 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
     let opened = match result {
         Ok(opened) => opened,
         Err(error) => {
-            let input = path.display().to_string().into();
-            model.dialog = Some(Dialog::Prompt { purpose: Purpose::Open, input, error: Some(words(&error)) });
+            let typed = path.display().to_string();
+            model.dialog = Some(Dialog::prompt_again(Purpose::Open, typed, words(&error)));
             return super::picker::preview(model);
         }
     };
@@ -243,7 +241,11 @@ fn write(model: &mut Model, path: PathBuf, before: Before) -> Vec<Effect> {
 
 fn bench_of(model: &Model, problem: Problem) -> Bench {
     let cases = judged_later(model, problem.entry);
-    let mut bench = Bench::new(problem.entry, problem.title, problem.draft, cases);
+    // A file that has the name of a case as its title holds that case, or held it before a change.
+    let named = cases.iter().map(|judged| &judged.case).find(|case| case.name == problem.title).cloned();
+    let title = if named.is_some() { String::new() } else { problem.title };
+    let mut bench = Bench::new(problem.entry, title, problem.draft, cases);
+    bench.origin = named;
     bench.show = problem.show;
     bench
 }

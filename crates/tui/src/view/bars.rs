@@ -9,7 +9,7 @@ use ratatui::{
 };
 
 use super::{
-    text::{fit, width, wrapped},
+    text::{fit, shortened, width, wrapped},
     word,
 };
 use crate::{
@@ -35,9 +35,10 @@ pub(super) fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         let gap = format!(" {} ", look.glyph(Glyph::Closed));
         spans.push(Span::styled(gap.clone(), look.dim()));
         spans.push(Span::styled(Text::from(bench.entry.about.title).render(&model.locale), look.title()));
-        if !bench.title.is_empty() {
+        let name = bench.name().render(&model.locale);
+        if !name.is_empty() {
             spans.push(Span::styled(gap, look.dim()));
-            spans.push(Span::raw(filter_untrusted(&bench.title).into_owned()));
+            spans.push(Span::raw(filter_untrusted(&name).into_owned()));
         }
         right = file_name(model, bench);
     }
@@ -95,12 +96,7 @@ fn draw_notice(model: &Model, notice: &Notice, foot: Rect, buffer: &mut Buffer) 
         lines.extend(wrapped(&filter_untrusted(&notice.detail), room));
     }
     let most = usize::from(buffer.area.height / 2).clamp(1, MOST_NOTICE);
-    if lines.len() > most {
-        lines.truncate(most);
-        if let Some(last) = lines.last_mut() {
-            *last = fit(&format!("{last} {}", look.glyph(Glyph::Ellipsis)), room, look);
-        }
-    }
+    let lines = shortened(lines, most, room, look);
     let rows = lines.len() as u16;
     let area = Rect { y: foot.bottom().saturating_sub(rows), height: rows, ..foot };
     Clear.render(area, buffer);
@@ -109,7 +105,7 @@ fn draw_notice(model: &Model, notice: &Notice, foot: Rect, buffer: &mut Buffer) 
     }
 }
 
-/// As many keys of a place as there is room for; the help is always among them.
+/// As many keys of a place as there is room for; the way on is always among them: the help, or that out of a dialog.
 fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
     let look = &model.look;
     let written = |binding: &Binding| {
@@ -123,16 +119,18 @@ fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
     let cells = |(keys, hint): &(String, String)| width(keys) + 1 + width(hint);
     let all: Vec<_> = place.bindings().filter(|binding| !binding.hint.is_empty()).collect();
     let mut left = room + GAP;
+    let has_help = all.iter().any(|binding| binding.action == Action::Help);
+    let always = if has_help { Action::Help } else { Action::Back };
     left -= all
         .iter()
-        .filter(|binding| binding.action == Action::Help)
-        .map(|help| cells(&written(help)) + GAP)
+        .filter(|binding| binding.action == always)
+        .map(|binding| cells(&written(binding)) + GAP)
         .sum::<usize>()
         .min(left);
     let mut line = Line::default();
     for binding in all {
         let hint = written(binding);
-        if binding.action != Action::Help {
+        if binding.action != always {
             if cells(&hint) + GAP > left {
                 continue;
             }
@@ -188,11 +186,13 @@ fn about_field(model: &Model, bench: &Bench) -> String {
 }
 
 fn about_pane(model: &Model, bench: &Bench) -> String {
+    let several = bench.exhibits_of(bench.tab) > 1;
     let hint = match bench.tab {
-        Tab::Plot => "← → move a cursor that reads the curves; m other marks; n next plot",
-        Tab::Drawing => "n next drawing",
+        Tab::Plot if several => "← → move a cursor that reads the curves; m other marks; n next plot",
+        Tab::Plot => "← → move a cursor that reads the curves; m other marks",
+        Tab::Drawing if several => "n next drawing",
         Tab::Sources => "↑ ↓ choose a case; Enter loads it",
-        Tab::Results | Tab::Working | Tab::Table => "",
+        Tab::Results | Tab::Working | Tab::Drawing | Tab::Table => "",
     };
     if hint.is_empty() { String::new() } else { word(hint, model) }
 }

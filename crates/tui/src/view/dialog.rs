@@ -12,11 +12,11 @@ use tui_input::Input;
 
 use super::{
     bars, boxed, draw_lines, scroll_mark,
-    text::{fit, padded, width, wrapped},
+    text::{fit, padded, shortened, width, wrapped},
     word,
 };
 use crate::{
-    dialog::{Choice, Dialog, Purpose, Sheet, offered},
+    dialog::{Answer, Choice, Dialog, Purpose, Sheet, offered},
     glyphs::filter_untrusted,
     keys::{ALWAYS, Binding, COMMON, Place},
     layout,
@@ -49,10 +49,11 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
             bars::footer(model, footer, buffer);
             None
         }
-        Dialog::Prompt { purpose, input, error } => {
+        Dialog::Prompt { purpose, input, proposed, error } => {
             let title = match purpose {
                 Purpose::SaveAs => "Save as",
                 Purpose::Open => "File to open",
+                Purpose::Title => "Title of the problem",
             };
             let error: Vec<Line<'static>> = error
                 .iter()
@@ -73,20 +74,11 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
                 buffer,
             );
             bars::footer(model, footer, buffer);
-            draw_input(model, input, "", Rect { height: inner.height.min(1), ..inner }, buffer)
+            let style = if *proposed { model.look.focus() } else { Style::new() };
+            draw_input(model, input, "", style, Rect { height: inner.height.min(1), ..inner }, buffer)
         }
         Dialog::Ask { question, answers, chosen } => {
-            let room = usize::from(box_width(screen)).saturating_sub(4);
-            let mut lines: Vec<Line<'static>> =
-                wrapped(&filter_untrusted(&question.render(&model.locale)), room)
-                    .into_iter()
-                    .map(Line::from)
-                    .collect();
-            lines.push(Line::default());
-            for (n, (name, _)) in answers.iter().enumerate() {
-                lines.push(option(model, &word(name, model), n == *chosen, room));
-            }
-            draw_box(model, "", &lines, screen, buffer);
+            draw_question(model, &question.render(&model.locale), answers, *chosen, screen, buffer);
             bars::footer(model, footer, buffer);
             None
         }
@@ -193,7 +185,7 @@ fn draw_palette(
         }
     }
     Clear.render(footer, buffer);
-    draw_input(model, input, ":", footer, buffer)
+    draw_input(model, input, ":", Style::new(), footer, buffer)
 }
 
 /// A line of text with its cursor.
@@ -201,6 +193,7 @@ fn draw_input(
     model: &Model,
     input: &Input,
     before: &str,
+    style: Style,
     area: Rect,
     buffer: &mut Buffer,
 ) -> Option<Position> {
@@ -212,11 +205,51 @@ fn draw_input(
     let scroll = input.visual_scroll(room);
     let text: String = input.value().chars().skip(scroll).take(room).collect();
     buffer.set_stringn(area.x, area.y, before, area.width.into(), model.look.key());
-    buffer.set_stringn(area.x + offset as u16, area.y, filter_untrusted(&text), room, Style::new());
+    buffer.set_stringn(area.x + offset as u16, area.y, filter_untrusted(&text), room, style);
     Some(Position::new(
         area.x + (offset + input.visual_cursor().saturating_sub(scroll).min(room)) as u16,
         area.y,
     ))
+}
+
+/// A question above its answers. Where there is little room the frame goes first and then the end of the question,
+/// since every answer must be seen.
+fn draw_question(
+    model: &Model,
+    question: &str,
+    answers: &[(&'static str, Answer)],
+    chosen: usize,
+    screen: Rect,
+    buffer: &mut Buffer,
+) {
+    let question = filter_untrusted(question);
+    let rows = usize::from(screen.height.saturating_sub(1));
+    let framed = answers.len() + 4 <= rows;
+    let (rows, room) = if framed {
+        (rows - 2, usize::from(box_width(screen)).saturating_sub(4))
+    } else {
+        (rows, usize::from(screen.width))
+    };
+    let shown: Vec<Line<'static>> = answers
+        .iter()
+        .enumerate()
+        .map(|(n, (name, _))| option(model, &word(name, model), n == chosen, room))
+        .collect();
+    let asked = wrapped(&question, room);
+    let gap = usize::from(framed && asked.len() + 1 + answers.len() <= rows);
+    let asked = shortened(asked, rows.saturating_sub(answers.len() + gap), room, &model.look);
+    let mut lines: Vec<Line<'static>> = asked.into_iter().map(Line::from).collect();
+    lines.extend(std::iter::repeat_n(Line::default(), gap));
+    lines.extend(shown);
+    if framed {
+        draw_box(model, "", &lines, screen, buffer);
+    } else {
+        // With no room for all the answers either, the chosen one is among those that are seen.
+        let first = (lines.len() - answers.len() + chosen + 1).saturating_sub(rows);
+        let area = Rect { height: lines.len().min(rows) as u16, ..screen };
+        Clear.render(area, buffer);
+        draw_lines(&lines, first, area, buffer);
+    }
 }
 
 fn draw_choice(model: &Model, options: &[Choice], chosen: usize, screen: Rect, buffer: &mut Buffer) {

@@ -10,7 +10,7 @@ use ratatui::{
 
 use super::{
     boxed, scroll_mark,
-    text::{fit, padded, width, wrapped},
+    text::{fit, fit_label, padded, shortened, width, wrapped},
     word,
 };
 use crate::{
@@ -31,6 +31,16 @@ const LEAST_VALUE: usize = 12;
 /// Cells before every line, for the pointer.
 const POINTER: usize = 2;
 
+/// How a field is filled in.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Filled {
+    Well,
+    /// Its text cannot be taken.
+    Wrong,
+    /// It is still empty.
+    Needed,
+}
+
 /// The cells of the columns.
 struct Columns {
     label: usize,
@@ -44,10 +54,13 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
     let focused = bench.focus == Focus::Form;
     let mut title =
         vec![Span::styled(format!(" {} ", word("Inputs", model)), look.border(focused).patch(look.title()))];
-    if !bench.errors.is_empty() {
-        let count =
-            Text::new("{count} to be put right").with("count", bench.errors.len()).render(&model.locale);
-        title.push(Span::styled(format!("{} {count} ", look.glyph(Glyph::Bad)), look.error()));
+    if let Some(to_do) = bench.to_do() {
+        let to_do = to_do.render(&model.locale);
+        title.push(if bench.wrong().next().is_some() {
+            Span::styled(format!("{} {to_do} ", look.glyph(Glyph::Bad)), look.error())
+        } else {
+            Span::styled(format!("{to_do} "), look.warning())
+        });
     }
     boxed(&Shown::from(title), focused, look, area, buffer);
     let mut inner = layout::inside(area);
@@ -129,7 +142,8 @@ fn draw_line(
 ) -> (Shown<'static>, Option<usize>) {
     let look = &model.look;
     let focused = under_cursor && bench.focus == Focus::Form;
-    let wrong = errors_of(&bench.errors, &line.path).next().is_some();
+    let wrong = errors_of(bench.wrong(), &line.path).next().is_some();
+    let needed = errors_of(bench.needed(), &line.path).next().is_some();
     let pointer = match (under_cursor, wrong) {
         (true, _) => Span::styled(format!("{} ", look.glyph(Glyph::Pointer)), look.border(focused)),
         (false, true) => Span::styled(format!("{} ", look.glyph(Glyph::Bad)), look.error()),
@@ -144,7 +158,7 @@ fn draw_line(
     match &line.role {
         Role::Leaf { shape, text } => {
             shown.push_span(Span::styled(
-                padded(&name, columns.label, look),
+                padded(&fit_label(&name, columns.label, look), columns.label, look),
                 if focused { look.title() } else { Style::new() },
             ));
             if columns.symbol > 0 {
@@ -163,7 +177,12 @@ fn draw_line(
                 let column = before + edit.input.visual_cursor().saturating_sub(scroll);
                 return (shown, Some(column));
             }
-            push_value(model, line, shape, text, wrong, picked, columns.value, &mut shown);
+            let state = match (wrong, needed) {
+                (true, _) => Filled::Wrong,
+                (_, true) => Filled::Needed,
+                _ => Filled::Well,
+            };
+            push_value(model, line, shape, text, state, picked, columns.value, &mut shown);
         }
         Role::Choice { variants, chosen } => {
             let value = variants
@@ -218,12 +237,13 @@ fn push_value(
     line: &Line,
     shape: &Shape,
     text: &str,
-    wrong: bool,
+    state: Filled,
     picked: Style,
     room: usize,
     shown: &mut Shown<'static>,
 ) {
     let look = &model.look;
+    let wrong = state == Filled::Wrong;
     // A text of any length is typed; no more of it is looked at than can be seen.
     let seen: String = text.chars().take(4 * room + 4).collect();
     let seen = filter_untrusted(&seen).replace('\n', " ");
@@ -233,7 +253,16 @@ fn push_value(
             Shape::Quantity(measure) | Shape::Vector(measure, _) => measure.own_unit().pretty(),
             _ => String::new(),
         };
-        let hint = if hint.is_empty() { word("empty", model) } else { hint };
+        let hint = match (state, hint.is_empty()) {
+            (Filled::Needed, true) => word("needed", model),
+            (Filled::Needed, false) => {
+                let (needed, dot) = (word("needed", model), look.glyph(Glyph::Dot));
+                let with_unit = format!("{needed} {dot} {hint}");
+                if width(&with_unit) <= room { with_unit } else { needed }
+            }
+            (_, true) => word("empty", model),
+            (_, false) => hint,
+        };
         shown.push_span(Span::styled(fit(&hint, room, look), look.dim().patch(picked)));
         return;
     }
@@ -273,19 +302,10 @@ fn draw_errors(
     let most = if under_cursor { LONG_ERROR } else { SHORT_ERROR };
     let before = (indent(line) + POINTER).min(room / 4);
     let mut shown = Vec::new();
-    for error in errors_of(&bench.errors, &line.path) {
+    for error in errors_of(bench.wrong(), &line.path) {
         let text = filter_untrusted(&error.why.render(&model.locale)).into_owned();
-        let mut lines = wrapped(&text, room.saturating_sub(before));
-        if lines.len() > most {
-            lines.truncate(most);
-            if let Some(last) = lines.last_mut() {
-                *last = fit(
-                    &format!("{last} {}", look.glyph(Glyph::Ellipsis)),
-                    room.saturating_sub(before),
-                    look,
-                );
-            }
-        }
+        let room = room.saturating_sub(before);
+        let lines = shortened(wrapped(&text, room), most, room, look);
         shown.extend(lines.into_iter().map(|text| {
             Shown::from(vec![
                 Span::raw(" ".repeat(before)),

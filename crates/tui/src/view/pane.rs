@@ -29,14 +29,17 @@ use crate::{
 pub(super) fn draw(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buffer) {
     let Some(pane) = areas.pane else { return };
     let Some(picture) = areas.picture else {
-        draw_tab(model, bench, bench.tab, &tab_bar(model, bench, pane.width), pane, buffer);
+        draw_tab(model, bench, bench.tab, &tab_bar(model, bench, &bench.tabs(), pane.width), pane, buffer);
         return;
     };
+    // Pictures have a column of their own.
+    let tabs: Vec<Tab> = bench.tabs().into_iter().filter(|tab| !tab.is_picture()).collect();
+    let bar = tab_bar(model, bench, &tabs, pane.width);
     if bench.tab == Tab::Table || bench.tab == Tab::Sources {
-        draw_tab(model, bench, bench.tab, &tab_bar(model, bench, pane.width), pane, buffer);
+        draw_tab(model, bench, bench.tab, &bar, pane, buffer);
     } else {
         let [upper, lower] = stacked(model, bench, pane);
-        draw_tab(model, bench, Tab::Results, &tab_bar(model, bench, upper.width), upper, buffer);
+        draw_tab(model, bench, Tab::Results, &bar, upper, buffer);
         draw_tab(model, bench, Tab::Working, &tab_title(model, bench, Tab::Working), lower, buffer);
     }
     let [upper, lower] = pictures(bench, picture);
@@ -103,7 +106,8 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
         }
         Tab::Sources => {
             let chosen = (bench.focus == Focus::Pane).then_some(bench.case);
-            sources::lines(bench.entry, &bench.cases, chosen, look, locale, width)
+            let answers = bench.found.solution.as_ref().map_or(&[][..], |solution| &solution.answers);
+            sources::lines(bench.entry, &bench.cases, chosen, answers, look, locale, width)
         }
         Tab::Plot | Tab::Drawing => Page::default(),
     }
@@ -159,11 +163,22 @@ fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area:
 fn why_not(model: &Model, bench: &Bench, width: u16) -> Vec<Line<'static>> {
     let (look, locale) = (&model.look, &model.locale);
     if bench.found.state == State::Unread {
-        return bench.errors.iter().flat_map(|error| unread(model, error, width)).collect();
+        let mut lines: Vec<Line<'static>> =
+            bench.wrong().flat_map(|error| unread(model, bench, error, width)).collect();
+        let needed = bench.needed().count();
+        if needed > 0 {
+            let text = Text::new("{count} to be filled in").with("count", needed).render(&model.locale);
+            lines.extend(
+                wrapped(&text, width.into()).into_iter().map(|text| Line::styled(text, look.warning())),
+            );
+        }
+        return lines;
     }
     match &bench.found.failure {
         None => Vec::new(),
-        Some(Failure::Unsolved(error)) => results::refusal(error, look, locale, width),
+        Some(Failure::Unsolved(error)) => {
+            results::refusal(Some(&bench.entry.shape()), error, look, locale, width)
+        }
         Some(Failure::Fault(panic)) => {
             let said = word("this analysis failed (a fault of the program); your inputs are kept", model);
             let mut lines = wrapped(&said, width.into());
@@ -173,9 +188,11 @@ fn why_not(model: &Model, bench: &Bench, width: u16) -> Vec<Line<'static>> {
     }
 }
 
-fn unread(model: &Model, error: &FieldError, width: u16) -> Vec<Line<'static>> {
+fn unread(model: &Model, bench: &Bench, error: &FieldError, width: u16) -> Vec<Line<'static>> {
     let look = &model.look;
-    let text = Text::new("{where}: {why}").with("where", &error.path).with_text("why", error.why.clone());
+    let field = panes::label_of(&bench.entry.shape(), &error.path, &model.locale);
+    let field = field.unwrap_or_else(|| error.path.clone());
+    let text = Text::new("{where}: {why}").with("where", field).with_text("why", error.why.clone());
     let text = filter_untrusted(&text.render(&model.locale)).into_owned();
     let glyph = look.glyph(Glyph::Bad);
     wrapped(&text, usize::from(width).saturating_sub(2))
@@ -191,22 +208,27 @@ fn unread(model: &Model, error: &FieldError, width: u16) -> Vec<Line<'static>> {
 /// What a tab says that has nothing to show.
 fn nothing(model: &Model, bench: &Bench, width: u16) -> Page {
     let why = match (&bench.found.solution, bench.found.state) {
-        (Some(_), _) => "there is nothing to show here",
-        (None, State::Solving(_)) => "solving",
-        (None, State::Unread) => "the inputs are not complete yet",
-        (None, State::Current) => "there is no solution",
+        (Some(_), _) => "there is nothing to show here".into(),
+        (None, State::Solving(_)) => "solving".into(),
+        (None, State::Unread) => bench.to_do().unwrap_or_else(|| "solving".into()),
+        (None, State::Current) => "there is no solution".into(),
     };
-    let lines = wrapped(&word(why, model), width.into());
+    let lines = wrapped(&why.render(&model.locale), width.into());
     Page {
         lines: lines.into_iter().map(|text| Line::styled(text, model.look.dim())).collect(),
         starts: Vec::new(),
     }
 }
 
-/// The names of the tabs, the chosen one marked; where there is no room for all, those around it.
-fn tab_bar(model: &Model, bench: &Bench, columns: u16) -> Line<'static> {
-    let tabs = bench.tabs();
-    let names: Vec<String> = tabs.iter().map(|tab| word(tab.name(), model)).collect();
+/// The names of these tabs, the chosen one marked; where there is no room for all, those around it.
+fn tab_bar(model: &Model, bench: &Bench, tabs: &[Tab], columns: u16) -> Line<'static> {
+    let names: Vec<String> = tabs
+        .iter()
+        .map(|tab| match place_of_shown(bench, *tab).filter(|_| *tab == bench.tab) {
+            Some(place) => format!("{} {place}", word(tab.name(), model)),
+            None => word(tab.name(), model),
+        })
+        .collect();
     let chosen = tabs.iter().position(|tab| *tab == bench.tab).unwrap_or(0);
     let room = usize::from(columns).saturating_sub(4);
     let cells =
@@ -227,7 +249,7 @@ fn tab_bar(model: &Model, bench: &Bench, columns: u16) -> Line<'static> {
         line.push_span(Span::styled(format!("{} ", look.glyph(Glyph::Left)), look.dim()));
     }
     for (n, name) in names.iter().enumerate().take(end).skip(first) {
-        let style = match (n == chosen, focused) {
+        let style = match (tabs[n] == bench.tab, focused) {
             (true, true) => look.border(true).patch(look.title()).add_modifier(Modifier::REVERSED),
             (true, false) => look.title().add_modifier(Modifier::UNDERLINED),
             (false, _) => look.dim(),
@@ -245,12 +267,7 @@ fn tab_bar(model: &Model, bench: &Bench, columns: u16) -> Line<'static> {
 fn tab_title(model: &Model, bench: &Bench, tab: Tab) -> Line<'static> {
     let look: &Look = &model.look;
     let focused = bench.focus == Focus::Pane && bench.tab == tab;
-    let (at, of) = match tab {
-        Tab::Plot => (bench.plot, bench.plots().count()),
-        Tab::Drawing => (bench.drawing, bench.drawings().count()),
-        _ => (0, 0),
-    };
-    let many = if of > 1 { format!("{}/{of} ", at.min(of - 1) + 1) } else { String::new() };
+    let place = place_of_shown(bench, tab).map_or_else(String::new, |place| format!("{place} "));
     let style = match (focused, bench.tab == tab) {
         (true, _) => look.border(true).patch(look.title()).add_modifier(Modifier::REVERSED),
         (false, true) => look.title().add_modifier(Modifier::UNDERLINED),
@@ -260,6 +277,13 @@ fn tab_title(model: &Model, bench: &Bench, tab: Tab) -> Line<'static> {
         Span::raw(" "),
         Span::styled(word(tab.name(), model), style),
         Span::raw(" "),
-        Span::styled(many, look.dim()),
+        Span::styled(place, look.dim()),
     ])
+}
+
+/// Which of several plots or drawings a tab shows: `1/2`.
+fn place_of_shown(bench: &Bench, tab: Tab) -> Option<String> {
+    let of = bench.exhibits_of(tab);
+    let at = if tab == Tab::Plot { bench.plot } else { bench.drawing };
+    (of > 1).then(|| format!("{}/{of}", at.min(of - 1) + 1))
 }

@@ -71,6 +71,33 @@ pub(super) fn wrapped(text: &str, room: usize) -> Vec<String> {
     lines
 }
 
+/// At most so many of these lines; where some are left out, the last one shows a mark.
+pub(super) fn shortened(mut lines: Vec<String>, most: usize, room: usize, look: &Look) -> Vec<String> {
+    if lines.len() > most {
+        lines.truncate(most);
+        if let Some(last) = lines.last_mut() {
+            *last = fit(&format!("{last} {}", look.glyph(Glyph::Ellipsis)), room, look);
+        }
+    }
+    lines
+}
+
+/// The longest last word that tells labels apart: `A`, `x₁`, `2nd`.
+const SHORT: usize = 3;
+
+/// A label in at most `room` cells: a short last word is kept, since labels differ by it: `Position of… A`.
+pub(super) fn fit_label(text: &str, room: usize, look: &Look) -> String {
+    match text.rsplit_once(' ') {
+        Some((start, last)) if width(text) > room && width(last) <= SHORT && room > 2 * SHORT => {
+            format!(
+                "{} {last}",
+                fit(&format!("{start}{}", look.glyph(Glyph::Ellipsis)), room - width(last) - 1, look)
+            )
+        }
+        _ => fit(text, room, look),
+    }
+}
+
 /// Where a word is broken: at least one character is kept.
 fn broken_at(word: &str, room: usize) -> usize {
     let mut cells = 0;
@@ -96,6 +123,12 @@ mod tests {
         assert_eq!(fit("amplitude", 0, &look), "");
         assert_eq!(padded("X", 3, &look), "X  ");
         assert_eq!(fit("梁梁梁", 5, &look), "梁梁…");
+        assert_eq!(fit_label("Position of the plane A", 14, &look), "Position of… A");
+        assert_eq!(fit_label("Position A", 14, &look), "Position A");
+        assert_eq!(fit_label("Largest amplitude", 12, &look), "Largest amp…");
+        let lines = || vec!["one".to_owned(), "two".to_owned(), "three".to_owned()];
+        assert_eq!(shortened(lines(), 2, 5, &look), ["one", "two …"]);
+        assert_eq!(shortened(lines(), 3, 5, &look), lines());
     }
 
     #[test]
