@@ -214,7 +214,7 @@ fn what_cannot_be_read_is_said_and_old_results_are_not_passed_off() {
 fn every_kind_of_wrong_text_names_field_value_and_repair() {
     for (typed, said) in [
         ("abc", "abc"),
-        ("3 kg", "angular velocity"),
+        ("3 kg", "is a mass"),
         ("1.000,5 rpm", "1.000,5"),
         ("-5 rpm", "above zero"),
         ("1e400 rpm", "1e400"),
