@@ -198,8 +198,16 @@ impl Writer<'_> {
         }
     }
 
-    fn minus(&self) -> &'static str {
-        if self.style.ascii { "-" } else { "−" }
+    /// What stands before a term of a sum.
+    fn sign(&self, first: bool, negative: bool) -> &'static str {
+        match (first, negative, self.style.ascii) {
+            (true, false, _) => "",
+            (true, true, false) => "−",
+            (true, true, true) => "-",
+            (false, false, _) => " + ",
+            (false, true, false) => " − ",
+            (false, true, true) => " - ",
+        }
     }
 
     /// A sum, its terms in the order they were added.
@@ -220,18 +228,7 @@ impl Writer<'_> {
                 continue;
             }
             let (product, negative) = self.signed_product(id, negative);
-            text += match (text.is_empty(), negative) {
-                (true, false) => "",
-                (true, true) => self.minus(),
-                (false, false) => " + ",
-                (false, true) => {
-                    if self.style.ascii {
-                        " - "
-                    } else {
-                        " − "
-                    }
-                }
-            };
+            text += self.sign(text.is_empty(), negative);
             text += &product;
         }
         text
@@ -472,18 +469,7 @@ impl Writer<'_> {
             let (product, negative) = self.signed_product(id, false);
             let product =
                 if self.tightness(id) == Tight::Sum { format!("({})", self.expression(id)) } else { product };
-            text += match (text.is_empty(), negative) {
-                (true, false) => "",
-                (true, true) => self.minus(),
-                (false, false) => " + ",
-                (false, true) => {
-                    if self.style.ascii {
-                        " - "
-                    } else {
-                        " − "
-                    }
-                }
-            };
+            text += self.sign(text.is_empty(), negative);
             text += &format!("{product} {axis}");
         }
         if text.is_empty() { "0".into() } else { text }
