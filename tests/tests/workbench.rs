@@ -19,7 +19,6 @@ fn at_home(home: &Path) -> Launch {
 #[test]
 fn a_person_changes_the_speed_of_the_fan_and_sees_everything_follow() {
     let mut pty = started(Launch::new(pty::program()));
-    pty.types("/rotating<enter>");
     pty.expect("19.456 mm");
     pty.types("<end><del>1500 rpm<enter>");
     pty.expect("4.5535 mm");
@@ -37,7 +36,6 @@ fn a_person_changes_the_speed_of_the_fan_and_sees_everything_follow() {
 #[test]
 fn a_key_and_its_results_are_one_frame() {
     let mut pty = started(Launch::new(pty::program()).size(40, 120));
-    pty.types("/rotating<enter>");
     pty.expect("19.456");
     pty.types("<end>");
     pty.idle(Duration::from_millis(200));
@@ -54,7 +52,6 @@ fn a_key_and_its_results_are_one_frame() {
 fn what_is_typed_outlives_the_window_and_is_offered_again() {
     let home = tempfile::tempdir().expect("a folder");
     let mut pty = started(at_home(home.path()));
-    pty.types("/rotating<enter>");
     pty.expect("19.456 mm");
     pty.types("<end><del>1234 rpm<enter>");
     pty.idle(Duration::from_millis(200));
@@ -98,7 +95,6 @@ fn a_problem_file_is_opened_changed_and_saved() {
 #[test]
 fn copies_go_to_the_clipboard_of_the_terminal() {
     let mut pty = started(Launch::new(pty::program()));
-    pty.types("/rotating<enter>");
     pty.expect("19.456 mm");
     pty.types("y");
     pty.expect("copied");

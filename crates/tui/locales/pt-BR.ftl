@@ -196,3 +196,4 @@ file-could-not-be-read-or-written-why = { $file } não pôde ser lido ou gravado
 # Ajuda
 a-quantity-is-a-number-and-a-unit-20-3-mm-1000-rpm-200-kn-mm-2-5-kg-mm-2-pi-50-rad-s-1-2-in-comma-and = Uma grandeza é um número e uma unidade: 20,3 mm, 1000 rpm, 200 kN/mm^2, 5 kg*mm, 2*pi*50 rad/s, 1/2 in. Vírgula e ponto são ambos marcas decimais. Um vetor: (300; 200) m/s.
 a-digit-typed-on-a-field-replaces-its-text-everything-is-solved-again-as-you-type-rows-are-added-with = Um algarismo digitado num campo substitui o seu texto; tudo é resolvido de novo enquanto se digita. Linhas se acrescentam com a, também no título da sua lista.
+esc-leads-to-the-list-of-all-analyses = Esc leva à lista de todas as análises

@@ -115,6 +115,9 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     if world.perform(&mut model, effects) {
         return Ok(());
     }
+    if options.analysis.is_some() {
+        model.say("Esc leads to the list of all analyses");
+    }
     if let Some(error) = trouble {
         update(&mut model, Msg::Trouble(error));
     }

@@ -7,7 +7,7 @@ use dalembert_tui::Options;
 
 use crate::{commands::solve::print_worked, console::Console, failure::Failure, problem};
 
-/// The problem that stands for all where nobody can pick one.
+/// The problem that the workbench opens on, and that is printed where there is no terminal, when none is named.
 const FIRST: &str = "vibration/rotating-unbalance";
 
 /// Opens the workbench.
@@ -15,7 +15,7 @@ pub(crate) fn run(named: Option<&str>, readonly: bool, console: &Console) -> Res
     if !console.interactive {
         return print_worked(&problem::read(named.unwrap_or(FIRST), None, &[], console)?, console);
     }
-    let analysis = named.and_then(find);
+    let analysis = find(named.unwrap_or(FIRST));
     let path = named.filter(|_| analysis.is_none()).map(PathBuf::from);
     if let Some(named) = named.filter(|named| problem::looks_like_an_id(named))
         && path.as_ref().is_some_and(|path| !path.exists())
