@@ -48,7 +48,7 @@ impl Failure {
                 (all.iter().map(|why| error(why.render(&console.locale))).collect::<Vec<_>>().join("\n"), 2)
             }
             Failure::InFile(shown) => (shown.clone(), 2),
-            Failure::File(err) => (error(err.to_string()), 2),
+            Failure::File(err) => (error(err.text().render(&console.locale)), 2),
             Failure::Refused(why) => (say(Text::new("no answer: {why}").with_text("why", why.clone())), 1),
             Failure::Fault(what) => (
                 say(Text::new("this is a fault of the program, not of your input: {what}").with("what", what)),

@@ -21,6 +21,8 @@ use std::{
 pub use autosave::{Autosave, Crashed};
 pub use save::{Before, remove_strays, save};
 
+use dalembert_core::Text;
+
 use crate::glyphs::filter_untrusted;
 
 /// The largest file that is read, in bytes.
@@ -32,6 +34,9 @@ pub enum FileError {
     /// There is no such file.
     #[error("there is no file `{}`: check the name and the folder", shown(.0))]
     Missing(PathBuf),
+    /// The folder that a file is to be written into is missing.
+    #[error("there is no folder `{}`: make it, or name another one", shown(.0))]
+    NoFolder(PathBuf),
     /// It is a folder.
     #[error("`{}` is a folder: name a file in it", shown(.0))]
     Folder(PathBuf),
@@ -83,6 +88,51 @@ pub enum FileError {
         /// What the system said.
         source: io::Error,
     },
+}
+
+impl FileError {
+    /// What went wrong, as a sentence that can be said in every language.
+    pub fn text(&self) -> Text {
+        match self {
+            FileError::Missing(path) => {
+                Text::new("there is no file {file}: check the name and the folder").with("file", shown(path))
+            }
+            FileError::NoFolder(path) => {
+                Text::new("there is no folder {file}: make it, or name another one").with("file", shown(path))
+            }
+            FileError::Folder(path) => {
+                Text::new("{file} is a folder: name a file in it").with("file", shown(path))
+            }
+            FileError::NotOrdinary { path, kind } => {
+                Text::new("{file} is a {kind}: only ordinary files are read and written")
+                    .with("file", shown(path))
+                    .with_text("kind", *kind)
+            }
+            FileError::TooLarge(path) => Text::new("{file} is larger than {most} MiB: it is no problem file")
+                .with("file", shown(path))
+                .with("most", LARGEST >> 20),
+            FileError::NotUtf8 { path, byte, line, .. } => {
+                Text::new("{file} is not UTF-8 text: byte {byte}, in line {line}, begins no character")
+                    .with("file", shown(path))
+                    .with("byte", byte)
+                    .with("line", line)
+            }
+            FileError::ReadOnly(path) => {
+                Text::new("{file} is read-only: save under another name").with("file", shown(path))
+            }
+            FileError::Changed(path) | FileError::Removed(path) => {
+                Text::new("{file} was changed by another program since it was opened.")
+                    .with("file", shown(path))
+            }
+            FileError::Exists(path) => Text::new("{file} exists already.").with("file", shown(path)),
+            FileError::NoAutosave(why) => {
+                Text::new("unsaved work is not kept against a crash: {why}; save often").with("why", why)
+            }
+            FileError::Failed { path, source, .. } => Text::new("{file} could not be read or written: {why}")
+                .with("file", shown(path))
+                .with("why", source),
+        }
+    }
 }
 
 /// What a file held: equal when its bytes are equal. Times are not looked at; copying and synchronising change them

@@ -59,7 +59,7 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
             Vec::new()
         }
         Msg::Trouble(error) => {
-            model.complain(files::words(&error));
+            model.complain(error.text());
             Vec::new()
         }
         Msg::Notice(text) => {

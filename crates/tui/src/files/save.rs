@@ -61,6 +61,9 @@ pub(super) fn save_with(
 ) -> Result<Fingerprint, FileError> {
     let (target, old) = resolve(path)?;
     let folder = folder_of(&target);
+    if !folder.is_dir() {
+        return Err(FileError::NoFolder(folder.to_owned()));
+    }
     // Another instance may be between its check and its rename.
     let _lock = lock(folder);
     match (before, &old) {

@@ -11,7 +11,7 @@ use super::{go_on, judged_later, show};
 use crate::{
     bench::{Bench, OpenFile},
     dialog::{Answer, Dialog, Purpose},
-    files::{Before, Crashed, FileError, Fingerprint, LARGEST, Opened},
+    files::{Before, Crashed, FileError, Fingerprint, Opened},
     glyphs::filter_untrusted,
     model::{Effect, Model},
 };
@@ -107,7 +107,7 @@ pub(super) fn saved(
         }
         Err(error) => {
             let typed = path.display().to_string();
-            model.dialog = Some(Dialog::prompt_again(Purpose::SaveAs, typed, words(&error)));
+            model.dialog = Some(Dialog::prompt_again(Purpose::SaveAs, typed, error.text()));
             Vec::new()
         }
     }
@@ -118,7 +118,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
         Ok(opened) => opened,
         Err(error) => {
             let typed = path.display().to_string();
-            model.dialog = Some(Dialog::prompt_again(Purpose::Open, typed, words(&error)));
+            model.dialog = Some(Dialog::prompt_again(Purpose::Open, typed, error.text()));
             return super::picker::preview(model);
         }
     };
@@ -197,35 +197,6 @@ pub(super) fn restore(model: &mut Model, crashed: Crashed) -> Vec<Effect> {
         Err(_) => {
             model.complain("the work of the earlier session cannot be read; it is left where it is");
             Vec::new()
-        }
-    }
-}
-
-/// What went wrong with a file, in the person's language.
-pub(super) fn words(error: &FileError) -> Text {
-    let text = |template, path: &Path| Text::new(template).with("file", shown(path));
-    match error {
-        FileError::Missing(path) => text("there is no file {file}: check the name and the folder", path),
-        FileError::Folder(path) => text("{file} is a folder: name a file in it", path),
-        FileError::NotOrdinary { path, .. } => text("{file} is no ordinary file: name another one", path),
-        FileError::TooLarge(path) => {
-            text("{file} is larger than {most} MiB: it is no problem file", path).with("most", LARGEST >> 20)
-        }
-        FileError::NotUtf8 { path, byte, line, .. } => {
-            text("{file} is not UTF-8 text: byte {byte}, in line {line}, begins no character", path)
-                .with("byte", byte)
-                .with("line", line)
-        }
-        FileError::ReadOnly(path) => text("{file} is read-only: save under another name", path),
-        FileError::Changed(path) | FileError::Removed(path) => {
-            text("{file} was changed by another program since it was opened.", path)
-        }
-        FileError::Exists(path) => text("{file} exists already.", path),
-        FileError::NoAutosave(why) => {
-            Text::new("unsaved work is not kept against a crash: {why}; save often").with("why", why)
-        }
-        FileError::Failed { path, source, .. } => {
-            text("{file} could not be read or written: {why}", path).with("why", source)
         }
     }
 }
