@@ -59,11 +59,11 @@ pub(super) fn save_with(
     before: Before,
     step: &mut dyn FnMut(Step) -> io::Result<()>,
 ) -> Result<Fingerprint, FileError> {
+    if !folder_of(path).is_dir() {
+        return Err(FileError::NoFolder(folder_of(path).to_owned()));
+    }
     let (target, old) = resolve(path)?;
     let folder = folder_of(&target);
-    if !folder.is_dir() {
-        return Err(FileError::NoFolder(folder.to_owned()));
-    }
     // Another instance may be between its check and its rename.
     let _lock = lock(folder);
     match (before, &old) {
