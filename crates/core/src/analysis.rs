@@ -9,7 +9,7 @@ use std::{
 };
 
 use crate::{
-    Field, FieldError, Inputs, Plain, Record, Shape, Sheet, Solution, Source, Text, Trail, Worksheet,
+    Field, FieldError, Inputs, Plain, Record, Shape, Sheet, Solution, Source, Text, Trail, Value, Worksheet,
     input::Lift,
 };
 
@@ -204,13 +204,10 @@ impl Stop {
 }
 
 fn solve<A: Analysis>(record: &Record, stop: &Stop) -> Result<Solution, SolveError> {
-    let problem = A::read_record(record).map_err(SolveError::Fields)?;
+    let value = Value::Group(record.clone());
+    let problem = A::read_all(&value).map_err(SolveError::Fields)?;
     let sheet = Sheet::new(stop);
-    let given = problem.given(Lift {
-        sheet: &sheet,
-        value: Some(&crate::Value::Group(record.clone())),
-        trail: &Trail::TOP,
-    });
+    let given = problem.given(Lift { sheet: &sheet, value: Some(&value), trail: &Trail::TOP });
     problem.solve(&given, &sheet)?;
     drop(given);
     Ok(sheet.into_solution()?)
@@ -227,7 +224,7 @@ fn prepare<A: Analysis>(
     vary: &[&str],
     wanted: &[&str],
 ) -> Result<Box<dyn Evaluate>, SolveError> {
-    let mut problem = A::read_record(record).map_err(SolveError::Fields)?;
+    let mut problem = A::read_all(&Value::Group(record.clone())).map_err(SolveError::Fields)?;
     let shape = A::SHAPE;
     let unknown =
         |path: &str, why: &'static str| SolveError::Fields(vec![FieldError::new(path, Text::from(why))]);

@@ -4,7 +4,7 @@ use dalembert_units::{self as units, Dim};
 use toml_edit::{Item, TableLike};
 
 use crate::{
-    AnswerValue, Draft, Entry, Locale, Number, Record, Refusal, Solution, SolveError, Stop, Text,
+    AnswerValue, Draft, Entry, Locale, Number, Record, Refusal, Solution, SolveError, Stop,
     file::{self, FileError},
 };
 
@@ -319,10 +319,4 @@ fn line_of(text: &str, error: &FileError) -> String {
         let line = text.get(..span.start).map_or(1, |before| before.lines().count().max(1));
         format!("line {line}: ")
     })
-}
-
-impl From<&Case> for Text {
-    fn from(case: &Case) -> Self {
-        Text::new(case.name.clone())
-    }
 }

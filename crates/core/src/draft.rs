@@ -7,7 +7,7 @@ use dalembert_units::{self as units, Style};
 
 use crate::{
     Field, FieldError, Limit, Measure, Record, Shape, Text, Value,
-    path::{Segment, segments, unknown},
+    path::{segments, step, unknown},
     reading, table,
 };
 
@@ -57,8 +57,8 @@ impl Draft {
         let Value::Group(mut record) = read(self, shape, "", &mut errors) else {
             return Err(vec![FieldError::new("", "a group of inputs is needed")]);
         };
-        let whole = record.clone();
-        resolve_record(&mut record, &whole, "", &mut errors);
+        let lists = row_names(&record);
+        resolve_record(&mut record, &lists, "", &mut errors);
         if errors.is_empty() { Ok(record) } else { Err(errors) }
     }
 
@@ -66,7 +66,7 @@ impl Draft {
     pub fn at(&self, shape: &Shape, path: &str) -> Result<(&Draft, Shape), FieldError> {
         let (mut draft, mut shape) = (self, *shape);
         for segment in segments(path)? {
-            shape = present(shape);
+            shape = shape.present();
             let (at, inner) = step(&shape, &segment, path)?;
             draft = match draft {
                 Draft::OneOf(chosen, fields) if *chosen == at => fields,
@@ -82,7 +82,7 @@ impl Draft {
     pub fn at_mut(&mut self, shape: &Shape, path: &str) -> Result<(&mut Draft, Shape), FieldError> {
         let (mut draft, mut shape) = (self, *shape);
         for segment in segments(path)? {
-            shape = present(shape);
+            shape = shape.present();
             let (at, inner) = step(&shape, &segment, path)?;
             draft = draft.child_mut(at, path)?;
             shape = inner;
@@ -99,7 +99,7 @@ impl Draft {
             if let (Shape::Optional(inner), Draft::Absent) = (&shape, &*draft) {
                 *draft = Draft::blank(inner());
             }
-            shape = present(shape);
+            shape = shape.present();
             let (at, inner) = step(&shape, &segment, path)?;
             match draft {
                 Draft::OneOf(chosen, _) if *chosen != at => *draft = Draft::alternative(&shape, at),
@@ -172,34 +172,6 @@ fn written(shape: &Shape, text: &str, path: &str) -> Result<Draft, FieldError> {
         }
         _ => Ok(Draft::Leaf(text.to_owned())),
     }
-}
-
-/// What a segment of a path leads to: its place and its shape. A one-of leads to the group of an alternative.
-fn step(shape: &Shape, segment: &Segment, path: &str) -> Result<(usize, Shape), FieldError> {
-    match (shape, segment) {
-        (Shape::Group(fields), Segment::Name(name)) => {
-            let fields = fields();
-            let at = fields.iter().position(|field| field.name == name);
-            let at = at.ok_or_else(|| unknown(path, name, fields.iter().map(|field| field.name)))?;
-            Ok((at, fields[at].shape))
-        }
-        (Shape::OneOf(variants), Segment::Name(name)) => {
-            let variants = variants();
-            let at = variants.iter().position(|variant| variant.name == name);
-            let at = at.ok_or_else(|| unknown(path, name, variants.iter().map(|variant| variant.name)))?;
-            Ok((at, Shape::Group(variants[at].fields)))
-        }
-        (Shape::Rows { item, .. }, Segment::Row(row)) => Ok((*row, *item())),
-        (Shape::Rows { .. }, Segment::Name(_)) => {
-            Err(FieldError::new(path, "is a list; name a row, as in masses[1]"))
-        }
-        _ => Err(FieldError::new(path, "there is no such field")),
-    }
-}
-
-/// The shape of an optional input that is there.
-fn present(shape: Shape) -> Shape {
-    if let Shape::Optional(inner) = shape { present(*inner()) } else { shape }
 }
 
 fn no_row(path: &str, rows: usize) -> FieldError {
@@ -344,27 +316,45 @@ fn outside(measure: &Measure, si: f64, text: &str) -> Option<Text> {
     Some(why.with("text", text.trim()))
 }
 
+/// The top-level lists, each with the names of its rows; a row without a name has an empty one.
+type Lists = Vec<(&'static str, Vec<String>)>;
+
+fn row_names(record: &Record) -> Lists {
+    let name = |row: &Value| match row {
+        Value::Group(record) => match record.get("name") {
+            Some(Value::Text(name)) => name.clone(),
+            _ => String::new(),
+        },
+        _ => String::new(),
+    };
+    let lists = record.fields.iter().zip(&record.values).filter_map(|(field, value)| match value {
+        Value::Rows(rows) => Some((field.name, rows.iter().map(name).collect())),
+        _ => None,
+    });
+    lists.collect()
+}
+
 /// Finds the rows that references name.
-fn resolve_record(record: &mut Record, whole: &Record, path: &str, errors: &mut Vec<FieldError>) {
+fn resolve_record(record: &mut Record, lists: &Lists, path: &str, errors: &mut Vec<FieldError>) {
     for (field, value) in record.fields.iter().zip(&mut record.values) {
-        resolve(value, &field.shape, whole, &join(path, field.name), errors);
+        resolve(value, &field.shape, lists, &join(path, field.name), errors);
     }
 }
 
-fn resolve(value: &mut Value, shape: &Shape, whole: &Record, path: &str, errors: &mut Vec<FieldError>) {
-    match (value, present(*shape)) {
-        (Value::Reference { name, row }, Shape::Reference(list)) => match find_row(whole, list, name) {
+fn resolve(value: &mut Value, shape: &Shape, lists: &Lists, path: &str, errors: &mut Vec<FieldError>) {
+    match (value, shape.present()) {
+        (Value::Reference { name, row }, Shape::Reference(list)) => match find_row(lists, list, name) {
             Ok(found) => *row = found,
             Err(why) => errors.push(FieldError::new(path, why)),
         },
-        (Value::Group(record), _) => resolve_record(record, whole, path, errors),
+        (Value::Group(record), _) => resolve_record(record, lists, path, errors),
         (Value::OneOf { variant, fields }, Shape::OneOf(variants)) => {
             let name = variants().get(*variant).map_or("", |variant| variant.name);
-            resolve_record(fields, whole, &join(path, name), errors);
+            resolve_record(fields, lists, &join(path, name), errors);
         }
         (Value::Rows(rows), Shape::Rows { item, .. }) => {
             for (n, row) in rows.iter_mut().enumerate() {
-                resolve(row, item(), whole, &format!("{path}[{}]", n + 1), errors);
+                resolve(row, item(), lists, &format!("{path}[{}]", n + 1), errors);
             }
         }
         _ => {}
@@ -372,27 +362,17 @@ fn resolve(value: &mut Value, shape: &Shape, whole: &Record, path: &str, errors:
 }
 
 /// The row of a top-level list by the text of its field `name`, or by its number.
-fn find_row(whole: &Record, list: &str, name: &str) -> Result<usize, Text> {
-    let Some(Value::Rows(rows)) = whole.get(list) else {
+fn find_row(lists: &Lists, list: &str, name: &str) -> Result<usize, Text> {
+    let Some((_, names)) = lists.iter().find(|(found, _)| *found == list) else {
         return Err(Text::new("there are no {list} to name").with("list", list));
     };
-    let names: Vec<&str> = rows
-        .iter()
-        .map(|row| match row {
-            Value::Group(record) => match record.get("name") {
-                Some(Value::Text(name)) => name.as_str(),
-                _ => "",
-            },
-            _ => "",
-        })
-        .collect();
     if let Some(row) = names.iter().position(|found| *found == name) {
         return Ok(row);
     }
-    if let Some(row) = name.parse::<usize>().ok().filter(|row| (1..=rows.len()).contains(row)) {
+    if let Some(row) = name.parse::<usize>().ok().filter(|row| (1..=names.len()).contains(row)) {
         return Ok(row - 1);
     }
-    Err(unknown("", name, names.into_iter().filter(|name| !name.is_empty())).why)
+    Err(unknown("", name, names.iter().map(String::as_str).filter(|name| !name.is_empty())).why)
 }
 
 fn join(path: &str, name: &str) -> String {

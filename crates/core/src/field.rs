@@ -118,6 +118,12 @@ impl Measure {
 }
 
 impl Shape {
+    /// The shape of an optional input that is there; any other shape as it is.
+    #[must_use]
+    pub fn present(self) -> Shape {
+        if let Shape::Optional(inner) = self { inner().present() } else { self }
+    }
+
     /// The fields directly inside: of a group, or of the alternative `variant` of a one-of.
     pub fn fields(&self, variant: Option<usize>) -> &'static [Field] {
         match self {

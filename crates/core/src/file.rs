@@ -60,7 +60,7 @@ pub fn parse(text: &str) -> Result<Problem, Vec<FileError>> {
         return Err(errors);
     }
     let entry = match root.get("analysis").map(|item| (item, item.as_str())) {
-        Some((_, Some(id))) => find(id).ok_or_else(|| unknown_analysis(id)),
+        Some((_, Some(id))) => find(id).ok_or_else(|| no_such_analysis(id)),
         Some((_, None)) => {
             Err(Text::new("the analysis must be a text such as \"vibration/rotating-unbalance\""))
         }
@@ -135,6 +135,16 @@ pub fn locate(text: &str, error: &FieldError) -> Option<Range<usize>> {
         item = &owned;
     }
     found
+}
+
+/// The error for an id that is no analysis, with the nearest one.
+pub fn no_such_analysis(id: &str) -> Text {
+    match path::nearest(id, registry().iter().map(|entry| entry.about.id)) {
+        Some(near) => {
+            Text::new("there is no analysis `{id}`; did you mean `{near}`?").with("id", id).with("near", near)
+        }
+        None => Text::new("there is no analysis `{id}`; see `dalembert list`").with("id", id),
+    }
 }
 
 /// The TOML document of a text, or where it is not TOML.
@@ -232,20 +242,6 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, errors: &mut Vec<
             _ => fail("one value is needed here".into(), item.span()),
         },
     }
-}
-
-fn unknown_analysis(id: &str) -> Text {
-    match path::nearest(id, registry().iter().map(|entry| entry.about.id)) {
-        Some(near) => {
-            Text::new("there is no analysis `{id}`; did you mean `{near}`?").with("id", id).with("near", near)
-        }
-        None => Text::new("there is no analysis `{id}`; see `dalembert list`").with("id", id),
-    }
-}
-
-/// The error for an id that is no analysis, with the nearest one.
-pub fn no_such_analysis(id: &str) -> Text {
-    unknown_analysis(id)
 }
 
 fn check_keys(table: &dyn TableLike, known: &[&str], errors: &mut Vec<FileError>) {

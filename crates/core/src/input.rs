@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::{Record, Shape, Text, Value, Worksheet, worksheet::Trail};
+use crate::{Shape, Text, Value, Worksheet, worksheet::Trail};
 
 /// A struct or enum that a form can fill. Derived.
 pub trait Inputs: Sized + Send + 'static {
@@ -19,11 +19,10 @@ pub trait Inputs: Sized + Send + 'static {
     /// The number at a place: field indices, row indices, the index of the chosen alternative, vector components.
     fn slot(&mut self, path: &[usize]) -> Option<&mut f64>;
 
-    /// The problem that a record describes.
-    fn read_record(record: &Record) -> Result<Self, Vec<FieldError>> {
+    /// The problem that the value of a whole describes, or everything that is wrong with it.
+    fn read_all(value: &Value) -> Result<Self, Vec<FieldError>> {
         let mut errors = Vec::new();
-        let read = Self::read(&Value::Group(record.clone()), &Trail::TOP, &mut errors);
-        match read {
+        match Self::read(value, &Trail::TOP, &mut errors) {
             Some(problem) if errors.is_empty() => Ok(problem),
             _ => Err(errors),
         }

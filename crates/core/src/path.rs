@@ -1,6 +1,6 @@
 //! Paths of fields as text: `supports[2].cantilever.length`. Rows count from 1, as in `m₁`.
 
-use crate::{Field, FieldError, Shape, Text};
+use crate::{FieldError, Shape, Text};
 
 /// The longest name that is compared with others, or repeated in full in an error.
 const LONGEST_NAME: usize = 100;
@@ -52,46 +52,42 @@ pub(crate) fn segments(path: &str) -> Result<Vec<Segment>, FieldError> {
 pub(crate) fn indices(shape: &Shape, path: &str) -> Result<Vec<usize>, FieldError> {
     let mut indices = Vec::new();
     let mut shape = *shape;
-    for part in segments(path)? {
-        while let Shape::Optional(inner) = shape {
-            shape = *inner();
-        }
-        match (shape, part) {
-            (Shape::Group(fields), Segment::Name(name)) => {
-                let fields = fields();
-                let at = position(fields, &name, path)?;
-                indices.push(at);
-                shape = fields[at].shape;
-            }
-            (Shape::OneOf(variants), Segment::Name(name)) => {
-                let variants = variants();
-                let at = variants
-                    .iter()
-                    .position(|variant| variant.name == name)
-                    .ok_or_else(|| unknown(path, &name, variants.iter().map(|variant| variant.name)))?;
-                indices.push(at);
-                shape = Shape::Group(variants[at].fields);
-            }
-            (Shape::Rows { item, .. }, Segment::Row(row)) => {
-                indices.push(row);
-                shape = *item();
-            }
+    for segment in segments(path)? {
+        let (at, inner) = match (shape.present(), &segment) {
             (Shape::Vector(measure, _), Segment::Name(name)) => {
-                let at = ["x", "y", "z"].iter().position(|axis| *axis == name);
-                indices.push(at.ok_or_else(|| unknown(path, &name, ["x", "y", "z"].into_iter()))?);
-                shape = Shape::Quantity(measure);
+                let at = ["x", "y", "z"].iter().position(|axis| axis == name);
+                let at = at.ok_or_else(|| unknown(path, name, ["x", "y", "z"].into_iter()))?;
+                (at, Shape::Quantity(measure))
             }
-            _ => return Err(FieldError::new(path, "there is no such field")),
-        }
+            (shape, segment) => step(&shape, segment, path)?,
+        };
+        indices.push(at);
+        shape = inner;
     }
     Ok(indices)
 }
 
-fn position(fields: &[Field], name: &str, path: &str) -> Result<usize, FieldError> {
-    fields
-        .iter()
-        .position(|field| field.name == name)
-        .ok_or_else(|| unknown(path, name, fields.iter().map(|field| field.name)))
+/// What a segment of a path leads to: its place and its shape. A one-of leads to the group of an alternative.
+pub(crate) fn step(shape: &Shape, segment: &Segment, path: &str) -> Result<(usize, Shape), FieldError> {
+    match (shape, segment) {
+        (Shape::Group(fields), Segment::Name(name)) => {
+            let fields = fields();
+            let at = fields.iter().position(|field| field.name == name);
+            let at = at.ok_or_else(|| unknown(path, name, fields.iter().map(|field| field.name)))?;
+            Ok((at, fields[at].shape))
+        }
+        (Shape::OneOf(variants), Segment::Name(name)) => {
+            let variants = variants();
+            let at = variants.iter().position(|variant| variant.name == name);
+            let at = at.ok_or_else(|| unknown(path, name, variants.iter().map(|variant| variant.name)))?;
+            Ok((at, Shape::Group(variants[at].fields)))
+        }
+        (Shape::Rows { item, .. }, Segment::Row(row)) => Ok((*row, *item())),
+        (Shape::Rows { .. }, Segment::Name(_)) => {
+            Err(FieldError::new(path, "is a list; name a row, as in masses[1]"))
+        }
+        _ => Err(FieldError::new(path, "there is no such field")),
+    }
 }
 
 /// The error of a name that is none of `known`, with the nearest one.

@@ -64,11 +64,6 @@ pub fn formula(solution: &Solution, id: Id, locale: &Locale) -> String {
     Writer { solution, values: false, general: false, style: locale.style }.expression(id)
 }
 
-/// A number of the trace with the values in place of the symbols.
-pub fn substitution(solution: &Solution, id: Id, locale: &Locale) -> String {
-    Writer { solution, values: true, general: false, style: locale.style }.expression(id)
-}
-
 impl Answer {
     /// The answer in words and numbers.
     pub fn shown(&self, locale: &Locale) -> String {

@@ -220,15 +220,6 @@ pub fn translation_faults() -> Vec<String> {
     faults
 }
 
-/// Every key of the translation files.
-pub fn translated_keys() -> Vec<&'static str> {
-    inventory::iter::<Messages>()
-        .flat_map(|messages| messages.portuguese.lines())
-        .filter(|line| !line.starts_with(['#', ' ']))
-        .filter_map(|line| line.split_once(" = ").map(|(id, _)| id))
-        .collect()
-}
-
 fn portuguese(template: &str, args: &[(&str, String)]) -> Option<String> {
     let bundle = catalogue();
     let message = bundle.get_message(&key(template))?;

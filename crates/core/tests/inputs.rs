@@ -143,7 +143,7 @@ fn errors_of(path: &str, text: &str) -> Vec<FieldError> {
 
 #[test]
 fn a_draft_becomes_the_struct() {
-    let machine = Machine::read_record(&read(&filled())).unwrap();
+    let machine = Machine::read_all(&Value::Group(read(&filled()))).unwrap();
     assert_eq!(machine.gravity, 9.81);
     assert_eq!(machine.bodies[1].mass, 3.5);
     assert_eq!(machine.bodies[1].centre, Vector3::new(0.01, 0.02, 0.0));
@@ -166,7 +166,7 @@ fn a_record_gives_its_texts_back() {
 
 #[test]
 fn a_quantity_anywhere_can_be_varied() {
-    let mut machine = Machine::read_record(&read(&filled())).unwrap();
+    let mut machine = Machine::read_all(&Value::Group(read(&filled()))).unwrap();
     *machine.slot(&[2, 1, 1]).unwrap() = 7.0;
     assert_eq!(machine.bodies[1].mass, 7.0);
     // support → series → members → second → stiffness given → stiffness
@@ -241,7 +241,7 @@ fn whatever_is_typed_is_read_or_refused() {
 fn an_optional_input_comes_and_goes() {
     let mut draft = filled();
     draft.set(&shape(), "largest", "3 mm").unwrap();
-    assert_eq!(Machine::read_record(&read(&draft)).unwrap().largest, Some(3e-3));
+    assert_eq!(Machine::read_all(&Value::Group(read(&draft))).unwrap().largest, Some(3e-3));
     draft.set(&shape(), "largest", "").unwrap();
     assert_eq!(*read(&draft).get("largest").unwrap(), Value::Absent);
 }

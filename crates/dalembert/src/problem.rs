@@ -167,12 +167,8 @@ fn from_file(draft: &Draft, shape: &Shape, path: &str, value: &str) -> Result<Op
     let mut draft = draft.clone();
     // Writing first makes the rows and alternatives on the way.
     let is_table = draft.set(shape, path, "").is_ok()
-        && draft.at(shape, path).is_ok_and(|(_, shape)| matches!(present(shape), Shape::Table(_)));
+        && draft.at(shape, path).is_ok_and(|(_, shape)| matches!(shape.present(), Shape::Table(_)));
     if is_table { files::read(&PathBuf::from(name)).map(|opened| Some(opened.text)) } else { Ok(None) }
-}
-
-fn present(shape: Shape) -> Shape {
-    if let Shape::Optional(inner) = shape { present(*inner()) } else { shape }
 }
 
 /// An error with the value that was typed.

@@ -233,6 +233,6 @@ fn advice(error: &io::Error) -> &'static str {
 }
 
 /// A path for a message; a file name can hold anything but a zero byte and a slash.
-fn shown(path: &Path) -> String {
+pub(crate) fn shown(path: &Path) -> String {
     filter_untrusted(&path.to_string_lossy()).replace('\n', "\u{FFFD}")
 }

@@ -190,7 +190,7 @@ impl Form {
     /// can be come back to.
     pub fn choose(&mut self, path: &str, to: usize) -> bool {
         let Ok((Draft::OneOf(from, fields), shape)) = self.draft.at(&self.shape, path) else { return false };
-        let shape = present(shape);
+        let shape = shape.present();
         if *from == to {
             return false;
         }
@@ -235,7 +235,7 @@ impl Form {
             }
             Role::Absent => self.change(Change::Other, |draft, shape| {
                 let (place, shape) = draft.at_mut(shape, &line.path).ok()?;
-                let blank = Draft::blank(&present(shape));
+                let blank = Draft::blank(&shape.present());
                 *place = blank;
                 Some(())
             }),
@@ -247,7 +247,7 @@ impl Form {
     /// The names of the rows that a reference may name; their numbers where they have none.
     pub fn names(&self, list: &str) -> Vec<String> {
         let Ok((Draft::Rows(rows), shape)) = self.draft.at(&self.shape, list) else { return Vec::new() };
-        let Shape::Rows { item, .. } = present(shape) else { return Vec::new() };
+        let Shape::Rows { item, .. } = shape.present() else { return Vec::new() };
         let fields = item().fields(None);
         let named = fields.iter().position(|field| field.name == "name");
         let name = |row: &Draft| match (row, named) {
@@ -472,14 +472,9 @@ fn row_of(path: &str) -> Option<Row> {
 
 fn rows_mut<'d>(draft: &'d mut Draft, shape: &Shape, list: &str) -> Option<(&'d mut Vec<Draft>, Shape)> {
     match draft.at_mut(shape, list).ok()? {
-        (Draft::Rows(rows), shape) => Some((rows, present(shape))),
+        (Draft::Rows(rows), shape) => Some((rows, shape.present())),
         _ => None,
     }
-}
-
-/// The shape of an optional input that is there.
-fn present(shape: Shape) -> Shape {
-    if let Shape::Optional(inner) = shape { present(*inner()) } else { shape }
 }
 
 /// The fields of an alternative, with the texts of another in the fields of the same name.

@@ -11,7 +11,7 @@ use super::{go_on, judged_later, show};
 use crate::{
     bench::{Bench, OpenFile},
     dialog::{Answer, Dialog, Purpose},
-    files::{Before, Crashed, FileError, Fingerprint, Opened},
+    files::{Before, Crashed, FileError, Fingerprint, Opened, shown},
     glyphs::filter_untrusted,
     model::{Effect, Model},
 };
@@ -224,9 +224,4 @@ fn bench_of(model: &Model, problem: Problem) -> Bench {
 fn ask(model: &mut Model, question: &'static str, path: &Path, answers: Vec<(&'static str, Answer)>) {
     let question = Text::new(question).with("file", shown(path));
     model.dialog = Some(Dialog::Ask { question, answers, chosen: 0 });
-}
-
-/// The name of a file for people.
-fn shown(path: &Path) -> String {
-    filter_untrusted(&path.display().to_string()).replace('\n', "\u{FFFD}")
 }
