@@ -83,8 +83,9 @@ fn the_unit_of_an_input_does_not_change_the_answers() {
 #[test]
 fn the_plain_reading_is_the_worked_reading() {
     for_every_problem(|name, entry, record, worked| {
-        let wanted: Vec<&str> =
-            worked.answers.iter().filter(|answer| answer.si().is_some()).map(|answer| answer.name).collect();
+        let numbers = worked.answers.iter().filter(|answer| answer.si().is_some());
+        let wanted: Vec<String> = numbers.map(|answer| answer.name.to_string()).collect();
+        let wanted: Vec<&str> = wanted.iter().map(String::as_str).collect();
         let mut plain = entry.prepare(record, &[], &wanted).unwrap_or_else(|err| panic!("{name}: {err}"));
         let mut found = vec![0.0; wanted.len()];
         plain.sweep(&[0.0], &mut found, &Stop::new()).unwrap();
@@ -136,6 +137,7 @@ fn numbers(value: &AnswerValue) -> Vec<f64> {
     match value {
         AnswerValue::Number(Number::Scalar(x), _) => vec![*x],
         AnswerValue::Number(Number::Vector(v), _) => v.to_vec(),
+        AnswerValue::List(numbers) => numbers.clone(),
         AnswerValue::Set(set, _) => set
             .intervals()
             .flat_map(|interval| [interval.lower, interval.upper])

@@ -12,7 +12,7 @@ use std::{
 };
 
 use dalembert as _;
-use dalembert_core::{Exhibit, Field, Shape, Stop, Text, cases, exhibit::Cell, registry, text};
+use dalembert_core::{DrawnShape, Exhibit, Field, Shape, Stop, Text, cases, exhibit::Cell, registry, text};
 use dalembert_plugins as _;
 use dalembert_report as _;
 use dalembert_tui as _;
@@ -175,14 +175,19 @@ impl Sentences {
                         }
                     }
                 }
-                Exhibit::Drawing(drawing) => {
-                    self.text(of, &drawing.title);
-                    for shape in &drawing.shapes {
-                        if let dalembert_core::DrawnShape::Label(_, text) = shape {
-                            self.text(of, text);
-                        }
-                    }
+                Exhibit::Drawing(drawing) => self.drawing(of, &drawing.title, &drawing.shapes),
+                Exhibit::Film(film) => {
+                    film.frames.iter().for_each(|frame| self.drawing(of, &film.title, frame));
                 }
+            }
+        }
+    }
+
+    fn drawing(&mut self, of: &str, title: &Text, shapes: &[DrawnShape]) {
+        self.text(of, title);
+        for shape in shapes {
+            if let DrawnShape::Label(_, text) = shape {
+                self.text(of, text);
             }
         }
     }

@@ -9,8 +9,8 @@ use std::{
 };
 
 use crate::{
-    Field, FieldError, Inputs, Plain, Record, Shape, Sheet, Solution, Source, Text, Trail, Value, Worksheet,
-    input::Lift,
+    Field, FieldError, Inputs, Name, Plain, Record, Shape, Sheet, Solution, Source, Text, Trail, Value,
+    Worksheet, input::Lift,
 };
 
 /// What a person reads before picking an analysis.
@@ -216,7 +216,7 @@ fn solve<A: Analysis>(record: &Record, stop: &Stop) -> Result<Solution, SolveErr
 struct Prepared<A> {
     problem: A,
     vary: Vec<Vec<usize>>,
-    wanted: Vec<(usize, &'static str)>,
+    wanted: Vec<(usize, Name)>,
 }
 
 fn prepare<A: Analysis>(
@@ -242,11 +242,11 @@ fn prepare<A: Analysis>(
     let given = problem.given(Lift { sheet: &plain, value: None, trail: &Trail::TOP });
     problem.solve(&given, &plain)?;
     drop(given);
-    let names: Vec<&'static str> = plain.answers().map(|(name, _)| name).collect();
+    let names: Vec<Name> = plain.answers().map(|(name, _)| name).collect();
     let wanted = wanted
         .iter()
         .map(|&name| {
-            let at = names.iter().position(|found| *found == name);
+            let at = names.iter().position(|found| found.is(name));
             at.map(|at| (at, names[at])).ok_or_else(|| unknown(name, "is not a number among the answers"))
         })
         .collect::<Result<_, _>>()?;
@@ -275,7 +275,7 @@ impl<A: Analysis> Evaluate for Prepared<A> {
                 Err(Refusal::NoAnswer(_)) => row.fill(f64::NAN),
                 Ok(()) => {
                     for ((at, name), place) in self.wanted.iter().zip(row) {
-                        *place = plain.answer_at(*at, name).unwrap_or(f64::NAN);
+                        *place = plain.answer_at(*at, *name).unwrap_or(f64::NAN);
                     }
                 }
             }

@@ -223,6 +223,7 @@ fn verdict(expected: &Expected, solution: &Solution) -> Verdict {
         Some(answer) => match &answer.value {
             AnswerValue::Number(Number::Scalar(si), _) => compare_scalar(*si, answer.dim(), expected),
             AnswerValue::Number(Number::Vector(si), _) => compare_vector(*si, &answer.unit, expected),
+            AnswerValue::List(numbers) => compare_list(numbers, &answer.unit, expected),
             AnswerValue::Set(..) => {
                 let ours = answer.shown(&Locale::english().digits(6));
                 let near = compare_set(&answer.shown(&Locale::english()), &expected.printed, expected);
@@ -283,6 +284,39 @@ fn compare_vector(si: [f64; 3], unit: &units::Unit, expected: &Expected) -> (Str
     (ours, Some(near))
 }
 
+/// Numbers in order, in the unit behind them: `0.3473; 0.6527; 1; …` or `(5.53; 10.89) Hz`. The `…` says that there are
+/// more.
+fn compare_list(si: &[f64], unit: &units::Unit, expected: &Expected) -> (String, Option<bool>) {
+    let all = expected.printed.trim_start_matches('(');
+    let end = all
+        .rfind(|c: char| c.is_ascii_digit() || c == '…' || c == ')')
+        .map_or(0, |at| at + all[at..].chars().next().map_or(0, char::len_utf8));
+    let (numbers, tail) = all.split_at(end);
+    let printed_unit = match tail.trim() {
+        "" => unit.clone(),
+        tail => match units::unit(tail) {
+            Ok(unit) => unit,
+            Err(err) => return (err.to_string(), None),
+        },
+    };
+    let ours = units::write_components(si, &printed_unit, Locale::english().digits(6).style);
+    let mut numbers: Vec<&str> = numbers.trim_end_matches(')').split(';').map(str::trim).collect();
+    let more = numbers.pop_if(|last| *last == "…").is_some();
+    let read = |text: &&str| units::read_quantity(text, &printed_unit, units::Kind::Other);
+    let printed: Vec<units::Quantity> = match numbers.iter().map(read).collect() {
+        Ok(printed) => printed,
+        Err(err) => return (units::ReadError::to_string(&err), None),
+    };
+    let fits = if more { printed.len() < si.len() } else { printed.len() == si.len() };
+    if !fits || !printed_unit.dim.agrees(unit.dim) {
+        return (ours, None);
+    }
+    let near = |(si, printed): (&f64, &units::Quantity)| {
+        (si - printed.si).abs() <= tolerance(expected, printed.si, printed.last_place)
+    };
+    (ours, Some(si.iter().zip(&printed).all(near)))
+}
+
 /// Sets are printed as ours are shown: `≤ 113.4 mm or ≥ 439.9 mm`, `every value`, `no value`. Each end is held
 /// to the last place printed.
 fn compare_set(ours: &str, printed: &str, expected: &Expected) -> Option<bool> {
@@ -319,4 +353,26 @@ fn line_of(text: &str, error: &FileError) -> String {
         let line = text.get(..span.start).map_or(1, |before| before.lines().count().max(1));
         format!("line {line}: ")
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_are_held_number_by_number() {
+        let si = [0.00034, -0.00065, 0.001];
+        let mm = units::unit("mm").expect("a unit");
+        let held = |printed: &str| {
+            let printed = printed.to_owned();
+            compare_list(&si, &mm, &Expected { answer: String::new(), printed, how: Hold::ToTheLastPlace }).1
+        };
+        let agreed =
+            ["0.34; -0.65; 1.0", "(0.34; -0.65; 1.0) mm", "340; -650; 1000 um", "0.34; -0.65; …", "(0.3; …)"];
+        agreed.iter().for_each(|printed| assert_eq!(held(printed), Some(true), "{printed}"));
+        let other = ["0.35; -0.65; 1.0", "0.34; 0.65; …", "0.34; -0.65; 1.1"];
+        other.iter().for_each(|printed| assert_eq!(held(printed), Some(false), "{printed}"));
+        let unfit = ["0.34; -0.65", "0.34; -0.65; 1.0; …", "0.34; -0.65; 1.0; 0", "1; 2; 3 kg", "…; 1", ""];
+        unfit.iter().for_each(|printed| assert_eq!(held(printed), None, "{printed}"));
+    }
 }

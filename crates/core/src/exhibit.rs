@@ -1,5 +1,7 @@
 //! Plots, tables and drawings: what a solution shows beside its numbers. Plain data in SI.
 
+use std::borrow::Cow;
+
 use crate::Text;
 
 /// Something to look at.
@@ -11,6 +13,8 @@ pub enum Exhibit {
     Table(TableExhibit),
     /// A sketch of the machine.
     Drawing(Drawing),
+    /// A sketch that moves.
+    Film(Film),
 }
 
 /// Curves over an axis.
@@ -137,6 +141,17 @@ pub struct Drawing {
     pub shapes: Vec<DrawnShape>,
 }
 
+/// A sketch that moves: its frames, all in the same coordinates, shown one after another and again.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    /// What it shows.
+    pub title: Text,
+    /// Its frames; the first one stands for the film where nothing can move.
+    pub frames: Vec<Vec<DrawnShape>>,
+    /// The time of all frames on the screen, in seconds.
+    pub period: f64,
+}
+
 /// A point of a drawing.
 pub type Point = (f64, f64);
 
@@ -208,6 +223,20 @@ impl Plot {
     pub fn band(mut self, label: impl Into<Text>, from: f64, to: f64, permitted: bool) -> Self {
         self.bands.push(Band { label: label.into(), from, to, permitted });
         self
+    }
+}
+
+impl Exhibit {
+    /// What is to be drawn at that frame, where it is a drawing or a film; the frames of a film repeat without end.
+    pub fn sketch(&self, frame: usize) -> Option<Cow<'_, Drawing>> {
+        match self {
+            Exhibit::Drawing(drawing) => Some(Cow::Borrowed(drawing)),
+            Exhibit::Film(film) => {
+                let shapes = film.frames.get(frame % film.frames.len().max(1)).cloned().unwrap_or_default();
+                Some(Cow::Owned(Drawing { title: film.title.clone(), shapes }))
+            }
+            Exhibit::Plot(_) | Exhibit::Table(_) => None,
+        }
     }
 }
 

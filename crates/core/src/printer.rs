@@ -70,6 +70,11 @@ impl Answer {
         match &self.value {
             AnswerValue::Number(value, _) => number(value.cleaned(self.noise), &self.unit, locale.style),
             AnswerValue::Set(set, _) => set_text(set, &self.unit, locale),
+            AnswerValue::List(numbers) => {
+                let clean = |x: &f64| if x.abs() <= self.noise { 0.0 } else { *x };
+                let numbers: Vec<f64> = numbers.iter().map(clean).collect();
+                units::write_components(&numbers, &self.unit, locale.style)
+            }
         }
     }
 }

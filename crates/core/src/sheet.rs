@@ -14,7 +14,8 @@ use nalgebra::Vector3;
 
 pub use self::{term::Term, vect::Vect};
 use crate::{
-    Answer, Check, Exhibit, Locale, Refusal, Solution, Step, Stop, Symbol, Text, Why, Worksheet, printer,
+    Answer, Check, Exhibit, Locale, Name, Refusal, Solution, Step, Stop, Symbol, Text, Why, Worksheet,
+    printer,
     solution::AnswerValue,
     trace::{Id, Node, Number, Op, ROUNDING},
     worksheet::Given,
@@ -42,6 +43,12 @@ impl<'a> Sheet<'a> {
         if let Some(step) = wild {
             let why = Text::new("these inputs lead to a number that cannot be represented: {symbol}")
                 .with("symbol", printer::symbol(&step.symbol));
+            return Err(Refusal::NoAnswer(why));
+        }
+        let wild = |answer: &&Answer| matches!(&answer.value, AnswerValue::List(all) if all.iter().any(|x| !x.is_finite()));
+        if let Some(answer) = solution.answers.iter().find(wild) {
+            let why = Text::new("these inputs lead to a number that cannot be represented: {symbol}")
+                .with("symbol", answer.name);
             return Err(Refusal::NoAnswer(why));
         }
         solution.defects.dedup();
@@ -108,7 +115,7 @@ impl<'a> Sheet<'a> {
         result
     }
 
-    fn named(&self, name: &str, id: Id) -> Option<Unit> {
+    fn named(&self, name: Name, id: Id) -> Option<Unit> {
         let solution = self.solution.borrow();
         match &solution.trace.node(id).op {
             Op::Step(step) => Some(solution.steps[*step].unit.clone()),
@@ -194,31 +201,44 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         self.hold(what.into(), (left - right).norm(), left.norm().max(right.norm()));
     }
 
-    fn answer(self, name: &'static str, label: &'static str, value: Term<'s>) {
-        let id = value.on(self);
+    fn answer(self, name: impl Into<Name>, label: &'static str, value: Term<'s>) {
+        let (name, id) = (name.into(), value.on(self));
         let Some(unit) = self.named(name, id) else { return };
         let value = AnswerValue::Number(self.node(id).0, id);
         let noise = ROUNDING * self.solution.borrow().trace.node(id).scale;
         self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise });
     }
 
-    fn answer_vector(self, name: &'static str, label: &'static str, value: Vect<'s>) {
-        let id = value.on(self);
+    fn answer_vector(self, name: impl Into<Name>, label: &'static str, value: Vect<'s>) {
+        let (name, id) = (name.into(), value.on(self));
         let Some(unit) = self.named(name, id) else { return };
         let value = AnswerValue::Number(self.node(id).0, id);
         let noise = ROUNDING * self.solution.borrow().trace.node(id).scale;
         self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise });
+    }
+
+    fn answer_list(self, name: impl Into<Name>, label: &'static str, unit: &'static str, numbers: &[f64]) {
+        let (name, unit) = (name.into(), self.unit(unit));
+        let largest = numbers.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
+        let value = AnswerValue::List(numbers.to_vec());
+        self.solution.borrow_mut().answers.push(Answer {
+            name,
+            label,
+            value,
+            unit,
+            noise: ROUNDING * largest,
+        });
     }
 
     fn answer_set(
         self,
-        name: &'static str,
+        name: impl Into<Name>,
         label: &'static str,
         unit: &'static str,
         set: &IntervalSet,
         limits: Vec<Text>,
     ) {
-        let unit = self.unit(unit);
+        let (name, unit) = (name.into(), self.unit(unit));
         let value = AnswerValue::Set(set.clone(), limits);
         self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise: 0.0 });
     }

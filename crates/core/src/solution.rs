@@ -1,10 +1,12 @@
 //! What a solution is made of: plain data, for a screen, a file or a test.
 
+use std::fmt;
+
 use dalembert_mechanics::intervals::IntervalSet;
 use dalembert_units::{Dim, Unit};
 
 use crate::{
-    Cite, Exhibit, Text,
+    Cite, Exhibit, Locale, Text,
     trace::{Id, Number, Symbol, Trace},
 };
 
@@ -31,7 +33,7 @@ pub struct Solution {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// The key in cases, files and on the command line.
-    pub name: &'static str,
+    pub name: Name,
     /// What it is, in words.
     pub label: &'static str,
     /// What was found.
@@ -42,6 +44,15 @@ pub struct Answer {
     pub noise: f64,
 }
 
+/// The key of an answer: a name and, for one of several, its place, counted from 1: `frequency[2]`, `mode[1][3]`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Name {
+    /// The name without its place.
+    pub base: &'static str,
+    /// The place, outermost first; 0 where there is no more.
+    pub rows: [u16; 2],
+}
+
 /// What an answer may be.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnswerValue {
@@ -49,6 +60,8 @@ pub enum AnswerValue {
     Number(Number, Id),
     /// A set of numbers, and what limits each of its ends.
     Set(IntervalSet, Vec<Text>),
+    /// Numbers that belong together in this order: a mode shape.
+    List(Vec<f64>),
 }
 
 /// A line of the worked solution: `symbol = formula = substitution = result`.
@@ -82,7 +95,7 @@ pub struct Check {
 impl Solution {
     /// The answer of that name.
     pub fn answer(&self, name: &str) -> Option<&Answer> {
-        self.answers.iter().find(|answer| answer.name == name)
+        self.answers.iter().find(|answer| answer.name.is(name))
     }
 }
 
@@ -95,8 +108,59 @@ impl Answer {
         }
     }
 
+    /// What it is in the language, with its place behind it: `Natural frequency 2`.
+    pub fn label(&self, locale: &Locale) -> String {
+        let places = self.name.places().map(|row| row.to_string()).collect::<Vec<_>>().join(", ");
+        let label = Text::from(self.label).render(locale);
+        if places.is_empty() { label } else { format!("{label} {places}") }
+    }
+
     /// Its dimension.
     pub fn dim(&self) -> Dim {
         self.unit.dim
     }
+}
+
+impl Name {
+    /// Whether this is how the name is written.
+    pub fn is(self, written: &str) -> bool {
+        match written.strip_prefix(self.base) {
+            Some("") => self.rows[0] == 0,
+            Some(_) => self.to_string() == written,
+            None => false,
+        }
+    }
+
+    fn places(self) -> impl Iterator<Item = u16> {
+        self.rows.into_iter().filter(|row| *row > 0)
+    }
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.base)?;
+        self.places().try_for_each(|row| write!(f, "[{row}]"))
+    }
+}
+
+impl From<&'static str> for Name {
+    fn from(base: &'static str) -> Self {
+        Self { base, rows: [0; 2] }
+    }
+}
+
+impl From<(&'static str, usize)> for Name {
+    fn from((base, row): (&'static str, usize)) -> Self {
+        Self { base, rows: [place(row), 0] }
+    }
+}
+
+impl From<(&'static str, usize, usize)> for Name {
+    fn from((base, row, column): (&'static str, usize, usize)) -> Self {
+        Self { base, rows: [place(row), place(column)] }
+    }
+}
+
+fn place(row: usize) -> u16 {
+    u16::try_from(row).unwrap_or(u16::MAX)
 }

@@ -6,7 +6,7 @@ use dalembert_mechanics::{Real, Vector, intervals::IntervalSet};
 use dalembert_units::Unit;
 use nalgebra::Vector3;
 
-use crate::{Cite, Exhibit, Refusal, Stop, Symbol, Text};
+use crate::{Cite, Exhibit, Name, Refusal, Stop, Symbol, Text};
 
 /// What a solve writes on. Written once over `W: Worksheet`, a solve has two readings: on a
 /// [`Sheet`](crate::Sheet) it leaves the worked solution, on [`Plain`] only its answers, at the speed of its formulas.
@@ -53,13 +53,15 @@ pub trait Worksheet: Copy {
         checks();
     }
     /// Names an answer. `value` must be the result of a step or found.
-    fn answer(self, name: &'static str, label: &'static str, value: Self::Num);
+    fn answer(self, name: impl Into<Name>, label: &'static str, value: Self::Num);
     /// Names an answer that is a vector.
-    fn answer_vector(self, name: &'static str, label: &'static str, value: Self::Vec);
+    fn answer_vector(self, name: impl Into<Name>, label: &'static str, value: Self::Vec);
+    /// Names an answer that is numbers in SI in an order of their own, shown in `unit`: a mode shape.
+    fn answer_list(self, name: impl Into<Name>, label: &'static str, unit: &'static str, numbers: &[f64]);
     /// Names an answer that is a set of numbers in SI, shown in `unit`; `limits` says what limits each end.
     fn answer_set(
         self,
-        name: &'static str,
+        name: impl Into<Name>,
         label: &'static str,
         unit: &'static str,
         set: &IntervalSet,
@@ -115,19 +117,20 @@ pub enum Part {
 
 /// Reads a solve as plain numbers. Nothing is recorded but the answers.
 pub struct Plain<'a> {
-    answers: [Cell<(&'static str, f64)>; MOST_ANSWERS],
+    answers: [Cell<(Name, f64)>; MOST_ANSWERS],
     count: Cell<usize>,
     stop: &'a Stop,
 }
 
 /// The most answers (numbers, not vectors or sets) that a plain reading keeps.
-pub const MOST_ANSWERS: usize = 32;
+pub const MOST_ANSWERS: usize = 64;
 
 impl<'a> Plain<'a> {
     /// A worksheet without answers.
     #[inline]
     pub fn new(stop: &'a Stop) -> Self {
-        Self { answers: [const { Cell::new(("", 0.0)) }; MOST_ANSWERS], count: Cell::new(0), stop }
+        let none = || Cell::new((Name::from(""), 0.0));
+        Self { answers: std::array::from_fn(|_| none()), count: Cell::new(0), stop }
     }
 
     /// Forgets the answers, for the next reading.
@@ -138,11 +141,11 @@ impl<'a> Plain<'a> {
 
     /// The answer of that name, expected (but not required) as the `at`th.
     #[inline]
-    pub fn answer_at(&self, at: usize, name: &str) -> Option<f64> {
+    pub fn answer_at(&self, at: usize, name: Name) -> Option<f64> {
         let count = self.count.get().min(MOST_ANSWERS);
         if at < count {
             let (found, value) = self.answers[at].get();
-            if std::ptr::eq(found, name) {
+            if std::ptr::eq(found.base, name.base) && found.rows == name.rows {
                 return Some(value);
             }
         }
@@ -150,7 +153,7 @@ impl<'a> Plain<'a> {
     }
 
     /// All answers, in the order they were named.
-    pub fn answers(&self) -> impl Iterator<Item = (&'static str, f64)> {
+    pub fn answers(&self) -> impl Iterator<Item = (Name, f64)> {
         self.answers[..self.count.get().min(MOST_ANSWERS)].iter().map(Cell::get)
     }
 }
@@ -194,17 +197,20 @@ impl Worksheet for &Plain<'_> {
     #[inline]
     fn verify(self, _: impl FnOnce()) {}
     #[inline]
-    fn answer(self, name: &'static str, _: &'static str, value: f64) {
+    fn answer(self, name: impl Into<Name>, _: &'static str, value: f64) {
         let at = self.count.get();
         if let Some(cell) = self.answers.get(at) {
-            cell.set((name, value));
+            cell.set((name.into(), value));
         }
         self.count.set(at + 1);
     }
     #[inline]
-    fn answer_vector(self, _: &'static str, _: &'static str, _: Vector3<f64>) {}
+    fn answer_vector(self, _: impl Into<Name>, _: &'static str, _: Vector3<f64>) {}
     #[inline]
-    fn answer_set(self, _: &'static str, _: &'static str, _: &'static str, _: &IntervalSet, _: Vec<Text>) {}
+    fn answer_list(self, _: impl Into<Name>, _: &'static str, _: &'static str, _: &[f64]) {}
+    #[inline]
+    fn answer_set(self, _: impl Into<Name>, _: &'static str, _: &'static str, _: &IntervalSet, _: Vec<Text>) {
+    }
     #[inline]
     fn show(self, _: impl FnOnce() -> Exhibit) {}
     #[inline]

@@ -170,3 +170,30 @@ fn a_negative_value_has_brackets_only_where_something_stands_before_it() {
         "atan2(b, a − b) | atan2(−2 m, 3 m − (−2 m)) | −21.801°"
     );
 }
+
+#[test]
+fn one_of_several_answers_is_named_by_its_place() {
+    let solution = worked(|s| {
+        let (first, second) =
+            (s.sheet.step(("x", 1), "m", s.a, "why"), s.sheet.step(("x", 2), "m", s.b, "why"));
+        s.sheet.answer(("position", 1), "Position", first);
+        s.sheet.answer(("position", 2), "Position", second);
+        s.sheet.answer_list(("shape", 2), "Shape", "mm", &[0.001, -0.0005, 1e-20]);
+    });
+    assert_eq!(solution.answer("position[2]").and_then(dalembert_core::Answer::si), Some(-2.0));
+    for other in ["position", "position[3]", "position[2][1]", "positions[1]", "position[02]"] {
+        assert!(solution.answer(other).is_none(), "{other}");
+    }
+    let shape = solution.answer("shape[2]").unwrap();
+    assert_eq!(shape.label(&Locale::english()), "Shape 2");
+    assert_eq!(shape.shown(&Locale::english()), "(1; −0.5; 0) mm");
+}
+
+#[test]
+fn a_list_with_a_number_beyond_the_finite_is_a_refusal() {
+    let stop = Stop::new();
+    let sheet = Sheet::new(&stop);
+    (&sheet).answer_list("shape", "Shape", "1", &[1.0, f64::INFINITY]);
+    let Err(Refusal::NoAnswer(why)) = sheet.into_solution() else { panic!("an infinite number was shown") };
+    assert!(why.english().contains("shape"), "{}", why.english());
+}

@@ -113,20 +113,30 @@ fn write_answers(solution: Option<&Solution>, sheet: &mut Sheet, locale: &Locale
     sheet.headings(&["name", "label", "component", "value", "unit", "si"]);
     for answer in solution.iter().flat_map(|solution| &solution.answers) {
         for (component, si) in components(answer) {
-            let label = Text::from(answer.label).render(locale);
+            let label = answer.label(locale);
             let value = si.map_or_else(String::new, |si| number(answer.unit.value(si)));
             let si = si.map_or_else(String::new, number);
-            sheet.0.push(vec![words(answer.name), words(&label), component, value, answer.unit.ascii(), si]);
+            sheet.0.push(vec![
+                words(&answer.name.to_string()),
+                words(&label),
+                component,
+                value,
+                answer.unit.ascii(),
+                si,
+            ]);
         }
     }
 }
 
-/// The numbers of an answer: `x`, `y`, `z` of a vector; `from 1`, `to 1`, … of a set, empty at an open end.
+/// The numbers of an answer: `x`, `y`, `z` of a vector; `1`, `2`, … of a list; `from 1`, `to 1`, … of a set, empty at an open end.
 fn components(answer: &Answer) -> Vec<(String, Option<f64>)> {
     match &answer.value {
         AnswerValue::Number(Number::Scalar(si), _) => vec![(String::new(), Some(*si))],
         AnswerValue::Number(Number::Vector(si), _) => {
             ["x", "y", "z"].iter().zip(si).map(|(axis, si)| ((*axis).to_owned(), Some(*si))).collect()
+        }
+        AnswerValue::List(numbers) => {
+            numbers.iter().enumerate().map(|(n, si)| ((n + 1).to_string(), Some(*si))).collect()
         }
         AnswerValue::Set(set, _) => {
             let end = |bound: Bound<f64>| match bound {

@@ -10,7 +10,7 @@ use crate::{Worked, inputs::inputs};
 /// `{"analysis", "case", "inputs": {path: {"text", "si", "unit"}}, "answers": {name: {"label", "si", "unit",
 /// "shown"}}, "checks": [{"what", "residual", "passed"}], "warnings": [], "refusal": null | "…"}`.
 ///
-/// `si` is a number, `[x, y, z]` for a vector, `[[from, to], …]` for a set (`null` where an end is open to
+/// `si` is a number, `[x, y, z]` for a vector or a list, `[[from, to], …]` for a set (`null` where an end is open to
 /// infinity), and for inputs also `true`, a list of rows, or `null` for words. `unit` can be typed.
 pub fn json(worked: &Worked<'_>, locale: &Locale) -> Json {
     let mut given = Map::new();
@@ -24,7 +24,7 @@ pub fn json(worked: &Worked<'_>, locale: &Locale) -> Json {
     let (mut checks, mut warnings) = (Vec::new(), Vec::new());
     if let Ok(solution) = worked.outcome {
         for found in &solution.answers {
-            answers.insert(found.name.to_owned(), answer(found, locale));
+            answers.insert(found.name.to_string(), answer(found, locale));
         }
         checks.extend(solution.checks.iter().map(|check| {
             json!({ "what": check.what.render(locale), "residual": check.residual, "passed": check.passed })
@@ -46,6 +46,7 @@ fn answer(answer: &Answer, locale: &Locale) -> Json {
     let si = match &answer.value {
         AnswerValue::Number(Number::Scalar(si), _) => json!(si),
         AnswerValue::Number(Number::Vector(si), _) => json!(si),
+        AnswerValue::List(numbers) => json!(numbers),
         AnswerValue::Set(set, _) => {
             let end = |bound: Bound<f64>| match bound {
                 Bound::Included(x) | Bound::Excluded(x) => Some(x),
@@ -55,7 +56,7 @@ fn answer(answer: &Answer, locale: &Locale) -> Json {
         }
     };
     json!({
-        "label": dalembert_core::Text::from(answer.label).render(locale),
+        "label": answer.label(locale),
         "si": si,
         "unit": answer.unit.ascii(),
         "shown": answer.shown(locale),

@@ -8,12 +8,13 @@ use dalembert_units as units;
 /// # Errors
 /// There is no such answer, the unit cannot be read, or it measures something else.
 pub fn show_answer_in(solution: &mut Solution, name: &str, unit: &str) -> Result<(), Text> {
-    let Some(at) = solution.answers.iter().position(|answer| answer.name == name) else {
-        let known = || solution.answers.iter().map(|answer| answer.name);
-        let why = match nearest(name, known()) {
+    let Some(at) = solution.answers.iter().position(|answer| answer.name.is(name)) else {
+        let known: Vec<String> = solution.answers.iter().map(|answer| answer.name.to_string()).collect();
+        let why = match nearest(name, known.iter().map(String::as_str)) {
             Some(near) => Text::new("there is no answer `{name}`; did you mean `{near}`?").with("near", near),
-            None => Text::new("there is no answer `{name}`; write one of {known}")
-                .with("known", known().collect::<Vec<_>>().join(", ")),
+            None => {
+                Text::new("there is no answer `{name}`; write one of {known}").with("known", known.join(", "))
+            }
         };
         return Err(why.with("name", name));
     };

@@ -88,7 +88,7 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
             Exhibit::Table(table) => blocks.push(Block::Table(written_table(table, locale))),
             Exhibit::Plot(plot) => blocks.extend(plotted(plot, locale)),
             // A drawing has no words of its own.
-            Exhibit::Drawing(_) => {}
+            Exhibit::Drawing(_) | Exhibit::Film(_) => {}
         }
     }
     if !solution.checks.is_empty() {
@@ -139,7 +139,7 @@ fn given(worked: &Worked<'_>, locale: &Locale) -> Vec<Block> {
 }
 
 fn answer_lines(answer: &Answer, locale: &Locale) -> Vec<Line> {
-    let label = Text::from(answer.label).render(locale);
+    let label = answer.label(locale);
     let mut lines = vec![Line { depth: 0, symbol: String::new(), label, value: answer.shown(locale) }];
     if let AnswerValue::Set(_, limits) = &answer.value {
         let limit = |text: &Text| Line { depth: 1, label: text.render(locale), ..Line::default() };

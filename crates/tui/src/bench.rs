@@ -3,8 +3,7 @@
 use std::path::PathBuf;
 
 use dalembert_core::{
-    Draft, Drawing, Entry, Exhibit, FieldError, Plot, Solution, TableExhibit, Text, cases::Case,
-    file::Problem,
+    Draft, Entry, Exhibit, FieldError, Plot, Solution, TableExhibit, Text, cases::Case, file::Problem,
 };
 
 use crate::{files::Fingerprint, form::Form, keys::Place, panes::sources::Judged, plot, solver::Failure};
@@ -42,6 +41,8 @@ pub struct Bench {
     pub plot: usize,
     /// The drawing that is shown, of several.
     pub drawing: usize,
+    /// The frame that is shown of a film.
+    pub frame: usize,
     /// The cursor and the marks of the plot.
     pub plot_state: plot::State,
     /// Its file.
@@ -154,6 +155,7 @@ impl Bench {
             scroll: [0; Tab::ALL.len()],
             plot: 0,
             drawing: 0,
+            frame: 0,
             plot_state: plot::State::default(),
             file: None,
         }
@@ -249,10 +251,14 @@ impl Bench {
             .filter_map(|exhibit| if let Exhibit::Plot(plot) = exhibit { Some(plot) } else { None })
     }
 
-    /// The drawings of the newest solution.
-    pub fn drawings(&self) -> impl Iterator<Item = &Drawing> {
-        self.exhibits()
-            .filter_map(|exhibit| if let Exhibit::Drawing(drawing) = exhibit { Some(drawing) } else { None })
+    /// The drawings and films of the newest solution.
+    pub fn drawings(&self) -> impl Iterator<Item = &Exhibit> {
+        self.exhibits().filter(|exhibit| matches!(exhibit, Exhibit::Drawing(_) | Exhibit::Film(_)))
+    }
+
+    /// The drawing or film that is shown.
+    pub fn sketch(&self) -> Option<&Exhibit> {
+        Self::nth(self.drawings(), self.drawing)
     }
 
     /// The tables of the newest solution.

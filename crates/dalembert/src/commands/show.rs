@@ -34,7 +34,7 @@ pub(crate) fn run(show: &Show, console: &Console) -> Result<ExitCode, Failure> {
 
 /// Something an analysis answers.
 struct Promise {
-    name: &'static str,
+    name: String,
     label: String,
     unit: units::Unit,
 }
@@ -46,9 +46,12 @@ fn answers(entry: &'static Entry, cases: &[Case], locale: &Locale) -> Result<Vec
         let Ok(record) = case.record(entry) else { continue };
         let Ok(solution) = guarded(entry, || entry.solve(&record, &Stop::new()))? else { continue };
         for answer in solution.answers {
-            if !promises.iter().any(|promise| promise.name == answer.name) {
+            // One of several stands for all.
+            let name = answer.name.base;
+            let name = if answer.name.rows[0] == 0 { name.to_owned() } else { format!("{name}[…]") };
+            if !promises.iter().any(|promise| promise.name == name) {
                 let label = Text::from(answer.label).render(locale);
-                promises.push(Promise { name: answer.name, label, unit: answer.unit });
+                promises.push(Promise { name, label, unit: answer.unit });
             }
         }
     }
@@ -61,7 +64,7 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
     let mut inputs = Vec::new();
     Lister { locale, lines: &mut inputs, above: Vec::new() }.fields(entry.fields(), 0);
     let answer = |promise: &Promise| Line {
-        label: promise.name.to_owned(),
+        label: promise.name.clone(),
         value: match promise.unit.pretty() {
             unit if unit.is_empty() => promise.label.clone(),
             unit => format!("{} [{unit}]", promise.label),

@@ -107,7 +107,7 @@ const NARROWEST_LABELS: usize = 24;
 /// Labels at the left, numbers with their decimal marks in one column, units in another. In a narrow pane each answer
 /// stands beside its label, at the right edge, where both fit, and below it where they do not.
 fn answers(answers: &[Answer], look: &Look, locale: &Locale, width: usize) -> Vec<Line<'static>> {
-    let labels: Vec<String> = answers.iter().map(|answer| Text::new(answer.label).render(locale)).collect();
+    let labels: Vec<String> = answers.iter().map(|answer| answer.label(locale)).collect();
     let aligned: Vec<Option<Aligned>> = answers
         .iter()
         .map(|answer| match answer.value {

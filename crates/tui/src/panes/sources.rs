@@ -72,8 +72,8 @@ struct Words<'a> {
 impl Words<'_> {
     /// The label of the answer with that key; the key in words where no answer has it.
     fn name(&self, key: &str) -> String {
-        match self.answers.iter().find(|answer| answer.name == key) {
-            Some(answer) => Text::new(answer.label).render(self.locale),
+        match self.answers.iter().find(|answer| answer.name.is(key)) {
+            Some(answer) => answer.label(self.locale),
             None => Text::new(key.replace('_', " ")).render(self.locale),
         }
     }

@@ -110,7 +110,7 @@ pub(super) fn take(bench: &mut Bench, outcome: Outcome) {
     match outcome.result {
         Ok(mut solution) => {
             for answer in solution.iter_mut().flat_map(|solution| &mut solution.answers) {
-                let wanted = bench.show.iter().find(|(name, _)| name == answer.name);
+                let wanted = bench.show.iter().find(|(name, _)| answer.name.is(name));
                 if let Some(unit) = wanted.and_then(|(_, unit)| units::unit(unit).ok())
                     && unit.dim.agrees(answer.unit.dim)
                 {

@@ -149,8 +149,10 @@ fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area:
     let drawn = match tab {
         Tab::Plot => Bench::nth(bench.plots(), bench.plot)
             .map(|plot| plot::render(plot, &bench.plot_state, look, locale, room, buffer)),
-        _ => Bench::nth(bench.drawings(), bench.drawing)
-            .map(|drawing| drawing::render(drawing, look, locale, room, buffer)),
+        _ => bench
+            .sketch()
+            .and_then(|exhibit| exhibit.sketch(bench.frame))
+            .map(|drawing| drawing::render(&drawing, look, locale, room, buffer)),
     };
     if drawn.is_none() {
         draw_lines(&nothing(model, bench, inner.width).lines, 0, inner, buffer);

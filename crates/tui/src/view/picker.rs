@@ -1,6 +1,6 @@
 //! The list of analyses and what is to be known of the chosen one.
 
-use dalembert_core::{Exhibit, Text};
+use dalembert_core::Text;
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -193,12 +193,8 @@ fn draw_preview(model: &Model, listing: &Listing, area: Rect, buffer: &mut Buffe
     if listing.cases.is_empty() {
         lines.push(Line::styled(word("no published case", model), look.dim()));
     }
-    let drawing = solution.and_then(|solution| {
-        solution
-            .exhibits
-            .iter()
-            .find_map(|exhibit| if let Exhibit::Drawing(drawing) = exhibit { Some(drawing) } else { None })
-    });
+    let drawing =
+        solution.and_then(|solution| solution.exhibits.iter().find_map(|exhibit| exhibit.sketch(0)));
     let text_height = u16::try_from(lines.len()).unwrap_or(u16::MAX).min(inner.height);
     let left = inner.height.saturating_sub(text_height + 1);
     let picture = drawing.filter(|_| left >= LEAST_DRAWING).map(|drawing| (drawing, left.min(MOST_DRAWING)));
@@ -207,7 +203,7 @@ fn draw_preview(model: &Model, listing: &Listing, area: Rect, buffer: &mut Buffe
     draw_lines(&lines, first, inner, buffer);
     if let Some((drawing, height)) = picture {
         let area = Rect { y: inner.bottom() - height, height, ..inner };
-        drawing::render(drawing, look, &model.locale, area, buffer);
+        drawing::render(&drawing, look, &model.locale, area, buffer);
     } else {
         scroll_mark(first, height, lines.len(), look, area, buffer);
     }
