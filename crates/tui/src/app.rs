@@ -19,7 +19,7 @@ use crate::{
     solver::{Solver, judge},
     terminal::{self, Fault, Input, Session, TerminalError, fault},
     update::{start, update},
-    view::view,
+    view::{tempo, view},
 };
 
 /// A frame waits so long for the results of the key that it shows.
@@ -28,6 +28,10 @@ const PATIENCE: Duration = Duration::from_millis(12);
 const KEEP_AFTER: Duration = Duration::from_secs(1);
 /// While a person goes on typing, so often.
 const KEEP_WHILE_TYPING: Duration = Duration::from_secs(10);
+/// Bytes a second that films may send: on this machine, and where a line lies between.
+const FILM_BYTES: (f64, f64) = (64e3, 8e3);
+/// Of the time of a line that is slower still, films take at most one part of so many.
+const FILM_SHARE: u32 = 4;
 /// Nothing is expected: until then the loop sleeps.
 const LONG: Duration = Duration::from_hours(24);
 /// The exit code when the terminal cannot be had.
@@ -65,8 +69,8 @@ struct World {
     solver: Solver,
     autosave: Arc<Autosave>,
     messages: mpsc::Sender<Msg>,
-    /// Work is remembered that is not written aside yet.
-    noted: bool,
+    /// When work was remembered that is not written aside yet.
+    noted: Option<Instant>,
     /// When unsaved work was written aside last.
     kept: Instant,
     /// The newest job, while its outcome has not come.
@@ -107,7 +111,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         solver,
         autosave,
         messages: sender,
-        noted: false,
+        noted: None,
         kept: Instant::now(),
         awaited: None,
     };
@@ -130,8 +134,11 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
 
 impl World {
     fn run(&mut self, model: &mut Model, messages: &mpsc::Receiver<Msg>) -> Result<(), TerminalError> {
-        // A frame is drawn only after something happened: an idle screen costs nothing.
+        // A frame is drawn only after something happened, or for a film: an idle screen costs nothing.
         let mut stale = true;
+        let remote = ["SSH_CONNECTION", "SSH_TTY"].iter().any(|name| std::env::var_os(name).is_some());
+        let rate = if remote { FILM_BYTES.1 } else { FILM_BYTES.0 };
+        let (mut drawn, mut took) = (Instant::now(), Duration::ZERO);
         loop {
             // A key and what it leads to belong in one frame, if it can be had without waiting long.
             let deadline = Instant::now() + PATIENCE;
@@ -149,15 +156,29 @@ impl World {
                 }
             }
             if stale {
+                drawn = Instant::now();
                 self.session.draw(|frame| {
                     model.size = (frame.area().width, frame.area().height);
                     view(model, frame);
                 })?;
                 stale = false;
+                took = drawn.elapsed();
             }
-            let wait = if self.noted { KEEP_AFTER } else { LONG };
+            let film = tempo(model).map(|tempo| {
+                let sending = Duration::from_secs_f64(self.session.frame_bytes() as f64 / rate);
+                drawn + tempo.max(sending).max(took * FILM_SHARE)
+            });
+            let keep = self.noted.map(|noted| noted + KEEP_AFTER);
+            let next = film.into_iter().chain(keep).min();
+            let wait = next.map_or(LONG, |next| next.saturating_duration_since(Instant::now()));
             let inputs = self.session.next_events(wait)?;
-            if self.noted && (inputs.is_empty() || self.kept.elapsed() > KEEP_WHILE_TYPING) {
+            // Keys come first: a film waits for them.
+            if inputs.is_empty() && film.is_some_and(|film| film <= Instant::now()) {
+                stale = true;
+                update(model, Msg::Tick);
+            }
+            let resting = |noted: Instant| noted.elapsed() >= KEEP_AFTER && inputs.is_empty();
+            if self.noted.is_some_and(|noted| resting(noted) || self.kept.elapsed() > KEEP_WHILE_TYPING) {
                 stale |= self.keep(model);
             }
             for input in inputs {
@@ -210,12 +231,12 @@ impl World {
                 }
                 Effect::Keep { original, text } => {
                     self.autosave.note(original.as_deref(), text);
-                    self.noted = true;
+                    self.noted = Some(Instant::now());
                     continue;
                 }
                 Effect::Forget => {
                     self.autosave.forget();
-                    self.noted = false;
+                    self.noted = None;
                     continue;
                 }
                 Effect::Discard(crashed) => {
@@ -266,7 +287,7 @@ impl World {
 
     /// Writes unsaved work aside; whether there was trouble, which is told.
     fn keep(&mut self, model: &mut Model) -> bool {
-        self.noted = false;
+        self.noted = None;
         self.kept = Instant::now();
         match self.autosave.flush() {
             Ok(()) => false,

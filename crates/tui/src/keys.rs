@@ -43,6 +43,8 @@ pub enum Action {
     NextExhibit,
     /// Another way to draw curves.
     NextMarker,
+    /// Lets films move, or holds them.
+    Play,
     /// Changes the last digit by so many tenths.
     Nudge(i64),
     /// The same quantity in the next unit.
@@ -327,6 +329,7 @@ pub const FORM: &[Binding] = &[
     bind(Action::First, FIRST, "to the first line", ""),
     bind(Action::Last, LAST, "to the last line", ""),
     bind(Action::PreviousTab, &[typed('[')], "tab before", ""),
+    bind(Action::Play, &[typed('p')], "let a film move, or hold it", ""),
     bind(Action::Undo, &[typed('z')], "undo", "undo"),
     bind(Action::Redo, &[typed('Z')], "redo", ""),
     bind(Action::Save, &[typed('s'), ctrl('s')], "save", "save"),
@@ -363,6 +366,7 @@ pub const PANE: &[Binding] = &[
     bind(Action::Right, RIGHT, "cursor of the plot to the right", ""),
     bind(Action::NextExhibit, &[typed('n')], "next plot, drawing or table", ""),
     bind(Action::NextMarker, &[typed('m')], "other marks for curves", ""),
+    bind(Action::Play, &[typed('p')], "let a film move, or hold it", ""),
     bind(Action::PageUp, PAGE_UP, "page up", ""),
     bind(Action::PageDown, &[plain(KeyCode::PageDown), ctrl('d'), typed(' ')], "page down", ""),
     bind(Action::First, FIRST, "to the first line", ""),

@@ -40,6 +40,8 @@ pub struct Model {
     pub look: Look,
     /// What curves are drawn with, unless the person chose another.
     pub marker: Marker,
+    /// Whether films move.
+    pub playing: bool,
     /// Columns and rows of the screen.
     pub size: (u16, u16),
     /// Nothing is saved.
@@ -116,6 +118,8 @@ pub enum Msg {
         /// What it says.
         result: Result<Opened, FileError>,
     },
+    /// The next frame of a film is due.
+    Tick,
     /// Earlier sessions ended without saving.
     Crashed(Vec<Crashed>),
     /// Unsaved work could not be kept aside.
@@ -178,6 +182,7 @@ impl Model {
             locale: Locale::english(),
             look,
             marker,
+            playing: true,
             size: (80, 24),
             readonly: false,
             faults: false,

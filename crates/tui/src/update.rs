@@ -52,6 +52,12 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
             }
             Vec::new()
         }
+        Msg::Tick => {
+            if let Some(bench) = &mut model.bench {
+                bench.frame = bench.frame.wrapping_add(1);
+            }
+            Vec::new()
+        }
         Msg::Saved { path, text, result } => files::saved(model, &path, text, result),
         Msg::Opened { path, result } => files::opened(model, path, result),
         Msg::Crashed(sessions) => {

@@ -7,7 +7,9 @@ mod pane;
 mod picker;
 mod text;
 
-use dalembert_core::Text;
+use std::time::Duration;
+
+use dalembert_core::{Exhibit, Text};
 use ratatui::{
     Frame,
     buffer::Buffer,
@@ -65,6 +67,20 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
     if let Some(position) = cursor.filter(|position| area.contains(*position)) {
         frame.set_cursor_position(position);
     }
+}
+
+/// How long each frame of a film stands; `None` while none moves on the screen.
+pub(crate) fn tempo(model: &Model) -> Option<Duration> {
+    let bench = model.shown_bench().filter(|_| model.playing && model.dialog.is_none())?;
+    let Exhibit::Film(film) = bench.sketch()? else { return None };
+    let area = Rect::new(0, 0, model.size.0, model.size.1);
+    if film.frames.len() < 2
+        || bench.is_stale()
+        || !pane::shows_drawing(bench, &layout::bench(area, bench.focus))
+    {
+        return None;
+    }
+    Duration::try_from_secs_f64(film.period / film.frames.len() as f64).ok()
 }
 
 /// A frame with a title, and what is left inside.

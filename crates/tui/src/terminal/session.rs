@@ -94,6 +94,11 @@ impl Session {
         Ok(())
     }
 
+    /// The length of the last frame, in bytes.
+    pub fn frame_bytes(&self) -> usize {
+        self.bytes.0.borrow().len()
+    }
+
     /// What happened: waits up to `timeout` for the first input, then takes everything that is already there (for at
     /// most 30 ms), so that a burst of keys costs one frame. Empty after `timeout`, or when a [`Waker`] was used.
     ///
@@ -166,9 +171,8 @@ struct FrameBytes(Rc<RefCell<Vec<u8>>>);
 impl FrameBytes {
     /// As one synchronized update (mode 2026), so that a terminal never shows half a frame.
     fn write_to(&self, out: &mut impl Write) -> io::Result<()> {
-        let mut bytes = self.0.borrow_mut();
+        let bytes = self.0.borrow();
         let frame = [b"\x1b[?2026h", &bytes[..], b"\x1b[?2026l"].concat();
-        bytes.clear();
         out.write_all(&frame)?;
         out.flush()
     }

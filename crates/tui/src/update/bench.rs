@@ -32,6 +32,7 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
         Action::Save => return files::save(model),
         Action::SaveAs => return files::ask_path(model),
         Action::NextTab => return turn(model, 1),
+        Action::Play => model.playing = !model.playing,
         Action::PreviousTab => return turn(model, -1),
         Action::Copy => return copy(model),
         Action::Rename => {

@@ -1,6 +1,6 @@
 //! The lines at the edges: what is worked on, what the field means, what keys do.
 
-use dalembert_core::{Shape, Text};
+use dalembert_core::{Exhibit, Shape, Text};
 use ratatui::{
     buffer::Buffer,
     layout::Rect,
@@ -187,9 +187,12 @@ fn about_field(model: &Model, bench: &Bench) -> String {
 
 fn about_pane(model: &Model, bench: &Bench) -> String {
     let several = bench.exhibits_of(bench.tab) > 1;
+    let film = matches!(bench.sketch(), Some(Exhibit::Film(_)));
     let hint = match bench.tab {
         Tab::Plot if several => "← → move a cursor that reads the curves; m other marks; n next plot",
         Tab::Plot => "← → move a cursor that reads the curves; m other marks",
+        Tab::Drawing if several && film => "p lets the film move or holds it; n next drawing",
+        Tab::Drawing if film => "p lets the film move or holds it",
         Tab::Drawing if several => "n next drawing",
         Tab::Sources => "↑ ↓ choose a case; Enter loads it",
         Tab::Results | Tab::Working | Tab::Drawing | Tab::Table => "",

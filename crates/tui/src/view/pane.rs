@@ -49,6 +49,11 @@ pub(super) fn draw(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buf
     }
 }
 
+/// Whether a drawing or film is on the screen.
+pub(super) fn shows_drawing(bench: &Bench, areas: &Areas) -> bool {
+    areas.picture.is_some() || (areas.pane.is_some() && bench.tab == Tab::Drawing)
+}
+
 /// The inside of the pane that shows the chosen tab.
 pub(crate) fn area_of_tab(model: &Model, bench: &Bench, areas: &Areas) -> Option<Rect> {
     let pane = areas.pane?;
