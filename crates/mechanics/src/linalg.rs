@@ -5,12 +5,32 @@
 //! finite and scaled, every iteration has a limit, every result is held against its own equation, and what has no
 //! answer is refused by name. Everywhere else clippy bans the raw calls.
 
-use nalgebra::linalg::balancing::balance_parlett_reinsch;
-use nalgebra::{Complex, DMatrix, DVector, Schur};
+mod band;
+mod complex;
+mod exact;
+mod lowest;
+mod nonsymmetric;
+mod pencil;
+
+use nalgebra::{DMatrix, DVector};
+
+pub use self::{
+    band::{ComplexBand, SymmetricBand},
+    complex::{ComplexLu, solve_complex},
+    lowest::lowest_modes,
+    nonsymmetric::{ComplexEigen, complex_eigen, complex_eigenvalues},
+    pencil::{generalised_eigen, generalised_eigenvalues},
+};
 
 /// Below this reciprocal condition number of the scaled matrix a system counts as singular: fewer than three
 /// digits of its solution would be right.
 pub const SINGULAR: f64 = 1e-13;
+
+/// The most unknowns of a full matrix.
+pub const MOST_DENSE: usize = 5_000;
+
+/// The most unknowns of a banded matrix.
+pub const MOST_BANDED: usize = 1_000_000;
 
 /// Why there is no result.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -30,11 +50,34 @@ pub enum LinalgError {
     },
     /// The matrix of a symmetric problem is not symmetric.
     #[error(
-        "the matrix is not symmetric: entries across the diagonal differ by {difference:e} of the largest"
+        "the matrix is not symmetric: the entries ({row}, {column}) and ({column}, {row}) differ by {difference:e} \
+         of the largest"
     )]
     NotSymmetric {
+        /// The row of the largest difference, counted from 1.
+        row: usize,
+        /// Its column.
+        column: usize,
         /// The largest difference across the diagonal over the largest entry.
         difference: f64,
+    },
+    /// The mass matrix, or a stiffness matrix that must not be unstable, has a direction without energy.
+    #[error("the {matrix} matrix is not positive definite: its leading block of {row} rows is not")]
+    NotPositiveDefinite {
+        /// Which matrix.
+        matrix: &'static str,
+        /// Rows of the first leading block that is not positive definite.
+        row: usize,
+    },
+    /// More than is taken on.
+    #[error("{size} {what} are more than the limit of {limit}")]
+    TooLarge {
+        /// What there is too much of.
+        what: &'static str,
+        /// How much there is.
+        size: usize,
+        /// The limit.
+        limit: usize,
     },
     /// The equations do not determine the unknowns.
     #[error("the equations are singular: reciprocal condition number {reciprocal_condition:e}")]
@@ -137,10 +180,7 @@ pub fn symmetric_eigen(a: &DMatrix<f64>) -> Result<SymmetricEigen, LinalgError> 
     finite(a.iter())?;
     let scale = power_of_two_below(a.amax());
     let scaled = a / scale;
-    let difference = (&scaled - scaled.transpose()).amax() / scaled.amax().max(f64::MIN_POSITIVE);
-    if difference > 1e-12 {
-        return Err(LinalgError::NotSymmetric { difference });
-    }
+    symmetric(&scaled)?;
     let symmetric = (&scaled + scaled.transpose()) / 2.0;
 
     #[expect(clippy::disallowed_methods, reason = "finite, scaled and with a limit")]
@@ -162,50 +202,6 @@ pub fn symmetric_eigen(a: &DMatrix<f64>) -> Result<SymmetricEigen, LinalgError> 
     let values = values * scale;
     finite(values.iter())?;
     Ok(SymmetricEigen { values, vectors })
-}
-
-/// Eigenvalues of a real square matrix, ascending by real part and then by imaginary part.
-///
-/// # Errors
-/// `Shape`; `NotFinite`; `NotConverged`.
-pub fn complex_eigenvalues(a: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, LinalgError> {
-    square(a)?;
-    finite(a.iter())?;
-    let scale = power_of_two_below(a.amax());
-    let mut balanced = a / scale;
-    balance_parlett_reinsch(&mut balanced);
-    finite(balanced.iter())?;
-
-    // The QR iteration of the library stalls on matrices whose eigenvalues share a modulus; a shift parts them.
-    let size = balanced.amax();
-    let mut values = [0.0, 0.377, -0.619, 0.863, -1.237, 1.571]
-        .into_iter()
-        .find_map(|shift| shifted_eigenvalues(&balanced, shift * size))
-        .ok_or(LinalgError::NotConverged)?;
-    for value in &mut values {
-        *value *= scale;
-    }
-    finite(values.iter().flat_map(|value| [&value.re, &value.im]))?;
-    values.sort_by(|p, q| p.re.total_cmp(&q.re).then(p.im.total_cmp(&q.im)));
-    Ok(values)
-}
-
-/// Eigenvalues by the Schur form of `A + σ 1`, if it converges and gives the matrix back.
-fn shifted_eigenvalues(a: &DMatrix<f64>, shift: f64) -> Option<Vec<Complex<f64>>> {
-    let n = a.nrows();
-    let shifted = a + DMatrix::identity(n, n) * shift;
-    #[expect(clippy::disallowed_methods, reason = "finite, balanced and with a limit")]
-    let schur = Schur::try_new(shifted.clone(), f64::EPSILON, iteration_limit(n))?;
-    let values = schur.complex_eigenvalues();
-    let (q, t) = schur.unpack();
-    let residual = (&q * &t * q.transpose() - &shifted).amax();
-    let below_blocks = (0..n)
-        .flat_map(|column| (column + 2..n).map(move |row| (row, column)))
-        .map(|at| t[at].abs())
-        .fold(0.0, f64::max);
-    let tolerance = rounding(n) * shifted.amax();
-    (residual <= tolerance && below_blocks <= tolerance)
-        .then(|| values.iter().map(|value| value - shift).collect())
 }
 
 /// `cond₂`, or the refusal of a singular matrix.
@@ -256,6 +252,28 @@ fn square(a: &DMatrix<f64>) -> Result<(), LinalgError> {
     if a.is_square() && !a.is_empty() { Ok(()) } else { Err(shape(a, "a square matrix")) }
 }
 
+/// Refuses a difference across the diagonal beyond rounding, and says where it is largest.
+fn symmetric(a: &DMatrix<f64>) -> Result<(), LinalgError> {
+    let mut worst = (0.0, 0, 0);
+    for column in 0..a.ncols() {
+        for row in column + 1..a.nrows() {
+            let difference = (a[(row, column)] - a[(column, row)]).abs();
+            if difference > worst.0 {
+                worst = (difference, row, column);
+            }
+        }
+    }
+    let difference = worst.0 / a.amax().max(f64::MIN_POSITIVE);
+    if difference <= 1e-12 {
+        return Ok(());
+    }
+    Err(LinalgError::NotSymmetric { row: worst.2 + 1, column: worst.1 + 1, difference })
+}
+
+fn not_above(what: &'static str, size: usize, limit: usize) -> Result<(), LinalgError> {
+    if size <= limit { Ok(()) } else { Err(LinalgError::TooLarge { what, size, limit }) }
+}
+
 fn same_rows(a: &DMatrix<f64>, b: &DVector<f64>) -> Result<(), LinalgError> {
     if a.nrows() == b.nrows() {
         Ok(())
@@ -275,4 +293,20 @@ fn iteration_limit(n: usize) -> usize {
 /// What rounding may leave of a residual, relative to the largest entry.
 fn rounding(n: usize) -> f64 {
     1e-14 * (n + 10) as f64
+}
+
+/// Numbers between −1 and 1, the same ones in every run (Marsaglia's xorshift).
+struct Random(u64);
+
+impl Random {
+    fn new() -> Self {
+        Self(0x9E37_79B9_7F4A_7C15)
+    }
+
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
 }

@@ -5,6 +5,7 @@ mod close;
 mod balance;
 mod beam;
 mod dimensions;
+mod eigen;
 mod identification;
 mod intervals;
 mod linalg;

@@ -1,0 +1,172 @@
+//! `K φ = λ M φ` with full symmetric matrices.
+
+use faer::{Mat, MatRef, Par, Side, linalg::triangular_solve};
+use nalgebra::{DMatrix, DVector};
+
+use super::{
+    LinalgError, MOST_DENSE, SymmetricEigen, exact::Sum, finite, not_above, power_of_two_below, shape,
+    square, symmetric,
+};
+
+/// A mode whose value lies this far below the largest one has its value taken anew from its vector, with twice
+/// the digits: the solver leaves an error of the order of the largest value in every one.
+const LOW: f64 = 1e-3;
+
+/// So many low values are taken anew at most.
+const MOST_LOW: usize = 10;
+
+/// The eigenvalues of `K φ = λ M φ`, ascending, and vectors with `φᵀ M φ = 1`.
+///
+/// M is reduced by Cholesky (Golub and Van Loan, 4th ed., §8.7.2), after each unknown is scaled so that
+/// its mass is near one: rotations may stand beside translations. K may be singular or indefinite. The values of
+/// low modes are Rayleigh quotients with twice the digits, and zero where that is all rounding: a rigid body mode.
+///
+/// # Errors
+/// `Shape`; `TooLarge` above [`MOST_DENSE`]; `NotFinite`; `NotSymmetric`; `NotPositiveDefinite` for M;
+/// `NotConverged`.
+pub fn generalised_eigen(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<SymmetricEigen, LinalgError> {
+    let Reduced { stiffness, mass, lower, standard, scale, size } = reduce(k, m)?;
+    let n = k.nrows();
+    #[expect(clippy::disallowed_methods, reason = "finite, scaled, and limited by the library itself")]
+    let eigen = standard.self_adjoint_eigen(Side::Lower).map_err(|_| LinalgError::NotConverged)?;
+    let mut vectors = eigen.U().to_owned();
+    triangular_solve::solve_upper_triangular_in_place(lower.as_ref().transpose(), vectors.as_mut(), Par::Seq);
+    let mut values: Vec<f64> = eigen.S().column_vector().iter().copied().collect();
+    let vectors = DMatrix::from_fn(n, n, |row, column| vectors[(row, column)]);
+    finite(values.iter().chain(vectors.iter()))?;
+
+    let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    let low = values.iter().take_while(|value| **value < LOW * largest).count().min(MOST_LOW);
+    let mut refined: Vec<(f64, usize)> =
+        (0..low).map(|mode| (rayleigh(&stiffness, &mass, vectors.column(mode).as_slice()), mode)).collect();
+    refined.sort_by(|p, q| p.0.total_cmp(&q.0));
+    let mut order: Vec<usize> = (0..n).collect();
+    for (at, (value, mode)) in refined.into_iter().enumerate() {
+        values[at] = value;
+        order[at] = mode;
+    }
+    let mut vectors = if low == 0 { vectors } else { vectors.select_columns(&order) };
+
+    residual(&stiffness, &mass, &values, &vectors)?;
+    for (row, scale) in scale.iter().enumerate() {
+        vectors.row_mut(row).scale_mut(*scale);
+    }
+    let values = DVector::from_vec(values) * size;
+    finite(values.iter().chain(vectors.iter()))?;
+    Ok(SymmetricEigen { values, vectors })
+}
+
+/// The eigenvalues of `K φ = λ M φ` alone, ascending.
+///
+/// # Errors
+/// As for [`generalised_eigen`].
+pub fn generalised_eigenvalues(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<DVector<f64>, LinalgError> {
+    let Reduced { standard, size, .. } = reduce(k, m)?;
+    #[expect(clippy::disallowed_methods, reason = "finite, scaled, and limited by the library itself")]
+    let values = standard.self_adjoint_eigenvalues(Side::Lower).map_err(|_| LinalgError::NotConverged)?;
+    let values = DVector::from_vec(values) * size;
+    finite(values.iter())?;
+    Ok(values)
+}
+
+/// `D K D / size` and `D M D`, the Cholesky factor of the second, and `L⁻¹ K L⁻ᵀ` of the scaled ones.
+struct Reduced {
+    stiffness: DMatrix<f64>,
+    mass: DMatrix<f64>,
+    lower: Mat<f64>,
+    standard: Mat<f64>,
+    scale: Vec<f64>,
+    size: f64,
+}
+
+fn reduce(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<Reduced, LinalgError> {
+    square(k)?;
+    let n = k.nrows();
+    if m.shape() != k.shape() {
+        return Err(shape(m, "a mass matrix as large as the stiffness matrix"));
+    }
+    not_above("unknowns of a full matrix", n, MOST_DENSE)?;
+    finite(k.iter().chain(m.iter()))?;
+    symmetric(k)?;
+    symmetric(m)?;
+    if let Some(row) = (0..n).find(|&row| m[(row, row)] <= 0.0) {
+        return Err(LinalgError::NotPositiveDefinite { matrix: "mass", row: row + 1 });
+    }
+    let scale: Vec<f64> = (0..n).map(|row| 1.0 / power_of_two_below(m[(row, row)].sqrt())).collect();
+    let both = |a: &DMatrix<f64>, divisor: f64| {
+        DMatrix::from_fn(n, n, |row, column| {
+            let (row, column) = (row.max(column), row.min(column));
+            (a[(row, column)] * scale[row]) * scale[column] / divisor
+        })
+    };
+    let mut stiffness = both(k, 1.0);
+    let size = power_of_two_below(stiffness.amax());
+    stiffness /= size;
+    let mass = both(m, 1.0);
+    finite(stiffness.iter().chain(mass.iter()))?;
+
+    let view = |a: &DMatrix<f64>| MatRef::from_column_major_slice(a.as_slice(), n, n).to_owned();
+    #[expect(clippy::disallowed_methods, reason = "finite and scaled; a failure is named")]
+    let factors = view(&mass).llt(Side::Lower).map_err(|error| {
+        let faer::linalg::solvers::LltError::NonPositivePivot { index } = error;
+        LinalgError::NotPositiveDefinite { matrix: "mass", row: index + 1 }
+    })?;
+    // What is left of a diagonal entry after elimination: rounding alone may leave something positive.
+    for row in 0..n {
+        let pivot = factors.L()[(row, row)].powi(2);
+        if pivot <= f64::EPSILON * 4.0 * mass[(row, row)] {
+            return Err(LinalgError::NotPositiveDefinite { matrix: "mass", row: row + 1 });
+        }
+    }
+    let lower = factors.L().to_owned();
+    let mut half = view(&stiffness);
+    triangular_solve::solve_lower_triangular_in_place(lower.as_ref(), half.as_mut(), Par::Seq);
+    let mut standard = half.transpose().to_owned();
+    triangular_solve::solve_lower_triangular_in_place(lower.as_ref(), standard.as_mut(), Par::Seq);
+    Ok(Reduced { stiffness, mass, lower, standard, scale, size })
+}
+
+/// `xᵀK x / xᵀM x` with twice the digits; zero where nothing but rounding is left of the numerator.
+fn rayleigh(k: &DMatrix<f64>, m: &DMatrix<f64>, x: &[f64]) -> f64 {
+    let energy = |a: &DMatrix<f64>| {
+        let (mut total, mut size) = (Sum::default(), 0.0);
+        for (column, x_column) in a.column_iter().zip(x) {
+            let mut sum = Sum::default();
+            for (a, x) in column.iter().zip(x) {
+                sum.add_product(*a, *x);
+                size += (a * x * x_column).abs();
+            }
+            let (high, low) = sum.parts();
+            total.add_product(high, *x_column);
+            total.add_product(low, *x_column);
+        }
+        (total.value(), size)
+    };
+    let ((potential, size), (kinetic, _)) = (energy(k), energy(m));
+    if potential.abs() <= 4.0 * f64::EPSILON * size { 0.0 } else { potential / kinetic }
+}
+
+/// Holds `K φ − λ M φ` against the size of K and of λ M, for sums of all modes with random signs: a wrong mode
+/// shows in each of them.
+fn residual(
+    k: &DMatrix<f64>,
+    m: &DMatrix<f64>,
+    values: &[f64],
+    vectors: &DMatrix<f64>,
+) -> Result<(), LinalgError> {
+    let norm = |a: &DMatrix<f64>| a.row_iter().map(|row| row.lp_norm(1)).fold(0.0, f64::max);
+    let (k_size, m_size) = (norm(k), norm(m));
+    let mut random = super::Random::new();
+    for _ in 0..2 {
+        let weights = DVector::from_fn(values.len(), |mode, _| {
+            let size = (k_size + values[mode].abs() * m_size) * vectors.column(mode).amax();
+            random.next().signum() / size
+        });
+        let moving = weights.component_mul(&DVector::from_column_slice(values));
+        let left = k * (vectors * weights) - m * (vectors * moving);
+        if left.amax() > super::rounding(values.len()) * (values.len() as f64).sqrt() {
+            return Err(LinalgError::NotConverged);
+        }
+    }
+    Ok(())
+}
