@@ -16,6 +16,7 @@ pub mod sdof;
 pub mod section;
 pub mod slider_crank;
 pub mod spring;
+pub mod vibration;
 pub mod whirl;
 pub mod work;
 

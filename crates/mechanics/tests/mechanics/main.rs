@@ -6,6 +6,7 @@ mod balance;
 mod beam;
 mod dimensions;
 mod eigen;
+mod forced;
 mod identification;
 mod intervals;
 mod linalg;

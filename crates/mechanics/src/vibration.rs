@@ -1,0 +1,8 @@
+//! Vibration beyond the closed formulas of [`crate::sdof`]: motion from rest, bands of frequencies, instruments,
+//! periodic forces.
+
+pub mod from_rest;
+pub mod instrument;
+pub mod isolation;
+pub mod periodic;
+pub mod quadrature;
