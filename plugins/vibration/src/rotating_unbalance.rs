@@ -43,6 +43,16 @@ pub enum Damping {
         #[input("ζ", "1", nonnegative)]
         ratio: f64,
     },
+    /// Damping ratio between two values
+    /// The amplitude is largest with the least damping, which everything else is answered for.
+    Between {
+        /// Least damping ratio.
+        #[input("ζ", "1", nonnegative)]
+        least: f64,
+        /// Largest damping ratio.
+        #[input("ζ_b", "1", nonnegative)]
+        most: f64,
+    },
     /// Damping coefficient given
     Coefficient {
         /// Damping coefficient.
@@ -85,6 +95,14 @@ impl Analysis for RotatingUnbalance {
         let ratio = sheet.step("r", "1", sdof::frequency_ratio(given.speed, natural), "Frequency ratio");
         let zeta = match &given.damping {
             DampingGiven::Ratio { ratio } => *ratio,
+            DampingGiven::Between { least, most } => {
+                if least.value() > most.value() {
+                    return Err(Refusal::because(
+                        "the least damping ratio is above the largest one: write the smaller one as the least",
+                    ));
+                }
+                *least
+            }
             DampingGiven::Coefficient { coefficient } => sheet.step(
                 "ζ",
                 "1",
@@ -184,6 +202,15 @@ impl Analysis for RotatingUnbalance {
         sheet.answer("amplitude", "Amplitude at this speed", amplitude);
         sheet.answer("phase", "Phase lag", phase);
         sheet.answer("transmitted_force", "Force on the foundation", force);
+        if let DampingGiven::Between { most, .. } = &given.damping {
+            let least = sheet.step(
+                "X_b",
+                "mm",
+                given.unbalance / given.mass * sdof::unbalance_magnification(ratio, *most),
+                ("Steady amplitude with the largest damping", RAO.at("§3.7")),
+            );
+            sheet.answer("least_amplitude", "Amplitude with the largest damping", least);
+        }
         if zeta.value() > 0.0 && zeta.value() < FRAC_1_SQRT_2 {
             let worst = sheet.step(
                 "ωₘₐₓ",

@@ -33,3 +33,9 @@ pub(crate) static EWINS: Source = Source {
 /// Exercise lists 06, 07 and 08 of a course on vibration.
 pub(crate) static LISTS: Source =
     Source { short: "Lists 06–08", full: "Exercise lists 06, 07 and 08, course on mechanical vibration" };
+
+/// W. T. Thomson, Theory of Vibration with Applications.
+pub(crate) static THOMSON: Source = Source {
+    short: "Thomson",
+    full: "W. T. Thomson, Theory of Vibration with Applications, 2nd ed., Prentice Hall, 1981",
+};

@@ -1,7 +1,7 @@
 //! Springs: elastic elements and networks of them, as one number `k`.
 
 use dalembert_core::{Inputs, Refusal, Symbol, Worksheet};
-use dalembert_mechanics::{Real, beam, section as area, spring};
+use dalembert_mechanics::{Real, beam, sdof, section as area, spring};
 
 pub(crate) mod shares;
 pub(crate) mod sketch;
@@ -145,6 +145,24 @@ pub enum Spring {
         /// Active coils.
         #[input("n", "1", positive)]
         coils: f64,
+    },
+    /// Known by its deflection under a load
+    Deflected {
+        /// Load.
+        #[input("F₁", "N", positive)]
+        load: f64,
+        /// Deflection.
+        #[input("δ₁", "m", positive)]
+        deflection: f64,
+    },
+    /// Known by the natural frequency of a mass on it
+    Tuned {
+        /// Mass on the spring.
+        #[input("m₁", "kg", positive)]
+        mass: f64,
+        /// Natural frequency.
+        #[input("ω₁", "rad/s", positive)]
+        frequency: f64,
     },
     /// Series: end to end
     /// Every member carries the whole force.
@@ -314,6 +332,13 @@ fn single<W: Worksheet>(given: &SpringGiven<W>, sheet: W, place: &[usize]) -> Re
             spring::helical(*shear, *wire_diameter, *coil_diameter, *coils),
             ("Stiffness of a helical spring", RAO.at("§1.7")),
         ),
+        SpringGiven::Deflected { load, deflection } => {
+            (*load / *deflection, ("Stiffness: load over deflection", RAO.at("§1.7")))
+        }
+        SpringGiven::Tuned { mass, frequency } => (
+            sdof::stiffness_from_natural_frequency(*mass, *frequency),
+            ("Stiffness that gives this mass this natural frequency", RAO.at("§2.2")),
+        ),
         SpringGiven::Series { .. } | SpringGiven::Parallel { .. } => {
             return network(given, sheet, place).map(|element| element.stiffness);
         }
@@ -333,7 +358,6 @@ fn within<N: Real>(distance: &N, length: &N) -> Result<(), Refusal> {
 /// What an element is, in a word.
 fn label<W: Worksheet>(given: &SpringGiven<W>) -> &'static str {
     match given {
-        SpringGiven::Stiffness { .. } => "spring",
         SpringGiven::Cantilever { .. } => "cantilever",
         SpringGiven::SimplySupported { .. } => "simply supported beam",
         SpringGiven::Clamped { .. } => "clamped beam",
@@ -343,6 +367,7 @@ fn label<W: Worksheet>(given: &SpringGiven<W>) -> &'static str {
         SpringGiven::Bar { .. } => "bar",
         SpringGiven::TorsionBar { .. } => "torsion bar",
         SpringGiven::Helical { .. } => "helical spring",
+        SpringGiven::Stiffness { .. } | SpringGiven::Deflected { .. } | SpringGiven::Tuned { .. } => "spring",
         SpringGiven::Series { .. } => "in series",
         SpringGiven::Parallel { .. } => "in parallel",
     }

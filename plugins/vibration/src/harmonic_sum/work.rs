@@ -1,0 +1,95 @@
+//! The work of `F₀ sin ωt` on the motion `X sin(ωt − φ)`.
+
+use std::f64::consts::{PI, TAU};
+
+use dalembert_core::{Axis, Exhibit, Plot, Series, Worksheet};
+use dalembert_mechanics::{Real, vibration::quadrature::integral};
+
+use crate::sources::{RAO, THOMSON};
+
+/// Work up to a time, work of a cycle, mean power.
+pub(super) fn solve<W: Worksheet>(
+    [force, amplitude]: [W::Num; 2],
+    frequency: W::Num,
+    lag: W::Num,
+    time: W::Num,
+    sheet: W,
+) {
+    let work = sheet.step(
+        "W",
+        "J",
+        force * amplitude / 2.0
+            * (frequency * time * lag.sin() + (lag.cos() - (frequency * time * 2.0 - lag).cos()) / 2.0),
+        ("Work up to that time: the integral of F₀ sin ωt · Xω cos (ωt − φ)", THOMSON.at("ch. 3")),
+    );
+    let cycle = sheet.step(
+        "W_T",
+        "J",
+        force * amplitude * lag.sin() * PI,
+        (
+            "Work of a full cycle: only the part of the force in phase with the velocity does work",
+            RAO.at("§2.6"),
+        ),
+    );
+    let power = sheet.step(
+        "P",
+        "W",
+        force * amplitude * frequency * lag.sin() / 2.0,
+        "Mean power: that work, ω/2π times a second",
+    );
+    let largest = sheet.step(
+        "P_max",
+        "W",
+        force * amplitude * frequency / 2.0 * (lag.sin().abs() + 1.0),
+        "Largest power at an instant: about the mean it swings by F₀Xω/2",
+    );
+    sheet.verify(|| {
+        let numbers = [force, amplitude, frequency, lag, time].map(Real::value);
+        let scale = numbers[0] * numbers[1] * (1.0 + numbers[2] * numbers[4]);
+        sheet.check_zero(
+            "work by numerical integration",
+            W::Num::from(work.value() - integrated(numbers)),
+            scale,
+        );
+    });
+    sheet.answer("work", "Work up to that time", work);
+    sheet.answer("work_of_a_cycle", "Work of a cycle", cycle);
+    sheet.answer("power", "Mean power", power);
+    sheet.answer("largest_power", "Largest power", largest);
+    let numbers = [force, amplitude, frequency, lag, time].map(Real::value);
+    sheet.show(|| {
+        let [force, amplitude, frequency, lag, _] = numbers;
+        let last = 2.0 * TAU / frequency;
+        let power =
+            |t: f64| force * (frequency * t).sin() * amplitude * frequency * (frequency * t - lag).cos();
+        let curve = (0..=300u16).map(|n| last * f64::from(n) / 300.0).map(|t| (t, power(t))).collect();
+        Exhibit::Plot(Plot::new(
+            "Power against time",
+            Axis::linear("time", "s"),
+            Axis::linear("power", "W"),
+            vec![Series::line("P", curve)],
+        ))
+    });
+    sheet.show(|| {
+        let [force, amplitude, _, lag, _] = numbers;
+        let at = |n: u16| {
+            let angle = TAU * f64::from(n) / 200.0;
+            (amplitude * (angle - lag).sin(), force * angle.sin())
+        };
+        Exhibit::Plot(Plot::new(
+            "Force against displacement",
+            Axis::linear("displacement", "mm"),
+            Axis::linear("force", "N"),
+            vec![Series::line("F", (0..=200).map(at).collect())],
+        ))
+    });
+}
+
+/// Whole cycles by the mean of equally spaced points, which is exact for harmonics; the rest by quadrature.
+fn integrated([force, amplitude, frequency, lag, time]: [f64; 5]) -> f64 {
+    let power = |angle: f64| force * angle.sin() * amplitude * (angle - lag).cos();
+    let cycles = (frequency * time / TAU).floor();
+    let of_a_cycle = (0..8u8).map(|n| power(TAU * f64::from(n) / 8.0)).sum::<f64>() * TAU / 8.0;
+    let rest = frequency * time - cycles * TAU;
+    cycles * of_a_cycle + integral(power, [0.0, rest], 16)
+}

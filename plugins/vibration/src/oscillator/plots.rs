@@ -1,0 +1,111 @@
+//! The plots and drawings of the textbooks: magnification and phase for several dampings, the vectors of the forces.
+
+use dalembert_core::{Axis, Drawing, DrawnShape, Exhibit, Ink, Plot, Series, Text, Worksheet};
+use dalembert_mechanics::sdof;
+
+/// The damping ratios of a family.
+const FAMILY: [f64; 4] = [0.05, 0.2, 0.5, 1.0];
+/// Points of each curve of a family.
+const POINTS: u16 = 120;
+
+/// A family of curves over the frequency ratio: this oscillator's, then those of other dampings.
+pub(crate) fn family(
+    title: &'static str,
+    y: Axis,
+    here: (f64, f64),
+    own: impl Fn(f64) -> f64,
+    of: impl Fn(f64, f64) -> f64,
+) -> Plot {
+    let last = (1.4 * here.0).clamp(2.5, 20.0);
+    let curve = |of: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
+        (0..=POINTS).map(|n| last * f64::from(n) / f64::from(POINTS)).map(|r| (r, of(r))).collect()
+    };
+    let mut series = vec![Series::line("this oscillator", curve(&own))];
+    series.extend(FAMILY.map(|zeta| {
+        let label = Text::new("ζ = {ratio}").with_quantity("ratio", zeta, "1");
+        Series::line(label, curve(&|r| of(r, zeta)))
+    }));
+    Plot::new(title, Axis::linear("frequency ratio", "1"), y, series).mark("here", here)
+}
+
+/// Magnification and phase of a harmonic force. `own` is the damping ratio at a frequency ratio.
+pub(crate) fn force_families<W: Worksheet>(ratio: f64, own: impl Fn(f64) -> f64 + Copy, sheet: W) {
+    let magnification = move |r: f64| {
+        let zeta = if r > 0.0 { own(r) } else { 0.0 };
+        below(sdof::magnification(r, zeta), 20.0)
+    };
+    let lag = move |r: f64| sdof::phase_lag_from_ratios(r, if r > 0.0 { own(r) } else { 0.0 });
+    sheet.show(|| {
+        let here = (ratio, sdof::magnification(ratio, own(ratio)));
+        let y = Axis::linear("magnification", "1");
+        Exhibit::Plot(family("Magnification against frequency ratio", y, here, magnification, |r, zeta| {
+            below(sdof::magnification(r, zeta), 20.0)
+        }))
+    });
+    sheet.show(|| {
+        let here = (ratio, lag(ratio));
+        let y = Axis::linear("phase lag", "deg");
+        Exhibit::Plot(family("Phase lag against frequency ratio", y, here, lag, sdof::phase_lag_from_ratios))
+    });
+}
+
+/// Transmissibility for several dampings.
+pub(crate) fn transmissibility_family(ratio: f64, own: impl Fn(f64) -> f64) -> Plot {
+    let of = |r: f64| if r > 0.0 { own(r) } else { 0.0 };
+    let here = (ratio, sdof::transmissibility(ratio, of(ratio)));
+    let y = Axis::linear("transmissibility", "1");
+    let title = "Transmissibility against frequency ratio";
+    family(
+        title,
+        y,
+        here,
+        |r| below(sdof::transmissibility(r, of(r)), 20.0),
+        |r, zeta| below(sdof::transmissibility(r, zeta), 20.0),
+    )
+}
+
+/// A value, or a gap in the curve where it leaves the picture.
+pub(crate) fn below(value: f64, top: f64) -> f64 {
+    if value <= top { value } else { f64::INFINITY }
+}
+
+/// The forces as rotating vectors: spring, damper and inertia add up to the applied force.
+pub(crate) fn force_vectors(spring: f64, damper: f64, inertia: f64) -> Drawing {
+    let size = spring.max(damper).max(inertia).max(f64::MIN_POSITIVE);
+    let [spring, damper, inertia] = [spring, damper, inertia].map(|force| 4.0 * force / size);
+    let (corner, tip, end) = ((spring, 0.0), (spring, damper), (spring - inertia, damper));
+    let label = |at: (f64, f64), text: &'static str| DrawnShape::Label(at, Text::from(text));
+    Drawing {
+        title: "Rotating vectors of the forces".into(),
+        shapes: vec![
+            DrawnShape::Circle((0.0, 0.0), end.0.hypot(end.1), Ink::Faint),
+            DrawnShape::Polyline(vec![(-4.6, 0.0), (4.6, 0.0)], Ink::Faint),
+            DrawnShape::Arrow((0.0, 0.0), corner, Ink::Body),
+            label((spring / 2.0, -0.5), "kX"),
+            DrawnShape::Arrow(corner, tip, Ink::Motion),
+            label((spring + 0.2, damper / 2.0), "cωX"),
+            DrawnShape::Arrow(tip, end, Ink::Danger),
+            label((spring - inertia / 2.0, damper + 0.4), "mω²X"),
+            DrawnShape::Arrow((0.0, 0.0), end, Ink::Force),
+            label((end.0 / 2.0 - 0.6, end.1 / 2.0 + 0.2), "F₀"),
+        ],
+    }
+}
+
+/// The mass, spring and damper.
+pub(crate) fn mass_spring_damper(force: &'static str) -> Drawing {
+    let shapes = vec![
+        DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
+        DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
+        DrawnShape::Label((-0.9, -0.95), Text::from("k")),
+        DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
+        DrawnShape::Label((0.75, -0.95), Text::from("c")),
+        DrawnShape::Block((-0.8, -0.4), (0.8, 0.4), Ink::Body),
+        DrawnShape::Label((0.0, 0.0), Text::from("m")),
+        DrawnShape::Arrow((0.0, 0.4), (0.0, 1.2), Ink::Force),
+        DrawnShape::Label((0.1, 1.2), Text::from(force)),
+        DrawnShape::Arrow((1.1, -0.2), (1.1, 0.5), Ink::Motion),
+        DrawnShape::Label((1.2, 0.5), Text::from("x")),
+    ];
+    Drawing { title: "One degree of freedom".into(), shapes }
+}

@@ -1,0 +1,158 @@
+//! The waves of the textbooks: their pieces, and their Fourier coefficients as the tables give them.
+
+use std::f64::consts::PI;
+
+use dalembert_core::{Inputs, Refusal, Text, Worksheet};
+use dalembert_mechanics::{
+    Real,
+    vibration::periodic::{self, Piece},
+};
+
+use crate::sources::RAO;
+
+/// The most points of a table.
+const MOST: usize = 400;
+
+/// One period of the wave, of height one.
+#[derive(Clone, Debug, Inputs)]
+pub enum Waveform {
+    /// Square wave
+    /// Up for the first half of the period, down as far for the second.
+    Square,
+    /// Triangular wave
+    /// From zero up, down as far below, and back.
+    Triangle,
+    /// Sawtooth
+    /// From zero up over the period, then at once back to zero: a cam.
+    Sawtooth,
+    /// Half-rectified sine
+    /// The positive half of a sine, zero for the second half of the period.
+    HalfRectified,
+    /// Rectified sine
+    /// One arch after another; the period is that of one arch.
+    FullRectified,
+    /// Rectangular pulses
+    /// Up for a share of the period, zero for the rest.
+    Pulse {
+        /// Share of the period.
+        #[input("d", "%", positive, below = 100)]
+        share: f64,
+    },
+    /// Table
+    /// Straight lines from point to point, and from the last to the first of the next period.
+    Table {
+        /// Points.
+        #[input(table)]
+        points: Vec<WavePoint>,
+    },
+}
+
+/// A point of a wave.
+#[derive(Clone, Debug, Inputs)]
+pub struct WavePoint {
+    /// Share of the period.
+    /// Ascending; two points at one share are a jump.
+    #[input("s", "%", nonnegative, max = 100)]
+    pub share: f64,
+    /// Value over the height of the wave.
+    #[input("u", "1")]
+    pub value: f64,
+}
+
+impl Waveform {
+    /// The pieces of a period.
+    pub(super) fn pieces(&self) -> Result<Vec<Piece>, Refusal> {
+        Ok(match self {
+            Waveform::Square => periodic::square(),
+            Waveform::Triangle => periodic::triangle(),
+            Waveform::Sawtooth => periodic::sawtooth(),
+            Waveform::HalfRectified => periodic::half_rectified(),
+            Waveform::FullRectified => periodic::full_rectified(),
+            Waveform::Pulse { share } => periodic::pulse(*share),
+            Waveform::Table { points } => {
+                if points.len() > MOST {
+                    return Err(Refusal::because(
+                        Text::new("the table has {count} points; at most {most} are added up: thin it out")
+                            .with("count", points.len())
+                            .with("most", MOST),
+                    ));
+                }
+                let points: Vec<(f64, f64)> = points.iter().map(|point| (point.share, point.value)).collect();
+                periodic::polygon(&points).ok_or_else(|| {
+                    Refusal::because(
+                        "the table needs two points or more, with shares of the period that ascend from 0 to 100 %",
+                    )
+                })?
+            }
+        })
+    }
+}
+
+impl<W: Worksheet> WaveformGiven<W> {
+    /// The mean over the height of the wave; `found` is what the pieces say.
+    pub(super) fn mean<S: Worksheet<Num = W::Num>>(&self, found: f64, sheet: S) -> W::Num {
+        let one = W::Num::from(1.0);
+        let (value, why) = match self {
+            WaveformGiven::Square {} | WaveformGiven::Triangle {} => {
+                (W::Num::from(0.0), "Mean of the wave: as much above zero as below")
+            }
+            WaveformGiven::Sawtooth {} => (one / 2.0, "Mean of the wave: half its height"),
+            WaveformGiven::HalfRectified {} => (one / PI, "Mean of half a sine a period"),
+            WaveformGiven::FullRectified {} => (W::Num::from(2.0) / PI, "Mean of an arch of a sine"),
+            WaveformGiven::Pulse { share } => (*share * 1.0, "Mean of the pulses: their share of the period"),
+            WaveformGiven::Table { .. } => {
+                return sheet.found("u₀", "1", found, "Mean of the wave, integrated line by line");
+            }
+        };
+        sheet.step("u₀", "1", value, (why, RAO.at("§1.11")))
+    }
+
+    /// The amplitude of a harmonic over the height of the wave; `found` is what the pieces say.
+    pub(super) fn amplitude<S: Worksheet<Num = W::Num>>(
+        &self,
+        n: u32,
+        found: (f64, f64),
+        sheet: S,
+    ) -> W::Num {
+        let order = W::Num::from(f64::from(n));
+        let (value, why) = match self {
+            WaveformGiven::Square {} => {
+                (W::Num::from(4.0) / (order * PI), "Fourier coefficient of a square wave: 4/(nπ) for odd n")
+            }
+            WaveformGiven::Triangle {} => (
+                W::Num::from(8.0) / (order * PI).powi(2),
+                "Fourier coefficient of a triangular wave: 8/(nπ)² for odd n",
+            ),
+            WaveformGiven::Sawtooth {} => {
+                (W::Num::from(1.0) / (order * PI), "Fourier coefficient of a sawtooth: 1/(nπ)")
+            }
+            WaveformGiven::HalfRectified {} if n == 1 => {
+                (W::Num::from(1.0) / 2.0, "First harmonic of a half-rectified sine: half its height")
+            }
+            WaveformGiven::HalfRectified {} => (
+                W::Num::from(2.0) / ((order.powi(2) - 1.0) * PI),
+                "Fourier coefficient of a half-rectified sine: 2/((n² − 1)π) for even n",
+            ),
+            WaveformGiven::FullRectified {} => (
+                W::Num::from(4.0) / ((order.powi(2) * 4.0 - 1.0) * PI),
+                "Fourier coefficient of a rectified sine: 4/((4n² − 1)π)",
+            ),
+            WaveformGiven::Pulse { share } => (
+                (order * *share * PI).sin().abs() * 2.0 / (order * PI),
+                "Fourier coefficient of rectangular pulses: 2|sin nπd|/(nπ)",
+            ),
+            WaveformGiven::Table { .. } => {
+                let (a, b) = found;
+                let a = sheet.found(
+                    ("a", n as usize),
+                    "1",
+                    a,
+                    ("Cosine coefficient, integrated line by line", RAO.at("§1.11")),
+                );
+                let b = sheet.found(("b", n as usize), "1", b, "Sine coefficient, integrated line by line");
+                ((a.powi(2) + b.powi(2)).sqrt(), "Cosine and sine together")
+            }
+        };
+        sheet.step(("u", n as usize), "1", value, (why, RAO.at("§1.11")))
+    }
+}

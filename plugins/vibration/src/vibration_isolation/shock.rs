@@ -1,0 +1,121 @@
+//! Mounts that take up a shock: the velocity with which the machine arrives becomes travel.
+
+use dalembert_core::{Axis, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet};
+use dalembert_mechanics::{Real, intervals::IntervalSet};
+
+use super::Mounts;
+use crate::sources::RAO;
+
+/// How the machine arrives.
+#[derive(Clone, Debug, Inputs)]
+pub enum Arrival {
+    /// With a velocity
+    Velocity {
+        /// Velocity.
+        #[input("v₀", "m/s", positive)]
+        velocity: f64,
+    },
+    /// From a height
+    Drop {
+        /// Height of the fall.
+        #[input("h", "m", positive)]
+        height: f64,
+    },
+}
+
+/// Every stiffness with which acceleration and travel stay within their limits.
+pub(super) fn solve<W: Worksheet>(
+    mounts: &Mounts<W::Num>,
+    arrival: &ArrivalGiven<W>,
+    acceleration: W::Num,
+    travel: Option<W::Num>,
+    sheet: W,
+) -> Result<(), Refusal> {
+    use std::ops::Bound::{Included, Unbounded};
+    let mass = mounts.mass;
+    let velocity = match arrival {
+        ArrivalGiven::Velocity { velocity } => *velocity,
+        ArrivalGiven::Drop { height } => sheet.step(
+            "v₀",
+            "m/s",
+            (mounts.gravity * *height * 2.0).sqrt(),
+            "Velocity at the end of the fall",
+        ),
+    };
+    let natural = sheet.step(
+        "ω_A",
+        "rad/s",
+        acceleration / velocity,
+        (
+            "Highest natural frequency: a free vibration that begins with v₀ has the acceleration v₀ωₙ",
+            RAO.at("§9.10"),
+        ),
+    );
+    let stiffest =
+        sheet.step("k_A", "N/m", mass * natural.powi(2), "Largest stiffness, from the acceleration");
+    let least = sheet.step(
+        "x_A",
+        "mm",
+        velocity / natural,
+        "Travel of these mounts, v₀/ωₙ: the least that is possible",
+    );
+    sheet.check(
+        "the energy of the arrival is that of the springs at the end of the travel",
+        stiffest * least.powi(2),
+        mass * velocity.powi(2),
+    );
+    sheet.answer("velocity", "Velocity of the arrival", velocity);
+    sheet.answer("natural_frequency", "Highest natural frequency", natural);
+    sheet.answer("stiffness", "Largest stiffness of all mounts together", stiffest);
+    mounts.answer_each(stiffest, sheet);
+    sheet.answer("travel", "Travel of the stiffest mounts", least);
+    let softest = travel.map(|travel| {
+        let why = "Least stiffness, from the travel: ½ k d² = ½ m v₀²";
+        let softest = sheet.step("k_d", "N/m", mass * (velocity / travel).powi(2), why);
+        sheet.answer("least_stiffness", "Least stiffness of all mounts together", softest);
+        softest
+    });
+    let lower = softest.map_or(0.0, Real::value);
+    if !(lower.is_finite() && stiffest.value().is_finite()) {
+        return Err(Refusal::because("these numbers lead beyond the range of numbers"));
+    }
+    let from = if softest.is_some() { Included(lower) } else { Unbounded };
+    let set = IntervalSet::interval(from, Included(stiffest.value()));
+    let mut limits = Vec::new();
+    if !set.is_none() {
+        if softest.is_some() {
+            limits.push(Text::new("the travel is used up"));
+        }
+        limits.push(Text::new("the acceleration is reached"));
+    }
+    sheet.answer_set(
+        "permitted_stiffness",
+        "Permitted stiffness of all mounts together",
+        "N/m",
+        &set,
+        limits,
+    );
+    if set.is_none() {
+        sheet.warn(|| {
+            Text::new(
+                "no stiffness keeps both limits: the travel must be at least {travel} with this acceleration",
+            )
+            .with_quantity("travel", least.value(), "mm")
+        });
+    }
+    let (m, v) = (mass.value(), velocity.value());
+    let (top, limit) = (stiffest.value(), acceleration.value());
+    sheet.show(|| {
+        let at = |n: u16| 2.0 * top * f64::from(n) / 200.0;
+        let curve = (0..=200).map(at).map(|k| (k, v * (k / m).sqrt())).collect();
+        let plot = Plot::new(
+            "Acceleration against stiffness",
+            Axis::linear("stiffness", "N/m"),
+            Axis::linear("acceleration", "m/s^2"),
+            vec![Series::line("A", curve)],
+        )
+        .level("largest acceleration", limit);
+        Exhibit::Plot(if lower < top { plot.band("permitted", lower, top, true) } else { plot })
+    });
+    Ok(())
+}
