@@ -97,27 +97,25 @@ impl Analysis for PeriodicExcitation {
         );
         sheet.answer("frequency_ratio", "Frequency ratio of the first harmonic", ratio);
         refuse_resonance(&pieces, ratio.value(), zeta.value())?;
-        let (drive, height, unit) = match &given.excitation {
+        let (excited, source, height) = match &given.excitation {
             ExcitationGiven::Force { force } => {
                 let body = suspension.body.ok_or_else(|| {
                     Refusal::because("a force moves a mass: write the mass, or let the base shake")
                 })?;
                 let why = ("Deflection that the height of the wave would hold at rest", RAO.at("§4.2"));
-                (Drive::Force, sheet.step("δ", "mm", *force / body.stiffness, why), "N")
+                let height = sheet.step("δ", "mm", *force / body.stiffness, why);
+                (Excited::Mass { stiffness: body.stiffness }, *force, height)
             }
-            ExcitationGiven::Base { height } => (Drive::Base, *height, "mm"),
+            ExcitationGiven::Base { height } => (Excited::Base, *height, *height),
         };
-        let source = match &given.excitation {
-            ExcitationGiven::Force { force } => *force,
-            ExcitationGiven::Base { height } => *height,
-        };
-        let system = System { ratio, zeta, drive, height, source, unit };
+        let system = System { ratio, zeta, excited, height, source };
         system.mean(&given.waveform, &pieces, sheet);
         for (row, n) in written(&pieces).into_iter().enumerate() {
             sheet.keep_going()?;
             system.harmonic(&given.waveform, &pieces, n, row, sheet);
         }
-        let steady = Steady::new(&pieces, drive, zeta.value(), std::f64::consts::TAU / ratio.value());
+        let steady =
+            Steady::new(&pieces, system.drive(), zeta.value(), std::f64::consts::TAU / ratio.value());
         self.together(&system, &pieces, steady.as_ref(), given.time, sheet);
         system.spectrum(&pieces, given.frequency.value(), sheet);
         Ok(())
@@ -128,12 +126,20 @@ impl Analysis for PeriodicExcitation {
 struct System<N> {
     ratio: N,
     zeta: N,
-    drive: Drive,
+    excited: Excited<N>,
     /// Deflection at rest under the height of the wave, m.
     height: N,
     /// Height of the wave in its own unit.
     source: N,
-    unit: &'static str,
+}
+
+/// What is shaken.
+#[derive(Clone, Copy)]
+enum Excited<N> {
+    /// The mass, on a spring of this stiffness.
+    Mass { stiffness: N },
+    /// The base.
+    Base,
 }
 
 /// The harmonics that are written out: the first that are there.
@@ -165,31 +171,44 @@ fn refuse_resonance(pieces: &[Piece], ratio: f64, zeta: f64) -> Result<(), Refus
 }
 
 impl<N: Real> System<N> {
+    fn drive(&self) -> Drive {
+        match self.excited {
+            Excited::Mass { .. } => Drive::Force,
+            Excited::Base => Drive::Base,
+        }
+    }
+
+    /// Symbol and unit of the wave.
+    fn wave(&self) -> (&'static str, &'static str) {
+        match self.excited {
+            Excited::Mass { .. } => ("F", "N"),
+            Excited::Base => ("Y", "mm"),
+        }
+    }
+
     /// Motion over static deflection at a harmonic.
     fn factor<S: Real>(&self, ratio: S, zeta: S) -> S {
-        match self.drive {
-            Drive::Force => sdof::magnification(ratio, zeta),
-            Drive::Base => sdof::transmissibility(ratio, zeta),
+        match self.excited {
+            Excited::Mass { .. } => sdof::magnification(ratio, zeta),
+            Excited::Base => sdof::transmissibility(ratio, zeta),
         }
     }
 
     fn lag<S: Real>(&self, ratio: S, zeta: S) -> S {
-        match self.drive {
-            Drive::Force => sdof::phase_lag_from_ratios(ratio, zeta),
-            Drive::Base => sdof::transmissibility_phase(ratio, zeta),
+        match self.excited {
+            Excited::Mass { .. } => sdof::phase_lag_from_ratios(ratio, zeta),
+            Excited::Base => sdof::transmissibility_phase(ratio, zeta),
         }
     }
 
-    /// The mean of the wave and of the motion.
+    /// The mean of the motion: the deflection at rest under the mean of the wave.
     fn mean<W: Worksheet<Num = N>>(&self, wave: &WaveformGiven<W>, pieces: &[Piece], sheet: W) {
         let mean = periodic::mean(pieces);
-        let share = wave.mean::<W>(mean, sheet);
-        sheet.check_zero("mean of the wave from its pieces", share - N::from(mean), 1.0);
-        let offset = sheet.step(
-            "X₀",
-            "mm",
-            self.height * share,
-            ("Mean of the motion: the static deflection under the mean of the wave", RAO.at("§4.2")),
+        let offset = wave.mean(self.height, mean, sheet);
+        sheet.check_zero(
+            "mean of the wave from its pieces",
+            N::from(offset.value() / self.height.value() - mean),
+            1.0,
         );
         sheet.answer("mean", "Mean displacement", offset);
     }
@@ -205,37 +224,28 @@ impl<N: Real> System<N> {
     ) {
         let index = n as usize;
         let (a, b) = periodic::harmonic(pieces, n);
-        let share = wave.amplitude::<W>(n, (a, b), sheet);
+        let source = wave.amplitude(self.source, n, (a, b), self.wave(), sheet);
         sheet.check_zero(
             "coefficient of the harmonic from the pieces of the wave",
-            share - N::from(a.hypot(b)),
+            N::from(source.value() / self.source.value() - a.hypot(b)),
             1.0,
         );
-        let symbol = match self.drive {
-            Drive::Force => "F",
-            Drive::Base => "Y",
-        };
-        let first = row == 0;
-        let source = sheet.step(
-            (symbol, index),
-            self.unit,
-            self.source * share,
-            ("Amplitude of this harmonic of the wave", RAO.at("§1.11")),
-        );
         let ratio = sheet.step(("r", index), "1", self.ratio * f64::from(n), "Its frequency ratio");
-        let why = match self.drive {
-            Drive::Force => ("Response to this harmonic: magnified static deflection", RAO.at("§4.2")),
-            Drive::Base => ("Response to this harmonic: transmitted motion of the base", RAO.at("§4.2")),
-        };
-        let amplitude = match self.drive {
-            Drive::Force => self.height * source / self.source * self.factor(ratio, self.zeta),
-            Drive::Base => source * self.factor(ratio, self.zeta),
+        let (amplitude, why) = match self.excited {
+            Excited::Mass { stiffness } => (
+                source / stiffness * self.factor(ratio, self.zeta),
+                ("Response to this harmonic: magnified static deflection", RAO.at("§4.2")),
+            ),
+            Excited::Base => (
+                source * self.factor(ratio, self.zeta),
+                ("Response to this harmonic: transmitted motion of the base", RAO.at("§4.2")),
+            ),
         };
         let amplitude = sheet.step(("X", index), "mm", amplitude, why);
         let why = ("Its lag behind this harmonic of the wave", RAO.at("§4.2"));
         let lag = sheet.step(("φ", index), "deg", self.lag(ratio, self.zeta), why);
         sheet.answer(("harmonic", index), "Amplitude of harmonic", amplitude);
-        if first {
+        if row == 0 {
             sheet.answer("phase", "Phase lag of the first of them", lag);
         }
     }
@@ -271,7 +281,7 @@ impl<N: Real> System<N> {
                 columns: vec![
                     column("n", "1"),
                     column("frequency", "Hz"),
-                    column("wave", self.unit),
+                    column("wave", self.wave().1),
                     column("frequency ratio", "1"),
                     column("magnification", "1"),
                     column("motion", "mm"),
@@ -295,9 +305,9 @@ impl<N: Real> System<N> {
             ))
         });
         let (own, here) = (zeta, ratio);
-        match self.drive {
-            Drive::Force => plots::force_families(here, move |_| own, sheet),
-            Drive::Base => {
+        match self.excited {
+            Excited::Mass { .. } => plots::force_families(here, move |_| own, sheet),
+            Excited::Base => {
                 sheet.show(|| Exhibit::Plot(plots::transmissibility_family(here, move |_| own)));
             }
         }

@@ -201,11 +201,11 @@ impl VibrationInstrument {
                 "without damping, the reading at the natural frequency grows without bound: there is no steady state",
             ));
         }
-        let (symbol, why) = match self.instrument {
-            Instrument::Vibrometer => ("Z/Y", ("Reading over true displacement", RAO.at("§10.3"))),
-            Instrument::Accelerometer => ("A_r/A", ("Reading over true acceleration", RAO.at("§10.3"))),
+        let why = match self.instrument {
+            Instrument::Vibrometer => "Reading over true displacement",
+            Instrument::Accelerometer => "Reading over true acceleration",
         };
-        let factor = sheet.step(symbol, "1", self.factor(ratio, zeta), why);
+        let factor = sheet.step("M", "1", self.factor(ratio, zeta), (why, RAO.at("§10.3")));
         sheet.verify(|| {
             let other = self.factor_of_square(ratio, zeta);
             sheet.check("the same from the square of the frequency ratio", other, factor);
@@ -333,11 +333,12 @@ impl VibrationInstrument {
         if let Some(needed) = needed {
             sheet.answer("needed_natural_frequency", "Natural frequency needed at this frequency", needed);
         }
-        let best = sdof::damping_ratio_from_peak(error + 1.0);
+        let most = sheet.step("Λ", "1", error + 1.0, "Largest reading over true value that is allowed");
+        let best = sdof::damping_ratio_from_peak(most);
         if let Some(best) = best.filter(|best| best.value().is_finite()) {
             let why = "Damping ratio of the widest band: the peak just reaches the allowed error";
             let best = sheet.step("ζ_p", "1", best, (why, RAO.at("§10.3")));
-            sheet.check("its peak is the allowed error", sdof::peak_magnification(best), error + 1.0);
+            sheet.check("its peak is the allowed error", sdof::peak_magnification(best), most);
             sheet.answer("best_damping_ratio", "Damping ratio of the widest band", best);
         }
         let frequencies = ratios.map_ascending(|r| r * natural.value());

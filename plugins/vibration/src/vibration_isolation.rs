@@ -224,15 +224,25 @@ struct Band<N> {
 }
 
 impl<N: Real> Band<N> {
-    /// The speed of a ratio that a kernel found in the band, and that ratio, written down.
-    fn at<W: Worksheet<Num = N>>(&self, found: f64, [speed, ratio]: [&'static str; 2], sheet: W) -> (N, N) {
-        let why = "Worst speed: within the band, where the slope is zero";
-        let speed = match self.ratios.iter().position(|end| *end == found) {
-            Some(end) => self.speeds[end],
-            None => sheet.found(speed, "rpm", found * self.natural.value(), why),
-        };
-        let why = "Frequency ratio at the worst speed";
-        (speed, sheet.step(ratio, "1", speed / self.natural, why))
+    /// The speed of a ratio that a kernel found in the band, and that ratio, written down: an end of the band, or
+    /// what `within` writes.
+    fn at<W: Worksheet<Num = N>>(
+        &self,
+        found: f64,
+        [speed, ratio]: [&'static str; 2],
+        within: impl FnOnce() -> N,
+        sheet: W,
+    ) -> (N, N) {
+        match self.ratios.iter().position(|end| *end == found) {
+            Some(end) => {
+                let why = "Frequency ratio at the worst speed";
+                (self.speeds[end], sheet.step(ratio, "1", self.speeds[end] / self.natural, why))
+            }
+            None => {
+                let ratio = within();
+                (sheet.step(speed, "rpm", ratio * self.natural, "Worst speed, within the band"), ratio)
+            }
+        }
     }
 }
 
@@ -345,7 +355,11 @@ impl<N: Real> Mounts<N> {
         };
         let worst = isolation::worst_transmission(Shaking::Force, zeta, band).ok_or_else(unbounded)?;
         let band = Band { ratios: band, speeds: [lowest, highest], natural: known.natural };
-        let (speed, ratio) = band.at(worst, ["ω_T", "r"], sheet);
+        let peak = || {
+            let why = ("Frequency ratio of the largest transmissibility", RAO.at("§3.6"));
+            sheet.step("r", "1", isolation::transmissibility_peak_ratio(known.zeta), why)
+        };
+        let (speed, ratio) = band.at(worst, ["ω_T", "r"], peak, sheet);
         let transmissibility = sheet.step(
             "TR",
             "1",
@@ -407,13 +421,22 @@ impl<N: Real> Mounts<N> {
             Shaking::Unbalance => strength * speed.powi(2),
         };
         // Where two of the worst speeds are the same, it is written once.
-        let at = |worst: f64, names, before: (f64, N, N)| {
-            let (speed, ratio) =
-                if worst == before.0 { (before.1, before.2) } else { band.at(worst, names, sheet) };
+        let worst = isolation::worst_transmission(shaking, zeta.value(), band.ratios)?;
+        let loudest = if worst == passing.0 {
+            passing
+        } else {
+            let peak = || {
+                let how = "Frequency ratio of the largest force: the slope of r² TR is zero there";
+                let ratio = sheet.found("r_F", "1", worst, how);
+                let (u, a) = (worst * worst, 4.0 * zeta.value() * zeta.value());
+                let terms = [a * u * u * u, 2.0 * a * (a - 2.0) * u * u, (4.0 * a - 2.0) * u, 2.0];
+                let scale = terms.iter().map(|term| term.abs()).sum();
+                sheet.check_zero("the slope of the force is zero there", N::from(terms.iter().sum()), scale);
+                ratio
+            };
+            let (speed, ratio) = band.at(worst, ["ω_F", "r_F"], peak, sheet);
             (worst, speed, ratio)
         };
-        let worst = isolation::worst_transmission(shaking, zeta.value(), band.ratios)?;
-        let loudest = at(worst, ["ω_F", "r_F"], passing);
         let (_, speed, ratio) = loudest;
         let transmitted = sheet.step(
             "F_T",
@@ -423,7 +446,19 @@ impl<N: Real> Mounts<N> {
         );
         sheet.answer("transmitted_force", "Force on the floor", transmitted);
         let worst = isolation::worst_motion(shaking, zeta.value(), band.ratios)?;
-        let (_, speed, ratio) = at(worst, ["ω_X", "r_X"], loudest);
+        let (_, speed, ratio) = if worst == loudest.0 {
+            loudest
+        } else {
+            let peak = || {
+                let ratio = match shaking {
+                    Shaking::Force => sdof::magnification_peak_ratio(zeta),
+                    Shaking::Unbalance => sdof::unbalance_peak_ratio(zeta),
+                };
+                sheet.step("r_X", "1", ratio, ("Frequency ratio of the largest amplitude", RAO.at("§3.7")))
+            };
+            let (speed, ratio) = band.at(worst, ["ω_X", "r_X"], peak, sheet);
+            (worst, speed, ratio)
+        };
         let amplitude = match shaking {
             Shaking::Force => strength / known.stiffness * sdof::magnification(ratio, zeta),
             Shaking::Unbalance => strength / self.mass * sdof::unbalance_magnification(ratio, zeta),

@@ -188,7 +188,7 @@ impl Steady {
     /// The piece at a share of the period, and the share since its beginning.
     fn place(&self, share: f64) -> (usize, f64) {
         let share = share - share.floor();
-        let n = self.pieces.iter().rposition(|piece| piece.from <= share).unwrap_or(0);
+        let n = self.pieces.partition_point(|piece| piece.from <= share).saturating_sub(1);
         (n, (share - self.pieces[n].from).max(0.0))
     }
 

@@ -89,70 +89,74 @@ impl Waveform {
 }
 
 impl<W: Worksheet> WaveformGiven<W> {
-    /// The mean over the height of the wave; `found` is what the pieces say.
-    pub(super) fn mean<S: Worksheet<Num = W::Num>>(&self, found: f64, sheet: S) -> W::Num {
-        let one = W::Num::from(1.0);
+    /// Mean of the motion, from the deflection under the height of the wave; `found` is the mean of the pieces.
+    pub(super) fn mean(&self, height: W::Num, found: f64, sheet: W) -> W::Num {
         let (value, why) = match self {
             WaveformGiven::Square {} | WaveformGiven::Triangle {} => {
-                (W::Num::from(0.0), "Mean of the wave: as much above zero as below")
+                (W::Num::from(0.0), "Mean of the motion: the wave is as much above zero as below")
             }
-            WaveformGiven::Sawtooth {} => (one / 2.0, "Mean of the wave: half its height"),
-            WaveformGiven::HalfRectified {} => (one / PI, "Mean of half a sine a period"),
-            WaveformGiven::FullRectified {} => (W::Num::from(2.0) / PI, "Mean of an arch of a sine"),
-            WaveformGiven::Pulse { share } => (*share * 1.0, "Mean of the pulses: their share of the period"),
+            WaveformGiven::Sawtooth {} => {
+                (height / 2.0, "Mean of the motion: that of the wave is half its height")
+            }
+            WaveformGiven::HalfRectified {} => {
+                (height / PI, "Mean of the motion: that of half a sine a period is 1/π of its height")
+            }
+            WaveformGiven::FullRectified {} => {
+                (height * 2.0 / PI, "Mean of the motion: that of an arch of a sine is 2/π of its height")
+            }
+            WaveformGiven::Pulse { share } => {
+                (height * *share, "Mean of the motion: that of the pulses is their share of the period")
+            }
             WaveformGiven::Table { .. } => {
-                return sheet.found("u₀", "1", found, "Mean of the wave, integrated line by line");
+                let mean = sheet.found("u₀", "1", found, "Mean of the wave, integrated line by line");
+                (height * mean, "Mean of the motion: the static deflection under the mean of the wave")
             }
         };
-        sheet.step("u₀", "1", value, (why, RAO.at("§1.11")))
+        sheet.step("X₀", "mm", value, (why, RAO.at("§4.2")))
     }
 
-    /// The amplitude of a harmonic over the height of the wave; `found` is what the pieces say.
-    pub(super) fn amplitude<S: Worksheet<Num = W::Num>>(
+    /// Amplitude of a harmonic of the wave, from its height; `found` is what the pieces say.
+    pub(super) fn amplitude(
         &self,
+        height: W::Num,
         n: u32,
         found: (f64, f64),
-        sheet: S,
+        (symbol, unit): (&'static str, &'static str),
+        sheet: W,
     ) -> W::Num {
-        let order = W::Num::from(f64::from(n));
+        let order = f64::from(n);
         let (value, why) = match self {
             WaveformGiven::Square {} => {
-                (W::Num::from(4.0) / (order * PI), "Fourier coefficient of a square wave: 4/(nπ) for odd n")
+                (height * 4.0 / order / PI, "Fourier coefficient of a square wave: 4/(nπ) for odd n")
             }
             WaveformGiven::Triangle {} => (
-                W::Num::from(8.0) / (order * PI).powi(2),
+                height * 8.0 / (order * order) / W::Num::from(PI).powi(2),
                 "Fourier coefficient of a triangular wave: 8/(nπ)² for odd n",
             ),
-            WaveformGiven::Sawtooth {} => {
-                (W::Num::from(1.0) / (order * PI), "Fourier coefficient of a sawtooth: 1/(nπ)")
-            }
+            WaveformGiven::Sawtooth {} => (height / order / PI, "Fourier coefficient of a sawtooth: 1/(nπ)"),
             WaveformGiven::HalfRectified {} if n == 1 => {
-                (W::Num::from(1.0) / 2.0, "First harmonic of a half-rectified sine: half its height")
+                (height / 2.0, "First harmonic of a half-rectified sine: half its height")
             }
             WaveformGiven::HalfRectified {} => (
-                W::Num::from(2.0) / ((order.powi(2) - 1.0) * PI),
+                height * 2.0 / (order * order - 1.0) / PI,
                 "Fourier coefficient of a half-rectified sine: 2/((n² − 1)π) for even n",
             ),
             WaveformGiven::FullRectified {} => (
-                W::Num::from(4.0) / ((order.powi(2) * 4.0 - 1.0) * PI),
+                height * 4.0 / (4.0 * order * order - 1.0) / PI,
                 "Fourier coefficient of a rectified sine: 4/((4n² − 1)π)",
             ),
             WaveformGiven::Pulse { share } => (
-                (order * *share * PI).sin().abs() * 2.0 / (order * PI),
+                height * 2.0 * (*share * order * PI).sin().abs() / order / PI,
                 "Fourier coefficient of rectangular pulses: 2|sin nπd|/(nπ)",
             ),
             WaveformGiven::Table { .. } => {
-                let (a, b) = found;
-                let a = sheet.found(
-                    ("a", n as usize),
-                    "1",
-                    a,
-                    ("Cosine coefficient, integrated line by line", RAO.at("§1.11")),
-                );
-                let b = sheet.found(("b", n as usize), "1", b, "Sine coefficient, integrated line by line");
-                ((a.powi(2) + b.powi(2)).sqrt(), "Cosine and sine together")
+                let why = ("Cosine coefficient, integrated line by line", RAO.at("§1.11"));
+                let a = sheet.found(("a", n as usize), "1", found.0, why);
+                let why = "Sine coefficient, integrated line by line";
+                let b = sheet.found(("b", n as usize), "1", found.1, why);
+                (height * (a.powi(2) + b.powi(2)).sqrt(), "Cosine and sine together")
             }
         };
-        sheet.step(("u", n as usize), "1", value, (why, RAO.at("§1.11")))
+        sheet.step((symbol, n as usize), unit, value, (why, RAO.at("§1.11")))
     }
 }
