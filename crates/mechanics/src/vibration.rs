@@ -6,3 +6,10 @@ pub mod instrument;
 pub mod isolation;
 pub mod periodic;
 pub mod quadrature;
+//! Vibration: motions of one and of many degrees of freedom.
+
+pub mod decay_fit;
+pub mod dry_forced;
+pub mod free;
+pub mod friction;
+pub mod jenkins;
