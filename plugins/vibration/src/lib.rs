@@ -2,12 +2,21 @@
 
 pub mod base_excitation;
 pub mod beam_and_springs;
+pub mod coulomb_damping;
 pub mod decay;
+pub mod decay_identification;
+pub mod equivalent_damping;
+pub mod forced_coulomb;
+pub mod free_vibration;
 pub mod frequency_response_identification;
 pub mod harmonic_force;
 pub mod harmonic_sum;
 pub mod oscillator;
 pub mod periodic_excitation;
+pub mod friction_damper;
+pub mod gun_recoil;
+pub mod logarithmic_decrement;
+pub mod mass;
 pub mod rotating_unbalance;
 pub mod section;
 pub mod shaft_clearance;

@@ -1,0 +1,385 @@
+//! The motion with friction as it is worked on paper: stroke by stroke to rest.
+
+use std::f64::consts::PI;
+
+use dalembert_core::{Refusal, Text, Worksheet};
+use dalembert_mechanics::{
+    Real, sdof,
+    vibration::friction::{FrictionDecay, Rest},
+};
+
+use super::CoulombDampingGiven;
+use crate::sources::{GROVER, RAO};
+
+/// The oscillator and its friction.
+pub(super) struct System<N> {
+    pub(super) mass: N,
+    pub(super) natural: N,
+    pub(super) force: N,
+    /// `F/k`
+    pub(super) offset: N,
+    /// `F_s/k`
+    pub(super) hold: N,
+    /// Of the viscous part; `None` where there is none.
+    pub(super) zeta: Option<N>,
+}
+
+/// The first turning point.
+pub(super) struct First<N> {
+    /// When; `None` for a release from rest, at once.
+    time: Option<N>,
+    /// Size of the displacement there.
+    pub(super) amplitude: N,
+    /// Whether it lies on the positive side.
+    positive: bool,
+    /// Time of a stroke.
+    half: N,
+    /// What viscous damping leaves of an amplitude in a stroke, and the constant `C` that joins `|X|`.
+    viscous: Option<[N; 2]>,
+}
+
+/// From the start to rest. The result is the position of rest and the first turning point; `None` where viscous
+/// damping leaves no strokes.
+pub(super) fn to_rest<W: Worksheet>(
+    system: &System<W::Num>,
+    given: &CoulombDampingGiven<W>,
+    decay: &FrictionDecay,
+    rest: &Rest,
+    sheet: W,
+) -> (W::Num, Option<First<W::Num>>) {
+    if decay.motion.damping_ratio >= 1.0 {
+        return (creeping(system, decay, rest, sheet), None);
+    }
+    let (half, viscous) = stroke(system, sheet);
+    let first = first_turning(system, given, decay, half, viscous, sheet);
+    let more = decay.strokes_from(first.amplitude.value(), decay.hold);
+    let one = W::Num::from(1.0);
+    let needed = match viscous {
+        None => (first.amplitude - system.hold) / (system.offset * 2.0),
+        Some([kept, constant]) => {
+            ((first.amplitude + constant) / (system.hold + constant)).ln() / (one / kept).ln()
+        }
+    };
+    if more > 0.0 {
+        sheet.step("n′", "1", needed, "Strokes until the turning point would lie on the edge of the zone in which friction holds");
+    }
+    let strokes = sheet.found(
+        "n",
+        "1",
+        more,
+        ("Strokes to rest: that number rounded up", RAO.at("§2.9")),
+    );
+    let distance = match viscous {
+        None => first.amplitude - strokes * system.offset * 2.0,
+        Some([kept, constant]) => {
+            (first.amplitude + constant) * (-(strokes * (one / kept).ln())).exp() - constant
+        }
+    };
+    let position = if (more % 2.0 == 0.0) == first.positive { distance } else { -distance };
+    let position = sheet.step("x_R", "mm", position, ("Position of rest", RAO.at("§2.9")));
+    let run = strokes * half;
+    let time = match first.time {
+        None => sheet.step("t_R", "s", run, "Time until it rests"),
+        Some(begun) => sheet.step("t_R", "s", begun + run, "Time until it rests"),
+    };
+    sheet.verify(|| {
+        energy(system, given, &first, [strokes, position], sheet);
+        let end = rest.time.unwrap_or(0.0) * 1.01;
+        if let Some([there, _]) = decay.marched(end) {
+            let off = W::Num::from(there - position.value());
+            sheet.check_zero(
+                "position of rest by marching through the equation of motion",
+                off,
+                first.amplitude.value() + decay.hold,
+            );
+        }
+    });
+    let cycles = sheet.step("N", "1", strokes / 2.0, "Cycles: two strokes each");
+    sheet.answer("strokes", "Strokes after the first turning point", strokes);
+    sheet.answer("cycles", "Cycles to rest", cycles);
+    sheet.answer("stop_time", "Time until it rests", time);
+    sheet.answer("rest_position", "Position of rest", position);
+    (position, Some(first))
+}
+
+/// The time of a stroke, what it takes of the amplitude, and what viscous damping leaves.
+fn stroke<W: Worksheet>(system: &System<W::Num>, sheet: W) -> (W::Num, Option<[W::Num; 2]>) {
+    let Some(zeta) = system.zeta else {
+        let half = sheet.step("T/2", "s", W::Num::from(PI) / system.natural, "Time of a stroke, from one turning point to the next");
+        let loss = sheet.step(
+            "ΔX",
+            "mm",
+            system.offset * 4.0,
+            ("Loss of amplitude in a cycle, 4F/k: the same in each", RAO.at("§2.9")),
+        );
+        sheet.answer("loss", "Loss of amplitude in a cycle", loss);
+        return (half, None);
+    };
+    let damped = sheet.step(
+        "ω_d",
+        "rad/s",
+        sdof::damped_frequency(system.natural, zeta),
+        ("Frequency of the strokes", RAO.at("§2.6")),
+    );
+    let half = sheet.step("T/2", "s", W::Num::from(PI) / damped, "Time of a stroke, from one turning point to the next");
+    let kept = sheet.step(
+        "q",
+        "1",
+        (-(zeta * PI / (W::Num::from(1.0) - zeta.powi(2)).sqrt())).exp(),
+        "Viscous damping leaves this share of the distance from the shifted position of rest in a stroke",
+    );
+    let one = W::Num::from(1.0);
+    let constant = sheet.step(
+        "C",
+        "mm",
+        system.offset * (one + kept) / (one - kept),
+        "Turning points follow Xₙ₊₁ = q Xₙ − f (1 + q); X + C then falls by the share q in each stroke",
+    );
+    sheet.answer("kept", "Share that viscous damping leaves in a stroke", kept);
+    (half, Some([kept, constant]))
+}
+
+/// The first turning point: the release itself, or the end of the first stroke.
+fn first_turning<W: Worksheet>(
+    system: &System<W::Num>,
+    given: &CoulombDampingGiven<W>,
+    decay: &FrictionDecay,
+    half: W::Num,
+    viscous: Option<[W::Num; 2]>,
+    sheet: W,
+) -> First<W::Num> {
+    let (x0, v0) = (given.displacement, given.velocity);
+    let (time, at) = decay.first_turning().unwrap_or_default();
+    if v0.value() == 0.0 {
+        let amplitude = sheet.step("X₁", "mm", x0.abs(), "Released from rest: the start is a turning point");
+        return First { time: None, amplitude, positive: at > 0.0, half, viscous };
+    }
+    let forward = v0.value() > 0.0;
+    let (turned, displacement) = if system.zeta.is_none() {
+        // About the shifted position of rest, mirrored so that the motion begins forward.
+        let (y0, speed) = if forward { (x0 + system.offset, v0) } else { (system.offset - x0, -v0) };
+        let y0 = sheet.step("y₀", "mm", y0, "Start of the first stroke, from its shifted position of rest, forward counted positive");
+        let radius = sheet.step(
+            "R",
+            "mm",
+            (y0.powi(2) + (speed / system.natural).powi(2)).sqrt(),
+            ("Amplitude of the first stroke about that position", RAO.at("§2.9")),
+        );
+        let turned = (speed / system.natural).atan2(y0) / system.natural;
+        let turned = sheet.step("t₁", "s", turned, "First turning point after the start");
+        let displacement = if forward { radius - system.offset } else { system.offset - radius };
+        (turned, sheet.step("x₁", "mm", displacement, "Displacement there"))
+    } else {
+        (
+            sheet.found("t₁", "s", time, "First turning point after the start: zero of the velocity of the first stroke"),
+            sheet.found("x₁", "mm", at, "Displacement there"),
+        )
+    };
+    sheet.verify(|| {
+        if let Some([there, speed]) = decay.marched(turned.value()) {
+            let size = decay.motion.displacement.abs() + decay.motion.velocity.abs() / decay.motion.natural_frequency;
+            sheet.check_zero(
+                "displacement at the first turning point by marching",
+                W::Num::from(there - displacement.value()),
+                size,
+            );
+            sheet.check_zero(
+                "no velocity at the first turning point",
+                W::Num::from(speed),
+                size * decay.motion.natural_frequency,
+            );
+        }
+    });
+    sheet.answer("first_turning_time", "First turning point after the start", turned);
+    sheet.answer("first_turning", "Displacement at the first turning point", displacement);
+    let amplitude = sheet.step("X₁", "mm", displacement.abs(), "First amplitude");
+    First { time: Some(turned), amplitude, positive: at > 0.0, half, viscous }
+}
+
+/// Energy at the start = energy at rest + friction times the way, without viscous damping.
+fn energy<W: Worksheet>(
+    system: &System<W::Num>,
+    given: &CoulombDampingGiven<W>,
+    first: &First<W::Num>,
+    [strokes, position]: [W::Num; 2],
+    sheet: W,
+) {
+    if first.viscous.is_some() {
+        return;
+    }
+    let (x0, v0) = (given.displacement, given.velocity);
+    let begun = given.stiffness * x0.powi(2) / 2.0 + system.mass * v0.powi(2) / 2.0;
+    // The amplitudes fall by 2f a stroke: the ways form an arithmetic series.
+    let strokes_way = strokes * (first.amplitude - strokes * system.offset) * 2.0;
+    let signed = if first.positive { first.amplitude } else { -first.amplitude };
+    let way = (signed - x0).abs() + strokes_way;
+    sheet.check(
+        "energy at the start = energy at rest + friction times the way",
+        begun,
+        given.stiffness * position.powi(2) / 2.0 + system.force * way,
+    );
+}
+
+/// Viscous damping so strong that the mass only creeps to the shifted position of rest.
+fn creeping<W: Worksheet>(
+    system: &System<W::Num>,
+    decay: &FrictionDecay,
+    rest: &Rest,
+    sheet: W,
+) -> W::Num {
+    let position = match rest.time {
+        // The first turning point already lies where friction holds.
+        Some(time) => {
+            let time = sheet.found("t_R", "s", time, "Time until it rests: end of the first stroke");
+            sheet.answer("stop_time", "Time until it rests", time);
+            sheet.found("x_R", "mm", rest.position, "Position of rest, where friction holds at the first turning point")
+        }
+        None => {
+            sheet.warn(|| {
+                Text::new(
+                    "the viscous damping is critical or more: the mass does not swing, and only creeps to the edge of \
+                     the zone of rest",
+                )
+            });
+            let signed = if rest.position > 0.0 { system.offset } else { -system.offset };
+            sheet.step("x_R", "mm", signed, "Position that it creeps to: rest shifted by friction")
+        }
+    };
+    sheet.verify(|| {
+        let late = rest.time.unwrap_or(60.0 * decay.motion.damping_ratio / decay.motion.natural_frequency);
+        if let Some([there, _]) = decay.marched(late * 1.01) {
+            sheet.check_zero(
+                "position of rest by marching through the equation of motion",
+                W::Num::from(there - position.value()),
+                decay.motion.displacement.abs() + decay.hold,
+            );
+        }
+    });
+    sheet.answer("rest_position", "Position of rest", position);
+    position
+}
+
+/// Cycles and time to fall to an amplitude.
+pub(super) fn fall<W: Worksheet>(
+    system: &System<W::Num>,
+    asked: W::Num,
+    first: &First<W::Num>,
+    decay: &FrictionDecay,
+    sheet: W,
+) -> Result<(), Refusal> {
+    if asked.value() >= first.amplitude.value() {
+        return Err(Refusal::because(
+            "the amplitude to which the fall is asked is not below the first one: write a smaller one",
+        ));
+    }
+    if asked.value() < decay.hold {
+        return Err(Refusal::because(
+            "friction holds the mass before it is down to the asked amplitude: write one above the half width of the \
+             zone of rest",
+        ));
+    }
+    let exact = match first.viscous {
+        None => (first.amplitude - asked) / (system.offset * 4.0),
+        Some([kept, constant]) => {
+            ((first.amplitude + constant) / (asked + constant)).ln() / ((W::Num::from(1.0) / kept).ln() * 2.0)
+        }
+    };
+    let exact = sheet.step("Nₐ′", "1", exact, ("Cycles in which the amplitude falls to the asked one", GROVER.at("§3.6")));
+    let strokes = sheet.found(
+        "nₐ",
+        "1",
+        decay.strokes_from(first.amplitude.value(), asked.value()),
+        "Strokes until a turning point is no farther out: twice that number, rounded up",
+    );
+    let cycles = sheet.step("Nₐ", "1", strokes / 2.0, "Whole strokes, in cycles");
+    let time = match first.time {
+        None => strokes * first.half,
+        Some(begun) => begun + strokes * first.half,
+    };
+    let time = sheet.step("tₐ", "s", time, "Time of that turning point");
+    sheet.verify(|| {
+        // At that turning point it is inside, at the one before still outside.
+        let size = |strokes: f64| decay.turning(first.amplitude.value(), strokes).abs();
+        let inside = size(strokes.value()) <= asked.value() * (1.0 + 1e-9);
+        let outside = size(strokes.value() - 1.0) > asked.value() * (1.0 - 1e-9);
+        let off = if inside && outside { 0.0 } else { 1.0 };
+        sheet.check_zero("the turning point is the first one inside the asked amplitude", W::Num::from(off), 1.0);
+    });
+    sheet.answer("fall_cycles_exact", "Cycles of that fall, as a fraction", exact);
+    sheet.answer("fall_cycles", "Cycles of that fall, whole strokes", cycles);
+    sheet.answer("fall_time", "Time of that fall", time);
+    Ok(())
+}
+
+/// The motion at the asked time.
+pub(super) fn at_time<W: Worksheet>(
+    system: &System<W::Num>,
+    given: &CoulombDampingGiven<W>,
+    [time, rest]: [W::Num; 2],
+    decay: &FrictionDecay,
+    sheet: W,
+) {
+    let stroke = decay.stroke(time.value());
+    let Some(motion) = stroke.motion else {
+        let rests = sheet.step("x", "mm", rest, "It rests by then, at its position of rest");
+        let still = sheet.found("v", "m/s", 0.0, "It rests");
+        sheet.answer("displacement", "Displacement at that time", rests);
+        sheet.answer("velocity", "Velocity at that time", still);
+        return;
+    };
+    let begun = sheet.found("t_j", "s", stroke.begun, "Start of the stroke in which the asked time lies");
+    let centre = if stroke.centre > 0.0 { system.offset } else { -system.offset };
+    let centre = sheet.step("x_c", "mm", centre, ("Position of rest, shifted by friction against the motion", RAO.at("§2.9")));
+    let lapse = sheet.step("τ", "s", time - begun, "Time since the start of the stroke");
+    let first = stroke.begun == 0.0;
+    let from = if first {
+        sheet.step("y", "mm", given.displacement - centre, "Start of the stroke, from the shifted position of rest")
+    } else {
+        sheet.found("y", "mm", motion.displacement, "Start of the stroke, from the shifted position of rest")
+    };
+    let speed = if motion.velocity == 0.0 { None } else { Some(given.velocity) };
+    let why = ("Displacement at that time: a free vibration about the shifted position of rest", RAO.at("§2.9"));
+    let (x, v) = match system.zeta {
+        None => {
+            let angle = system.natural * lapse;
+            let (mut x, mut v) = (centre + from * angle.cos(), -(from * system.natural * angle.sin()));
+            if let Some(speed) = speed {
+                x = x + speed / system.natural * angle.sin();
+                v = v + speed * angle.cos();
+            }
+            (sheet.step("x", "mm", x, why), sheet.step("v", "m/s", v, "Velocity at that time: its derivative"))
+        }
+        Some(zeta) if zeta.value() < 1.0 => {
+            let damped = sdof::damped_frequency(system.natural, zeta);
+            let sine = match speed {
+                Some(speed) => (speed + zeta * system.natural * from) / damped,
+                None => zeta * system.natural * from / damped,
+            };
+            let sine = sheet.step("B", "mm", sine, "Constant of the sine in that stroke");
+            let fade = (-(zeta * system.natural * lapse)).exp();
+            let (c, s) = ((damped * lapse).cos(), (damped * lapse).sin());
+            let x = centre + fade * (from * c + sine * s);
+            let v = fade * ((damped * sine - zeta * system.natural * from) * c - (damped * from + zeta * system.natural * sine) * s);
+            (sheet.step("x", "mm", x, why), sheet.step("v", "m/s", v, "Velocity at that time: its derivative"))
+        }
+        Some(_) => {
+            let [x, v] = decay.state(time.value());
+            let how = "By the overdamped motion about the shifted position of rest";
+            (sheet.found("x", "mm", x, how), sheet.found("v", "m/s", v, how))
+        }
+    };
+    sheet.verify(|| {
+        let size = decay.motion.displacement.abs() + decay.motion.velocity.abs() / decay.motion.natural_frequency;
+        if let Some([there, moving]) = decay.marched(time.value()) {
+            let off = [there - x.value(), moving - v.value()].map(W::Num::from);
+            sheet.check_zero("displacement by marching through the equation of motion", off[0], size);
+            sheet.check_zero(
+                "velocity by marching through the equation of motion",
+                off[1],
+                size * decay.motion.natural_frequency,
+            );
+        }
+    });
+    sheet.answer("displacement", "Displacement at that time", x);
+    sheet.answer("velocity", "Velocity at that time", v);
+}

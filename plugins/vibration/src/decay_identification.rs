@@ -1,0 +1,406 @@
+//! Viscous damping or friction? A decay record fitted with an exponential, a straight line, and both.
+
+use std::f64::consts::PI;
+
+use dalembert_core::{
+    About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    exhibit::{Cell, Column, TableExhibit},
+    register,
+};
+use dalembert_mechanics::{
+    Real, sdof,
+    vibration::decay_fit::{self, DecayFit, DecayFitError, DecayFits},
+};
+
+use crate::sources::{GROVER, RAO};
+
+/// A decay record, and what is known of the system.
+#[derive(Clone, Debug, Inputs)]
+pub struct DecayIdentification {
+    /// Record.
+    pub record: DecayRecord,
+    /// Stiffness.
+    /// For the friction force and the damping coefficient.
+    #[input("k", "N/m", positive)]
+    pub stiffness: Option<f64>,
+    /// Natural frequency.
+    /// For the coefficient of friction; taken from the record where that has times.
+    #[input("ωₙ", "rad/s", positive)]
+    pub natural_frequency: Option<f64>,
+    /// Gravity.
+    /// For the coefficient of friction of a mass on a level surface.
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+    pub gravity: f64,
+}
+
+/// What was recorded.
+#[derive(Clone, Debug, Inputs)]
+pub enum DecayRecord {
+    /// Table of amplitudes
+    Amplitudes {
+        /// Amplitudes.
+        /// At least four; a trough is half a cycle from its peak.
+        #[input(table)]
+        amplitudes: Vec<Peak>,
+    },
+    /// Samples of the motion
+    Samples {
+        /// Samples.
+        /// In the order of time, at least ten to a cycle.
+        #[input(table)]
+        samples: Vec<Sample>,
+        /// Share of the range within which an extreme counts as noise.
+        #[input("p", "%", positive, below = 50, default = "2 %")]
+        noise: f64,
+    },
+}
+
+/// A measured amplitude.
+#[derive(Clone, Debug, Inputs)]
+pub struct Peak {
+    /// Cycles since the first amplitude.
+    #[input("n", "1")]
+    pub cycles: f64,
+    /// Amplitude.
+    #[input("X", "mm", positive)]
+    pub amplitude: f64,
+}
+
+/// A sample of the motion.
+#[derive(Clone, Debug, Inputs)]
+pub struct Sample {
+    /// Time.
+    #[input("t", "s")]
+    pub time: f64,
+    /// Displacement.
+    #[input("x", "mm")]
+    pub displacement: f64,
+}
+
+register!(DecayIdentification);
+
+/// The fewest amplitudes with which three parameters can be told apart.
+const FEWEST: usize = 4;
+
+impl Analysis for DecayIdentification {
+    const ABOUT: About = About {
+        id: "vibration/decay-identification",
+        title: "Viscous damping or friction from a decay",
+        summary: "An exponential, a straight line and both together fitted to a decay record: damping, friction, and which of them it is.",
+        keywords: "coulomb viscous discriminate envelope exponential linear fit decay record identification \
+                   identificação decaimento envoltória atrito viscoso",
+        sources: &[&RAO, &GROVER],
+        cases: include_str!("../cases/decay_identification.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &DecayIdentificationGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let (points, half) = self.amplitudes()?;
+        if points.len() < FEWEST {
+            return Err(Refusal::because(
+                "there are fewer than four amplitudes: record more cycles, or use the logarithmic decrement",
+            ));
+        }
+        let fits = decay_fit::fit(&points).map_err(|err| match err {
+            DecayFitError::NotDecaying => Refusal::because("the amplitudes do not fall with the cycles"),
+            DecayFitError::Points => Refusal::because("the amplitudes do not stand at different cycles"),
+        })?;
+        let natural = half.map(|half| period(half, &fits, sheet));
+        let count = sheet.found("N", "1", points.len() as f64, "Number of amplitudes");
+        sheet.answer("amplitudes", "Number of amplitudes", count);
+        viscous(&fits, sheet);
+        friction(&fits, sheet);
+        both(&fits, sheet);
+        let verdict = verdict(&fits, sheet);
+        self.forces(given, natural, &fits, sheet);
+        sheet.show(|| Exhibit::Table(side_by_side(&fits, verdict)));
+        sheet.show(|| Exhibit::Plot(envelopes(&points, &fits)));
+        if let DecayRecord::Samples { samples, noise } = &self.record {
+            sheet.show(|| Exhibit::Plot(record_plot(samples, *noise)));
+        }
+        Ok(())
+    }
+}
+
+impl DecayIdentification {
+    /// Amplitudes over cycles, and the time of half a cycle where the record has times.
+    fn amplitudes(&self) -> Result<(Vec<(f64, f64)>, Option<f64>), Refusal> {
+        let (samples, noise) = match &self.record {
+            DecayRecord::Amplitudes { amplitudes } => {
+                return Ok((amplitudes.iter().map(|peak| (peak.cycles, peak.amplitude)).collect(), None));
+            }
+            DecayRecord::Samples { samples, noise } => (samples, *noise),
+        };
+        if samples.windows(2).any(|pair| !(pair[1].time > pair[0].time)) {
+            return Err(Refusal::because(
+                "the times of the samples do not rise from row to row: put the rows in the order of time",
+            ));
+        }
+        let record: Vec<(f64, f64)> =
+            samples.iter().map(|sample| (sample.time, sample.displacement)).collect();
+        let turning = decay_fit::turning_points(&record, noise);
+        if turning.len() < FEWEST + 1 {
+            return Err(Refusal::because(
+                "the record has fewer than five turning points: record more cycles, or more samples to a cycle",
+            ));
+        }
+        // Half the distance from each turning point to the next: free of an offset of the record.
+        let amplitude = |(n, pair): (usize, &[decay_fit::TurningPoint])| {
+            (n as f64 / 2.0, (pair[0].displacement - pair[1].displacement).abs() / 2.0)
+        };
+        let points = turning.windows(2).enumerate().map(amplitude).collect();
+        let first = turning.first().map_or(0.0, |point| point.time);
+        let last = turning.last().map_or(0.0, |point| point.time);
+        Ok((points, Some((last - first) / (turning.len() - 1) as f64)))
+    }
+
+    /// What the fit with both says in newtons, where stiffness and frequency are known.
+    fn forces<W: Worksheet>(
+        &self,
+        given: &DecayIdentificationGiven<W>,
+        natural: Option<W::Num>,
+        fits: &DecayFits,
+        sheet: W,
+    ) {
+        let natural = given.natural_frequency.or(natural);
+        let [zeta, offset] = of_both(fits, sheet);
+        if let Some(stiffness) = given.stiffness {
+            let force = sheet.step("F", "N", stiffness * offset, ("Friction force", RAO.at("§2.9")));
+            sheet.answer("friction", "Friction force", force);
+            if let Some(natural) = natural {
+                let damping = sheet.step(
+                    "c",
+                    "N*s/m",
+                    zeta * stiffness * 2.0 / natural,
+                    ("Damping coefficient: c = 2ζk/ωₙ", RAO.at("§2.6")),
+                );
+                sheet.answer("damping", "Damping coefficient", damping);
+            }
+        }
+        if let Some(natural) = natural {
+            let coefficient = sheet.step(
+                "µ",
+                "1",
+                offset * natural.powi(2) / given.gravity,
+                "Coefficient of friction on a level surface: F = µmg and F/k = f",
+            );
+            sheet.answer("friction_coefficient", "Coefficient of friction", coefficient);
+        }
+    }
+}
+
+/// Natural frequency from the time of half a cycle.
+fn period<W: Worksheet>(half: f64, fits: &DecayFits, sheet: W) -> W::Num {
+    let half = sheet.found("T/2", "s", half, "Mean time from one turning point of the record to the next");
+    let damped = sheet.step("ω_d", "rad/s", W::Num::from(PI) / half, "Frequency of the decaying motion");
+    let zeta = sdof::damping_ratio_from_decrement(fits.both.decrement);
+    let zeta = sheet.found("ζ₀", "1", zeta, "Damping ratio of the viscous part, from the fit with both below");
+    let natural = sheet.step(
+        "ωₙ",
+        "rad/s",
+        sdof::natural_frequency_from_damped(damped, zeta),
+        ("Natural frequency without damping, above that of the decay", RAO.at("§2.6")),
+    );
+    sheet.answer("damped_frequency", "Damped natural frequency", damped);
+    sheet.answer("natural_frequency", "Natural frequency", natural);
+    natural
+}
+
+fn held<W: Worksheet>(fit: &DecayFit, sheet: W) {
+    for residual in fit.normal_equations {
+        sheet.check_zero("the least squares meet their normal equations", W::Num::from(residual), 1.0);
+    }
+}
+
+fn viscous<W: Worksheet>(fits: &DecayFits, sheet: W) {
+    let fit = &fits.viscous;
+    let decrement = sheet.found(
+        "δᵥ",
+        "1",
+        fit.decrement,
+        ("Viscous damping alone: X = X₀ e^(−δn) by least squares of the amplitudes; its decrement", RAO.at("§2.6.3")),
+    );
+    held(fit, sheet);
+    let ratio = sheet.step(
+        "ζᵥ",
+        "1",
+        sdof::damping_ratio_from_decrement(decrement),
+        ("Damping ratio of that decrement", RAO.at("§2.6.3")),
+    );
+    let scatter = sheet.found("εᵥ", "mm", fit.scatter, "Its root mean square difference from the amplitudes");
+    sheet.answer("viscous_decrement", "Viscous alone: decrement", decrement);
+    sheet.answer("viscous_ratio", "Viscous alone: damping ratio", ratio);
+    sheet.answer("viscous_scatter", "Viscous alone: scatter", scatter);
+}
+
+fn friction<W: Worksheet>(fits: &DecayFits, sheet: W) {
+    let fit = &fits.friction;
+    let loss = sheet.found(
+        "ΔX",
+        "mm",
+        fit.loss,
+        ("Friction alone: X = X₀ − ΔX n by least squares; its loss in a cycle", RAO.at("§2.9")),
+    );
+    held(fit, sheet);
+    let offset = sheet.step("f_f", "mm", loss / 4.0, ("The loss in a cycle is 4F/k; F/k", RAO.at("§2.9")));
+    let scatter = sheet.found("ε_f", "mm", fit.scatter, "Its root mean square difference from the amplitudes");
+    sheet.answer("friction_loss", "Friction alone: loss in a cycle", loss);
+    sheet.answer("friction_offset", "Friction alone: F/k", offset);
+    sheet.answer("friction_scatter", "Friction alone: scatter", scatter);
+}
+
+fn both<W: Worksheet>(fits: &DecayFits, sheet: W) {
+    held(&fits.both, sheet);
+    let scatter = sheet.found(
+        "ε",
+        "mm",
+        fits.both.scatter,
+        "Both together: X = X₀ e^(−δn) − d (1 − e^(−δn))/δ by least squares; its root mean square difference",
+    );
+    sheet.answer("both_scatter", "Both: scatter", scatter);
+}
+
+/// Damping ratio and `F/k` of the fit with both.
+fn of_both<W: Worksheet>(fits: &DecayFits, sheet: W) -> [W::Num; 2] {
+    let fit = &fits.both;
+    let decrement = sheet.found("δ", "1", fit.decrement, "Both together: decrement of the viscous part");
+    let ratio = sheet.step(
+        "ζ",
+        "1",
+        sdof::damping_ratio_from_decrement(decrement),
+        ("Damping ratio of that decrement", RAO.at("§2.6.3")),
+    );
+    let loss = sheet.found("d", "mm", fit.loss, "Both together: loss in a cycle where friction alone acts");
+    let offset = if fit.decrement > 1e-3 {
+        // tanh(δ/4) = (1 − q)/(1 + q) with q = e^(−δ/2), what viscous damping leaves in a stroke.
+        let one = W::Num::from(1.0);
+        let kept = sheet.step("q", "1", (-(decrement / 2.0)).exp(), "What viscous damping leaves of the amplitude in half a cycle");
+        loss / decrement * (one - kept) / (one + kept)
+    } else {
+        // The next term of the series is (δ/4)²/3 of it.
+        loss / 4.0
+    };
+    let offset = sheet.step("f", "mm", offset, "Both together: F/k, which takes f (1 + q) of the amplitude in half a cycle");
+    sheet.answer("decrement", "Both: decrement of the viscous part", decrement);
+    sheet.answer("damping_ratio", "Both: damping ratio", ratio);
+    sheet.answer("offset", "Both: F/k", offset);
+    [ratio, offset]
+}
+
+/// Which of them the record shows.
+#[derive(Clone, Copy, PartialEq)]
+enum Verdict {
+    Viscous,
+    Friction,
+    Both,
+    Open,
+}
+
+/// The ratio of the scatters that the verdict rests on.
+fn verdict<W: Worksheet>(fits: &DecayFits, sheet: W) -> Verdict {
+    let size = fits.both.initial.abs();
+    // Scatters below a millionth of the amplitude are rounding of the record.
+    let floor = 1e-6 * size;
+    let [viscous, friction, both] =
+        [fits.viscous, fits.friction, fits.both].map(|fit| fit.scatter.max(floor));
+    let ratio = sheet.found(
+        "ρ",
+        "1",
+        viscous / friction,
+        "Scatter of the exponential over that of the straight line: below 1 the record is rather viscous, above 1 rather friction; a scatter below a millionth of the amplitude counts as that",
+    );
+    let gain = sheet.found(
+        "ρ₂",
+        "1",
+        viscous.min(friction) / both,
+        "Scatter of the better of the two over that of both together: far above 1 only both explain the record",
+    );
+    sheet.answer("scatter_ratio", "Scatter, viscous over friction", ratio);
+    sheet.answer("gain", "Scatter, better of the two over both", gain);
+    let verdict = match (ratio.value(), gain.value()) {
+        (_, gain) if gain > 2.0 => Verdict::Both,
+        (ratio, _) if ratio < 0.67 => Verdict::Viscous,
+        (ratio, _) if ratio > 1.5 => Verdict::Friction,
+        _ => Verdict::Open,
+    };
+    if verdict == Verdict::Open {
+        sheet.warn(|| {
+            Text::new(
+                "the record does not tell viscous damping from friction: both fit it nearly alike; record it over more \
+                 cycles, down to smaller amplitudes",
+            )
+        });
+    }
+    verdict
+}
+
+/// The three fits side by side, and the verdict.
+fn side_by_side(fits: &DecayFits, verdict: Verdict) -> TableExhibit {
+    let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+    let row = |name: &'static str, fit: &DecayFit, is: bool| {
+        vec![
+            Cell::from(name),
+            Cell::Number(fit.initial),
+            Cell::Number(fit.decrement),
+            Cell::Number(fit.loss),
+            Cell::Number(fit.scatter),
+            if is { Cell::from("this one") } else { Cell::Empty },
+        ]
+    };
+    TableExhibit {
+        title: "Three fits of the decay".into(),
+        columns: vec![
+            column("damping", ""),
+            column("first amplitude", "mm"),
+            column("decrement", "1"),
+            column("loss by friction in a cycle", "mm"),
+            column("scatter", "mm"),
+            column("verdict", ""),
+        ],
+        rows: vec![
+            row("viscous", &fits.viscous, verdict == Verdict::Viscous),
+            row("friction", &fits.friction, verdict == Verdict::Friction),
+            row("both", &fits.both, verdict == Verdict::Both),
+        ],
+        foot: Vec::new(),
+    }
+}
+
+fn envelopes(points: &[(f64, f64)], fits: &DecayFits) -> Plot {
+    let ends = points
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), point| (low.min(point.0), high.max(point.0)));
+    let curve = |fit: &DecayFit| {
+        (0..=120u16)
+            .map(|n| ends.0 + (ends.1 - ends.0) * f64::from(n) / 120.0)
+            .map(|n| (n, decay_fit::amplitude(fit, n)))
+            .collect::<Vec<_>>()
+    };
+    Plot::new(
+        "Amplitudes and the three fits",
+        Axis::linear("cycles", "1"),
+        Axis::linear("amplitude", "mm"),
+        vec![
+            Series::line("viscous", curve(&fits.viscous)),
+            Series::line("friction", curve(&fits.friction)),
+            Series::line("both", curve(&fits.both)),
+            Series::dots("measured", points.to_vec()),
+        ],
+    )
+}
+
+/// The record with its turning points; long records are thinned.
+fn record_plot(samples: &[Sample], noise: f64) -> Plot {
+    let record: Vec<(f64, f64)> = samples.iter().map(|sample| (sample.time, sample.displacement)).collect();
+    let every = record.len().div_ceil(500).max(1);
+    let turning = decay_fit::turning_points(&record, noise);
+    let dots = turning.iter().take(200).map(|point| (point.time, point.displacement)).collect();
+    Plot::new(
+        "Record and its turning points",
+        Axis::linear("time", "s"),
+        Axis::linear("displacement", "mm"),
+        vec![
+            Series::line("x", record.into_iter().step_by(every).collect()),
+            Series::dots("turning points", dots),
+        ],
+    )
+}

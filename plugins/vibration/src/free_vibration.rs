@@ -1,0 +1,596 @@
+//! Free vibration of one degree of freedom, whatever its damping.
+
+use dalembert_core::{
+    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    register,
+};
+use dalembert_mechanics::{Real, sdof, vibration::free::FreeMotion};
+
+mod form;
+
+use self::form::{Form, Units};
+use crate::{
+    mass::{Mass, mass},
+    sources::RAO,
+};
+
+/// An oscillator, how it starts, and what is asked of it.
+#[derive(Clone, Debug, Inputs)]
+pub struct FreeVibration {
+    /// Oscillator.
+    pub oscillator: Oscillator,
+    /// Time at which the motion is asked.
+    #[input("t", "s", nonnegative)]
+    pub time: Option<f64>,
+    /// Share of the largest displacement that counts as settled.
+    #[input("p", "%", positive, below = 100, default = "2 %")]
+    pub settled: f64,
+}
+
+/// What vibrates.
+#[derive(Clone, Debug, Inputs)]
+pub enum Oscillator {
+    /// Mass, spring and damper
+    Translation {
+        /// Mass or weight.
+        mass: Mass,
+        /// Stiffness.
+        #[input("k", "N/m", positive)]
+        stiffness: f64,
+        /// Damping.
+        damping: Damping,
+        /// Displacement at the start.
+        #[input("x₀", "m", default = "0 mm")]
+        displacement: f64,
+        /// Velocity at the start.
+        #[input("v₀", "m/s", default = "0 m/s")]
+        velocity: f64,
+    },
+    /// Inertia, torsion spring and damper
+    Rotation {
+        /// Moment of inertia.
+        #[input("J", "kg*m^2", positive)]
+        inertia: f64,
+        /// Torsional stiffness.
+        #[input("kₜ", "N*m/rad", positive)]
+        stiffness: f64,
+        /// Damping.
+        damping: TorsionalDamping,
+        /// Angle at the start.
+        #[input("θ₀", "rad", default = "0 deg")]
+        angle: f64,
+        /// Angular velocity at the start.
+        #[input("Ω₀", "rad/s", default = "0 rad/s")]
+        rate: f64,
+    },
+    /// Natural frequency and damping ratio given
+    Ratios {
+        /// Natural frequency without damping.
+        #[input("ωₙ", "rad/s", positive)]
+        natural_frequency: f64,
+        /// Damping ratio.
+        /// Zero for no damping; a negative one feeds energy into the motion.
+        #[input("ζ", "1")]
+        ratio: f64,
+        /// Displacement at the start.
+        #[input("x₀", "m", default = "0 mm")]
+        displacement: f64,
+        /// Velocity at the start.
+        #[input("v₀", "m/s", default = "0 m/s")]
+        velocity: f64,
+    },
+}
+
+/// What damps a mass on a spring.
+#[derive(Clone, Debug, Inputs)]
+pub enum Damping {
+    /// Damping ratio given
+    Ratio {
+        /// Damping ratio.
+        /// Zero for no damping; a negative one feeds energy into the motion.
+        #[input("ζ", "1")]
+        ratio: f64,
+    },
+    /// Damping coefficient given
+    Coefficient {
+        /// Damping coefficient.
+        /// A negative one feeds energy into the motion.
+        #[input("c", "N*s/m")]
+        coefficient: f64,
+    },
+    /// Critical
+    Critical,
+    /// From the overshoot of a release from rest
+    Overshoot {
+        /// Overshoot.
+        /// First displacement to the other side, as a share of the displacement at release.
+        #[input("s", "%", positive, below = 100)]
+        overshoot: f64,
+    },
+    /// From the time in which the envelope settles
+    Settling {
+        /// Time in which the envelope falls to the share that counts as settled.
+        #[input("tₛ", "s", positive)]
+        time: f64,
+    },
+}
+
+/// What damps an inertia on a torsion spring.
+#[derive(Clone, Debug, Inputs)]
+pub enum TorsionalDamping {
+    /// Damping ratio given
+    Ratio {
+        /// Damping ratio.
+        /// Zero for no damping; a negative one feeds energy into the motion.
+        #[input("ζ", "1")]
+        ratio: f64,
+    },
+    /// Damping coefficient given
+    Coefficient {
+        /// Torsional damping coefficient.
+        /// A negative one feeds energy into the motion.
+        #[input("cₜ", "N*m*s/rad")]
+        coefficient: f64,
+    },
+}
+
+register!(FreeVibration);
+
+impl Analysis for FreeVibration {
+    const ABOUT: About = About {
+        id: "vibration/free-vibration",
+        title: "Free vibration",
+        summary: "Motion of one degree of freedom from its start: regime, frequencies, displacement at any time, envelope, overshoot, settling.",
+        keywords: "transient decay underdamped overdamped critically damped undamped initial conditions envelope \
+                   overshoot settling phase plane vibração livre subamortecido superamortecido crítico \
+                   sobressinal acomodação",
+        sources: &[&RAO],
+        cases: include_str!("../cases/free_vibration.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &FreeVibrationGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let System { natural, zeta, x0, v0, elastic, units } = system(given, sheet)?;
+        if x0.value() == 0.0 && v0.value() == 0.0 {
+            return Err(Refusal::because(
+                "it starts at rest in its position of equilibrium, so it does not move: write a displacement or a \
+                 velocity at the start",
+            ));
+        }
+        let motion = FreeMotion {
+            natural_frequency: natural.value(),
+            damping_ratio: zeta.value(),
+            displacement: x0.value(),
+            velocity: v0.value(),
+        };
+        sheet.answer("natural_frequency", "Natural frequency", natural);
+        sheet.answer("damping_ratio", "Damping ratio", zeta);
+        let form = Form::of(natural, zeta, [x0, v0], &units, sheet);
+        let largest = events(&form, &motion, &units, x0, sheet);
+        if zeta.value() > 0.0 {
+            settling(given.settled, largest, &form, &motion, sheet);
+        }
+        let there = given.time.map(|time| at_time(time, &form, &motion, &units, sheet));
+        if let Some((mass, stiffness)) = elastic {
+            energy(mass, stiffness, [x0, v0], there, sheet);
+        }
+        if zeta.value() < 0.0 {
+            let twice = sheet.step("ρ", "1", W::Num::from(2.0), "Twice the amplitude");
+            let growth = sheet.step(
+                "t₂",
+                "s",
+                twice.ln() / (-zeta * natural),
+                "Time in which the envelope of the motion doubles",
+            );
+            sheet.answer("doubling_time", "Time to double", growth);
+            sheet.warn(|| {
+                Text::new(
+                    "the damping is negative: it feeds energy into the motion, which grows until something not in \
+                     this model stops it; the position of rest is unstable",
+                )
+            });
+        }
+        sheet.show(|| Exhibit::Plot(history(&motion, self.time, &units)));
+        sheet.show(|| Exhibit::Plot(phase_plane(&motion, self.time, &units)));
+        sheet.show(|| Exhibit::Plot(root_locus(&motion)));
+        sheet.show(|| Exhibit::Drawing(drawing(&self.oscillator)));
+        Ok(())
+    }
+}
+
+/// The oscillator by its ratios, and its mass and stiffness where they are known.
+struct System<N> {
+    natural: N,
+    zeta: N,
+    x0: N,
+    v0: N,
+    elastic: Option<(N, N)>,
+    units: Units,
+}
+
+fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> Result<System<W::Num>, Refusal> {
+    Ok(match &given.oscillator {
+        OscillatorGiven::Translation { mass: body, stiffness, damping, displacement, velocity } => {
+            let mass = mass(body, sheet);
+            let natural = natural_frequency(*stiffness, mass, sheet);
+            let critical = critical_damping(*stiffness, mass, Units::TRANSLATION, sheet);
+            let one = W::Num::from(1.0);
+            let zeta = match damping {
+                DampingGiven::Ratio { ratio } => *ratio,
+                DampingGiven::Coefficient { coefficient } => {
+                    ratio_of(*coefficient, critical, *stiffness, mass, sheet)
+                }
+                DampingGiven::Critical {} => sheet.step("ζ", "1", one, "The damping is critical"),
+                DampingGiven::Overshoot { overshoot } => {
+                    let log = sheet.step(
+                        "Λ",
+                        "1",
+                        (one / *overshoot).ln(),
+                        "Half a cycle takes the amplitude from 1 to the overshoot: half the logarithmic decrement",
+                    );
+                    sheet.step(
+                        "ζ",
+                        "1",
+                        sdof::damping_ratio_from_decrement(log * 2.0),
+                        ("Damping ratio of that decrement", RAO.at("§2.6.3")),
+                    )
+                }
+                DampingGiven::Settling { time } => sheet.step(
+                    "ζ",
+                    "1",
+                    (one / given.settled).ln() / (natural * *time),
+                    "The envelope e^(−ζωₙt) has fallen to the share that counts as settled",
+                ),
+            };
+            match damping {
+                DampingGiven::Coefficient { coefficient } => {
+                    sheet.answer("damping", "Damping coefficient", *coefficient);
+                }
+                _ => coefficient_of(zeta, critical, Units::TRANSLATION, sheet),
+            }
+            System {
+                natural,
+                zeta,
+                x0: *displacement,
+                v0: *velocity,
+                elastic: Some((mass, *stiffness)),
+                units: Units::TRANSLATION,
+            }
+        }
+        OscillatorGiven::Rotation { inertia, stiffness, damping, angle, rate } => {
+            let natural = natural_frequency(*stiffness, *inertia, sheet);
+            let critical = critical_damping(*stiffness, *inertia, Units::ROTATION, sheet);
+            let zeta = match damping {
+                TorsionalDampingGiven::Ratio { ratio } => *ratio,
+                TorsionalDampingGiven::Coefficient { coefficient } => {
+                    ratio_of(*coefficient, critical, *stiffness, *inertia, sheet)
+                }
+            };
+            match damping {
+                TorsionalDampingGiven::Coefficient { coefficient } => {
+                    sheet.answer("damping", "Damping coefficient", *coefficient);
+                }
+                TorsionalDampingGiven::Ratio { .. } => {
+                    coefficient_of(zeta, critical, Units::ROTATION, sheet);
+                }
+            }
+            System {
+                natural,
+                zeta,
+                x0: *angle,
+                v0: *rate,
+                elastic: Some((*inertia, *stiffness)),
+                units: Units::ROTATION,
+            }
+        }
+        OscillatorGiven::Ratios { natural_frequency, ratio, displacement, velocity } => System {
+            natural: *natural_frequency,
+            zeta: *ratio,
+            x0: *displacement,
+            v0: *velocity,
+            elastic: None,
+            units: Units::TRANSLATION,
+        },
+    })
+}
+
+fn natural_frequency<W: Worksheet>(stiffness: W::Num, mass: W::Num, sheet: W) -> W::Num {
+    sheet.step(
+        "ωₙ",
+        "rad/s",
+        sdof::natural_frequency(stiffness, mass),
+        ("Natural frequency without damping", RAO.at("§2.2")),
+    )
+}
+
+fn critical_damping<W: Worksheet>(stiffness: W::Num, mass: W::Num, units: Units, sheet: W) -> W::Num {
+    let critical = sheet.step(
+        "c_c",
+        units.damping,
+        sdof::critical_damping(stiffness, mass),
+        ("Critical damping: the least with which the motion does not oscillate", RAO.at("§2.6")),
+    );
+    sheet.answer("critical_damping", "Critical damping", critical);
+    critical
+}
+
+fn ratio_of<W: Worksheet>(
+    coefficient: W::Num,
+    critical: W::Num,
+    stiffness: W::Num,
+    mass: W::Num,
+    sheet: W,
+) -> W::Num {
+    let zeta = sheet.step(
+        "ζ",
+        "1",
+        coefficient / critical,
+        ("Damping ratio: damping over critical damping", RAO.at("§2.6")),
+    );
+    sheet.check(
+        "the same from stiffness and mass",
+        sdof::damping_ratio(coefficient, stiffness, mass),
+        zeta,
+    );
+    zeta
+}
+
+fn coefficient_of<W: Worksheet>(zeta: W::Num, critical: W::Num, units: Units, sheet: W) {
+    let symbol = if units == Units::ROTATION { "cₜ" } else { "c" };
+    let damping =
+        sheet.step(symbol, units.damping, zeta * critical, ("Damping coefficient", RAO.at("§2.6")));
+    sheet.answer("damping", "Damping coefficient", damping);
+}
+
+/// First passage through rest, first turning point, largest displacement; the last is the result.
+fn events<W: Worksheet>(
+    form: &Form<W::Num>,
+    motion: &FreeMotion,
+    units: &Units,
+    x0: W::Num,
+    sheet: W,
+) -> W::Num {
+    if let Some(zero) = motion.first_zero()
+        && let Some(time) = form.first_zero(sheet)
+    {
+        sheet.check("the first passage through rest found from the motion itself", time, zero.into());
+        sheet.answer("first_zero", "First passage through the position of rest", time);
+    }
+    let turning = motion.first_turning().and_then(|turning| {
+        let time = form.first_turning(sheet)?;
+        sheet.check("the first turning point found from the motion itself", time, turning.into());
+        sheet.answer("first_turning", "First turning point after the start", time);
+        let displacement = sheet.step(
+            (units.symbol, 1),
+            units.displacement,
+            form.displacement(time),
+            "Displacement at the first turning point",
+        );
+        sheet.answer("turning_displacement", "Displacement at that turning point", displacement);
+        Some((time, displacement))
+    });
+    // Without damping, and while it grows, no turning point is the largest; the first one still says most.
+    match turning {
+        Some((time, at)) if at.value().abs() > x0.value().abs() => {
+            let largest = sheet.step(
+                "Xₘₐₓ",
+                units.displacement,
+                at.abs(),
+                "Largest displacement of the decaying motion: its first turning point",
+            );
+            if motion.damping_ratio >= 0.0 {
+                sheet.answer("maximum", "Largest displacement", largest);
+                sheet.answer("maximum_time", "Time of the largest displacement", time);
+            }
+            largest
+        }
+        _ => {
+            let largest = sheet.step(
+                "Xₘₐₓ",
+                units.displacement,
+                x0.abs(),
+                "Largest displacement of the decaying motion: its start",
+            );
+            if motion.damping_ratio >= 0.0 {
+                sheet.answer("maximum", "Largest displacement", largest);
+            }
+            largest
+        }
+    }
+}
+
+/// When the motion has settled, by its envelope and exactly.
+fn settling<W: Worksheet>(
+    share: W::Num,
+    largest: W::Num,
+    form: &Form<W::Num>,
+    motion: &FreeMotion,
+    sheet: W,
+) {
+    if let Some(envelope) = form.settling_of_envelope(share * largest, sheet) {
+        sheet.answer("settling_envelope", "Settling time by the envelope", envelope);
+    }
+    let level = share.value() * largest.value();
+    let Some(time) = motion.settling_time(level) else { return };
+    let settled = sheet.found(
+        "tₚ",
+        "s",
+        time,
+        "Settling time, exact: the last time that the displacement is the share p of the largest one",
+    );
+    if time > 0.0 {
+        let there = motion.integrated(time).map_or(motion.state(time)[0], |state| state[0]);
+        sheet.check(
+            "the displacement at the settling time, by integration of the equation of motion",
+            W::Num::from(there.abs()),
+            share * largest,
+        );
+    }
+    sheet.answer("settling_time", "Settling time", settled);
+}
+
+/// The motion at the asked time.
+fn at_time<W: Worksheet>(
+    time: W::Num,
+    form: &Form<W::Num>,
+    motion: &FreeMotion,
+    units: &Units,
+    sheet: W,
+) -> [W::Num; 2] {
+    let [x, v, a] = form.state(time, units, sheet);
+    if let Some(envelope) = form.envelope(time, units, sheet) {
+        sheet.answer("envelope", "Envelope at that time", envelope);
+    }
+    sheet.verify(|| {
+        let size = motion.displacement.abs() + motion.velocity.abs() / motion.natural_frequency;
+        let size = size * (-motion.damping_ratio * motion.natural_frequency * time.value()).exp().max(1.0);
+        if let Some([displacement, velocity]) = motion.integrated(time.value()) {
+            sheet.check_zero(
+                "displacement by integration of the equation of motion",
+                W::Num::from(x.value() - displacement),
+                size,
+            );
+            sheet.check_zero(
+                "velocity by integration of the equation of motion",
+                W::Num::from(v.value() - velocity),
+                size * motion.natural_frequency * (1.0 + motion.damping_ratio.abs()),
+            );
+        }
+    });
+    sheet.answer("displacement", "Displacement at that time", x);
+    sheet.answer("velocity", "Velocity at that time", v);
+    sheet.answer("acceleration", "Acceleration at that time", a);
+    [x, v]
+}
+
+/// The energy at the start, and at the asked time.
+fn energy<W: Worksheet>(
+    mass: W::Num,
+    stiffness: W::Num,
+    [x0, v0]: [W::Num; 2],
+    there: Option<[W::Num; 2]>,
+    sheet: W,
+) {
+    let of = |x: W::Num, v: W::Num| stiffness * x.powi(2) / 2.0 + mass * v.powi(2) / 2.0;
+    let start = sheet.step("E₀", "J", of(x0, v0), ("Energy at the start", RAO.at("§2.2")));
+    sheet.answer("energy", "Energy at the start", start);
+    if let Some([x, v]) = there {
+        let lost = sheet.step("ΔE", "J", start - of(x, v), "Energy that the damper has taken by that time");
+        sheet.answer("energy_lost", "Energy lost by that time", lost);
+    }
+}
+
+/// The time that is drawn: until little is left, or some cycles.
+fn span(motion: &FreeMotion, asked: Option<f64>) -> f64 {
+    let FreeMotion { natural_frequency: w, damping_ratio: z, .. } = *motion;
+    let cycles = std::f64::consts::TAU / w;
+    let span = if z >= 1.0 {
+        5.0 * (z + (z * z - 1.0).max(0.0).sqrt()) / w
+    } else if z > 0.0 {
+        (4.0 / (z * w)).max(1.5 * cycles).min(12.0 * cycles)
+    } else {
+        3.0 * cycles / (1.0 - z)
+    };
+    asked.map_or(span, |asked| if asked < 4.0 * span { span.max(1.1 * asked) } else { span })
+}
+
+fn history(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
+    let span = span(motion, asked);
+    let times = (0..=400u16).map(|n| span * f64::from(n) / 400.0);
+    let mut series =
+        vec![Series::line(units.symbol, times.clone().map(|t| (t, motion.state(t)[0])).collect())];
+    let (w, z) = (motion.natural_frequency, motion.damping_ratio);
+    if z != 0.0 && z.abs() < 1.0 {
+        let side = (motion.velocity + z * w * motion.displacement) / motion.damped_frequency();
+        let size = motion.displacement.hypot(side);
+        if size < 50.0 * (motion.displacement.abs() + motion.velocity.abs() / w) {
+            let envelope =
+                |sign: f64| times.clone().map(move |t| (t, sign * size * (-z * w * t).exp()));
+            let gap = std::iter::once((f64::INFINITY, f64::INFINITY));
+            series.push(Series::line("envelope", envelope(1.0).chain(gap).chain(envelope(-1.0)).collect()));
+        }
+    }
+    let mut plot = Plot::new(
+        "Displacement against time",
+        Axis::linear("time", "s"),
+        Axis::linear("displacement", units.displacement),
+        series,
+    );
+    if let Some(time) = motion.first_turning()
+        && time <= span
+    {
+        plot = plot.mark("first turning point", (time, motion.state(time)[0]));
+    }
+    if let Some(time) = asked
+        && time <= span
+    {
+        plot = plot.mark("at the asked time", (time, motion.state(time)[0]));
+    }
+    plot
+}
+
+fn phase_plane(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
+    let span = span(motion, asked);
+    let at = |n: u16| {
+        let [x, v, _] = motion.state(span * f64::from(n) / 400.0);
+        (x, v)
+    };
+    Plot::new(
+        "Phase plane",
+        Axis::linear("displacement", units.displacement),
+        Axis::linear("velocity", units.velocity),
+        vec![Series::line("motion", (0..=400).map(at).collect())],
+    )
+    .mark("start", (motion.displacement, motion.velocity))
+}
+
+/// The roots `λ = −ζω_n ± ω_n √(ζ² − 1)` as the damping ratio goes from zero upward.
+fn root_locus(motion: &FreeMotion) -> Plot {
+    let (w, z) = (motion.natural_frequency, motion.damping_ratio);
+    let last = 1.3f64.max(1.2 * z.abs()).min(5.0) * if z < 0.0 { -1.0 } else { 1.0 };
+    let roots = |z: f64| {
+        let part = w * ((1.0 - z) * (1.0 + z)).abs().sqrt();
+        if z.abs() < 1.0 { [(-z * w, part), (-z * w, -part)] } else { [(-z * w + part, 0.0), (-z * w - part, 0.0)] }
+    };
+    let branch = |which: usize| (0..=200u16).map(|n| roots(last * f64::from(n) / 200.0)[which]).collect();
+    Plot::new(
+        "Roots of the characteristic equation as the damping grows from zero",
+        Axis::linear("real part", "rad/s"),
+        Axis::linear("imaginary part", "rad/s"),
+        vec![
+            Series::line("λ₁", branch(0)),
+            Series::line("λ₂", branch(1)),
+            Series::dots("here", roots(z).to_vec()),
+        ],
+    )
+}
+
+/// Mass, spring and damper, or disc and shaft.
+fn drawing(oscillator: &Oscillator) -> Drawing {
+    let shapes = if let Oscillator::Rotation { .. } = oscillator {
+        vec![
+            DrawnShape::Ground((-1.0, 1.6), (1.0, 1.6)),
+            DrawnShape::Spring((0.0, 1.6), (0.0, 0.3)),
+            DrawnShape::Label((0.25, 1.0), Text::from("kₜ")),
+            DrawnShape::Block((-0.9, -0.3), (0.9, 0.3), Ink::Body),
+            DrawnShape::Label((0.0, 0.0), Text::from("J")),
+            DrawnShape::Damper((0.0, -0.3), (0.0, -1.4)),
+            DrawnShape::Label((0.3, -0.9), Text::from("cₜ")),
+            DrawnShape::Ground((1.0, -1.4), (-1.0, -1.4)),
+            DrawnShape::Arc((0.0, 0.0), 1.2, -0.5, 0.5, Ink::Motion),
+            DrawnShape::Label((1.3, 0.3), Text::from("θ")),
+        ]
+    } else {
+        vec![
+            DrawnShape::Ground((-2.2, 0.9), (-2.2, -0.9)),
+            DrawnShape::Spring((-2.2, 0.35), (-0.7, 0.35)),
+            DrawnShape::Label((-1.5, 0.75), Text::from("k")),
+            DrawnShape::Damper((-2.2, -0.35), (-0.7, -0.35)),
+            DrawnShape::Label((-1.5, -0.8), Text::from("c")),
+            DrawnShape::Block((-0.7, -0.7), (0.7, 0.7), Ink::Body),
+            DrawnShape::Label((0.0, 0.0), Text::from("m")),
+            DrawnShape::Arrow((0.0, 1.0), (0.9, 1.0), Ink::Motion),
+            DrawnShape::Label((1.0, 1.0), Text::from("x")),
+        ]
+    };
+    Drawing { title: "One degree of freedom".into(), shapes }
+}

@@ -1,0 +1,291 @@
+//! The free motion as textbooks write it, one form for each regime.
+
+use std::f64::consts::PI;
+
+use dalembert_core::Worksheet;
+use dalembert_mechanics::{Real, sdof};
+
+use crate::sources::RAO;
+
+/// The units and symbols of a motion along a line or about an axis.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) struct Units {
+    pub(super) symbol: &'static str,
+    pub(super) velocity_symbol: &'static str,
+    pub(super) acceleration_symbol: &'static str,
+    pub(super) displacement: &'static str,
+    pub(super) velocity: &'static str,
+    pub(super) acceleration: &'static str,
+    pub(super) damping: &'static str,
+}
+
+impl Units {
+    pub(super) const TRANSLATION: Units = Units {
+        symbol: "x",
+        velocity_symbol: "v",
+        acceleration_symbol: "a",
+        displacement: "mm",
+        velocity: "m/s",
+        acceleration: "m/s^2",
+        damping: "N*s/m",
+    };
+    pub(super) const ROTATION: Units = Units {
+        symbol: "θ",
+        velocity_symbol: "Ω",
+        acceleration_symbol: "α",
+        displacement: "deg",
+        velocity: "rad/s",
+        acceleration: "rad/s^2",
+        damping: "N*m*s/rad",
+    };
+}
+
+/// `ζ²` this near to one counts as one: the double root then gives the motion to rounding.
+const DOUBLE: f64 = 1e-12;
+
+/// The free motion, by the roots of its characteristic equation.
+pub(super) enum Form<N> {
+    /// `x₀ cos ωₙt + B sin ωₙt`
+    Harmonic { natural: N, x0: N, v0: N, b: N },
+    /// `e^(−ζωₙt) (x₀ cos ω_d t + B sin ω_d t)`
+    Oscillating { natural: N, zeta: N, damped: N, x0: N, v0: N, b: N, size: N },
+    /// `(x₀ + B t) e^(−ζωₙt)`, `ζ = ±1`
+    Double { natural: N, zeta: N, x0: N, v0: N, b: N },
+    /// `C₁ e^(λ₁t) + C₂ e^(λ₂t)`
+    Exponentials { natural: N, zeta: N, roots: [N; 2], shares: [N; 2] },
+}
+
+impl<N: Real> Form<N> {
+    /// The form of a motion, with the steps that lead to its constants.
+    pub(super) fn of<W: Worksheet<Num = N>>(
+        natural: N,
+        zeta: N,
+        [x0, v0]: [N; 2],
+        units: &Units,
+        sheet: W,
+    ) -> Self {
+        let z = zeta.value();
+        if z == 0.0 {
+            let period = sheet.step(
+                "T",
+                "s",
+                N::from(2.0) * PI / natural,
+                ("Without damping the motion is harmonic; its period", RAO.at("§2.2")),
+            );
+            sheet.answer("period", "Period", period);
+            let b = sheet.step("B", units.displacement, v0 / natural, "Constant of the sine, from the velocity at the start");
+            let size = sheet.step(
+                "X",
+                units.displacement,
+                (x0.powi(2) + b.powi(2)).sqrt(),
+                ("Amplitude: it stays", RAO.at("§2.2")),
+            );
+            sheet.answer("amplitude", "Amplitude", size);
+            return Form::Harmonic { natural, x0, v0, b };
+        }
+        if ((z - 1.0) * (z + 1.0)).abs() < DOUBLE {
+            let b = sheet.step(
+                "B",
+                units.velocity,
+                v0 + zeta * natural * x0,
+                ("Critically damped, ζ = 1: a double root −ζωₙ, and the motion is (A + B t) e^(−ζωₙt) with A the displacement at the start", RAO.at("§2.6")),
+            );
+            return Form::Double { natural, zeta, x0, v0, b };
+        }
+        if z.abs() < 1.0 {
+            return Self::oscillating(natural, zeta, [x0, v0], units, sheet);
+        }
+        let one = N::from(1.0);
+        let spread = (zeta.powi(2) - one).sqrt();
+        let why = ("Overdamped, ζ > 1: two real roots, here the larger in size", RAO.at("§2.6"));
+        let product = ("The product of the roots is ωₙ²", RAO.at("§2.6"));
+        // The root without cancellation first, the other from their product.
+        let roots = if z > 0.0 {
+            let fast = sheet.step("λ₂", "1/s", -natural * (zeta + spread), why);
+            [sheet.step("λ₁", "1/s", natural.powi(2) / fast, product), fast]
+        } else {
+            let why = "Strongly negative damping, ζ < −1: two real roots, both positive; here the larger";
+            let fast = sheet.step("λ₁", "1/s", natural * (spread - zeta), why);
+            [fast, sheet.step("λ₂", "1/s", natural.powi(2) / fast, product)]
+        };
+        sheet.check("the sum of the roots is −2ζωₙ", roots[0] + roots[1], -(zeta * natural * 2.0));
+        sheet.answer("slow_root", "Slower root", roots[0]);
+        sheet.answer("fast_root", "Faster root", roots[1]);
+        let share = ("Constant of the motion C₁ e^(λ₁t) + C₂ e^(λ₂t), from displacement and velocity at the start", RAO.at("§2.6"));
+        let first = sheet.step("C₁", units.displacement, (v0 - roots[1] * x0) / (roots[0] - roots[1]), share);
+        let second = sheet.step(
+            "C₂",
+            units.displacement,
+            (roots[0] * x0 - v0) / (roots[0] - roots[1]),
+            "The other constant",
+        );
+        Form::Exponentials { natural, zeta, roots, shares: [first, second] }
+    }
+
+    fn oscillating<W: Worksheet<Num = N>>(
+        natural: N,
+        zeta: N,
+        [x0, v0]: [N; 2],
+        units: &Units,
+        sheet: W,
+    ) -> Self {
+        let why = if zeta.value() > 0.0 {
+            ("Underdamped, ζ < 1: complex roots −ζωₙ ± i ω_d, a decaying oscillation of frequency", RAO.at("§2.6"))
+        } else {
+            ("Negative damping, −1 < ζ < 0: complex roots −ζωₙ ± i ω_d, a growing oscillation of frequency", RAO.at("§2.6"))
+        };
+        let damped = sheet.step("ω_d", "rad/s", sdof::damped_frequency(natural, zeta), why);
+        let period = sheet.step("T_d", "s", N::from(2.0) * PI / damped, "Period of the damped motion");
+        let decrement = sheet.step(
+            "δ",
+            "1",
+            sdof::decrement_from_damping_ratio(zeta),
+            ("Logarithmic decrement", RAO.at("§2.6.3")),
+        );
+        sheet.check("the decrement is ζ ωₙ T_d", zeta * natural * period, decrement);
+        sheet.answer("damped_frequency", "Damped natural frequency", damped);
+        sheet.answer("period", "Period", period);
+        sheet.answer("decrement", "Logarithmic decrement", decrement);
+        if zeta.value() > 0.0 {
+            let lost = sheet.step(
+                "ψ",
+                "%",
+                N::from(1.0) - (-(decrement * 2.0)).exp(),
+                ("Share of the energy lost in a cycle: energy goes with the square of the amplitude", RAO.at("§2.6.4")),
+            );
+            sheet.answer("energy_loss", "Energy lost in a cycle", lost);
+            let overshoot = sheet.step(
+                "s",
+                "%",
+                (-(decrement / 2.0)).exp(),
+                "Overshoot of a release from rest: what half a cycle leaves of the amplitude",
+            );
+            sheet.answer("overshoot", "Overshoot of a release from rest", overshoot);
+        }
+        let b = sheet.step(
+            "B",
+            units.displacement,
+            (v0 + zeta * natural * x0) / damped,
+            ("Constant of the sine, from displacement and velocity at the start", RAO.at("§2.6")),
+        );
+        let size = sheet.step(
+            "X",
+            units.displacement,
+            (x0.powi(2) + b.powi(2)).sqrt(),
+            ("Envelope at the start", RAO.at("§2.6")),
+        );
+        sheet.answer("amplitude", "Envelope at the start", size);
+        Form::Oscillating { natural, zeta, damped, x0, v0, b, size }
+    }
+
+    /// `x(t)`.
+    pub(super) fn displacement(&self, t: N) -> N {
+        match *self {
+            Form::Harmonic { natural, x0, b, .. } => x0 * (natural * t).cos() + b * (natural * t).sin(),
+            Form::Oscillating { natural, zeta, damped, x0, b, .. } => {
+                (-(zeta * natural * t)).exp() * (x0 * (damped * t).cos() + b * (damped * t).sin())
+            }
+            Form::Double { natural, zeta, x0, b, .. } => (x0 + b * t) * (-(zeta * natural * t)).exp(),
+            Form::Exponentials { roots, shares, .. } => {
+                shares[0] * (roots[0] * t).exp() + shares[1] * (roots[1] * t).exp()
+            }
+        }
+    }
+
+    /// `v(t)`.
+    pub(super) fn velocity(&self, t: N) -> N {
+        match *self {
+            Form::Harmonic { natural, x0, v0, .. } => {
+                v0 * (natural * t).cos() - natural * x0 * (natural * t).sin()
+            }
+            Form::Oscillating { natural, zeta, damped, x0, v0, b, .. } => {
+                (-(zeta * natural * t)).exp()
+                    * (v0 * (damped * t).cos() - (damped * x0 + zeta * natural * b) * (damped * t).sin())
+            }
+            Form::Double { natural, zeta, v0, b, .. } => {
+                (v0 - zeta * natural * b * t) * (-(zeta * natural * t)).exp()
+            }
+            Form::Exponentials { roots, shares, .. } => {
+                shares[0] * roots[0] * (roots[0] * t).exp() + shares[1] * roots[1] * (roots[1] * t).exp()
+            }
+        }
+    }
+
+    /// Displacement, velocity and acceleration at the asked time, written down.
+    pub(super) fn state<W: Worksheet<Num = N>>(&self, t: N, units: &Units, sheet: W) -> [N; 3] {
+        let [x, v, a] = [units.symbol, units.velocity_symbol, units.acceleration_symbol];
+        let x = sheet.step(x, units.displacement, self.displacement(t), ("Displacement at the asked time", RAO.at("§2.6")));
+        let v = sheet.step(v, units.velocity, self.velocity(t), "Velocity at that time: its derivative");
+        let acceleration = match *self {
+            Form::Harmonic { natural, .. } => -(natural.powi(2) * x),
+            Form::Oscillating { natural, zeta, .. }
+            | Form::Double { natural, zeta, .. }
+            | Form::Exponentials { natural, zeta, .. } => -(natural.powi(2) * x) - zeta * natural * v * 2.0,
+        };
+        let a = sheet.step(a, units.acceleration, acceleration, "Acceleration at that time, from the equation of motion");
+        [x, v, a]
+    }
+
+    /// The envelope at a time, where there is one.
+    pub(super) fn envelope<W: Worksheet<Num = N>>(&self, t: N, units: &Units, sheet: W) -> Option<N> {
+        let Form::Oscillating { natural, zeta, size, .. } = *self else { return None };
+        let envelope = size * (-(zeta * natural * t)).exp();
+        Some(sheet.step("X_t", units.displacement, envelope, ("Envelope at the asked time", RAO.at("§2.6"))))
+    }
+
+    /// When the envelope is down to a level.
+    pub(super) fn settling_of_envelope<W: Worksheet<Num = N>>(&self, level: N, sheet: W) -> Option<N> {
+        let Form::Oscillating { natural, zeta, size, .. } = *self else { return None };
+        let time = (size / level).ln() / (zeta * natural);
+        Some(sheet.step("tₑ", "s", time, "Time in which the envelope falls to the share p of the largest displacement"))
+    }
+
+    /// The first passage through rest; only asked where there is one.
+    pub(super) fn first_zero<W: Worksheet<Num = N>>(&self, sheet: W) -> Option<N> {
+        let why = "First passage through the position of rest";
+        let time = match *self {
+            Form::Harmonic { natural, x0, b, .. } => turn(phase(x0, b, sheet), natural),
+            Form::Oscillating { damped, x0, b, .. } => turn(phase(x0, b, sheet), damped),
+            Form::Double { x0, b, .. } => -(x0 / b),
+            Form::Exponentials { roots, shares, .. } => {
+                (-(shares[1] / shares[0])).ln() / (roots[0] - roots[1])
+            }
+        };
+        Some(sheet.step("t₀", "s", time, why))
+    }
+
+    /// The first turning point; only asked where there is one.
+    pub(super) fn first_turning<W: Worksheet<Num = N>>(&self, sheet: W) -> Option<N> {
+        let why = "First time that the velocity is zero";
+        let time = match *self {
+            Form::Harmonic { natural, x0, v0, .. } => turn(phase_of_velocity(v0, -(natural * x0), sheet), natural),
+            Form::Oscillating { natural, zeta, damped, x0, v0, b, .. } => {
+                turn(phase_of_velocity(v0, -(damped * x0 + zeta * natural * b), sheet), damped)
+            }
+            Form::Double { natural, zeta, v0, b, .. } => v0 / (zeta * natural * b),
+            Form::Exponentials { roots, shares, .. } => {
+                (-(shares[1] * roots[1] / (shares[0] * roots[0]))).ln() / (roots[0] - roots[1])
+            }
+        };
+        Some(sheet.step(("t", 1), "s", time, why))
+    }
+}
+
+/// The phase `φ` that makes `a cos y + b sin y = R sin(y + φ)`.
+fn phase<W: Worksheet>(a: W::Num, b: W::Num, sheet: W) -> W::Num {
+    sheet.step("φ", "rad", a.atan2(b), "Written as R sin(ωt + φ), it is zero where ωt + φ is a multiple of π; here φ")
+}
+
+/// The phase of the velocity, likewise.
+fn phase_of_velocity<W: Worksheet>(a: W::Num, b: W::Num, sheet: W) -> W::Num {
+    sheet.step("φᵥ", "rad", a.atan2(b), "The velocity written likewise; its phase")
+}
+
+/// The first time at which `y + φ`, `y = ωt > 0`, is a multiple of `π`.
+fn turn<N: Real>(phase: N, frequency: N) -> N {
+    match phase.value() {
+        PI => N::from(PI) / frequency,
+        0.0..PI => (N::from(PI) - phase) / frequency,
+        _ => -phase / frequency,
+    }
+}
