@@ -18,7 +18,7 @@ use dalembert_mechanics::{
 
 use crate::{
     decay::{Counted, CountedGiven},
-    mass::{Mass, mass},
+    oscillator::{Mass, mass},
     sources::{GROVER, RAO},
 };
 
@@ -177,7 +177,11 @@ impl Analysis for CoulombDamping {
                     RAO.at("§3.8"),
                 ),
             );
-            sheet.answer("equivalent_damping", "Equivalent viscous damping at the first amplitude", equivalent);
+            sheet.answer(
+                "equivalent_damping",
+                "Equivalent viscous damping at the first amplitude",
+                equivalent,
+            );
             if let Some(asked) = given.fall {
                 steps::fall(&system, asked, &first, &decay, sheet)?;
             }
@@ -194,11 +198,7 @@ impl Analysis for CoulombDamping {
 }
 
 /// The friction force.
-fn friction<W: Worksheet>(
-    given: &CoulombDampingGiven<W>,
-    mass: W::Num,
-    sheet: W,
-) -> Result<W::Num, Refusal> {
+fn friction<W: Worksheet>(given: &CoulombDampingGiven<W>, mass: W::Num, sheet: W) -> Result<W::Num, Refusal> {
     let why = ("Friction force", RAO.at("§2.9"));
     Ok(match &given.friction {
         FrictionGiven::Force { force } => *force,
@@ -234,12 +234,8 @@ fn friction<W: Worksheet>(
                 given.stiffness * loss / 4.0,
                 ("The loss in a cycle is 4F/k", RAO.at("§2.9")),
             );
-            let coefficient = sheet.step(
-                "µ",
-                "1",
-                force / (mass * *gravity),
-                "Coefficient of friction on a level surface",
-            );
+            let coefficient =
+                sheet.step("µ", "1", force / (mass * *gravity), "Coefficient of friction on a level surface");
             sheet.check(
                 "the energy between the two amplitudes is the work of the friction on the way",
                 given.stiffness * (first.powi(2) - last.powi(2)) / 2.0,

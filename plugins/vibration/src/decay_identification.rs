@@ -193,7 +193,8 @@ fn period<W: Worksheet>(half: f64, fits: &DecayFits, sheet: W) -> W::Num {
     let half = sheet.found("T/2", "s", half, "Mean time from one turning point of the record to the next");
     let damped = sheet.step("ω_d", "rad/s", W::Num::from(PI) / half, "Frequency of the decaying motion");
     let zeta = sdof::damping_ratio_from_decrement(fits.both.decrement);
-    let zeta = sheet.found("ζ₀", "1", zeta, "Damping ratio of the viscous part, from the fit with both below");
+    let zeta =
+        sheet.found("ζ₀", "1", zeta, "Damping ratio of the viscous part, from the fit with both below");
     let natural = sheet.step(
         "ωₙ",
         "rad/s",
@@ -217,7 +218,10 @@ fn viscous<W: Worksheet>(fits: &DecayFits, sheet: W) {
         "δᵥ",
         "1",
         fit.decrement,
-        ("Viscous damping alone: X = X₀ e^(−δn) by least squares of the amplitudes; its decrement", RAO.at("§2.6.3")),
+        (
+            "Viscous damping alone: X = X₀ e^(−δn) by least squares of the amplitudes; its decrement",
+            RAO.at("§2.6.3"),
+        ),
     );
     held(fit, sheet);
     let ratio = sheet.step(
@@ -242,7 +246,8 @@ fn friction<W: Worksheet>(fits: &DecayFits, sheet: W) {
     );
     held(fit, sheet);
     let offset = sheet.step("f_f", "mm", loss / 4.0, ("The loss in a cycle is 4F/k; F/k", RAO.at("§2.9")));
-    let scatter = sheet.found("ε_f", "mm", fit.scatter, "Its root mean square difference from the amplitudes");
+    let scatter =
+        sheet.found("ε_f", "mm", fit.scatter, "Its root mean square difference from the amplitudes");
     sheet.answer("friction_loss", "Friction alone: loss in a cycle", loss);
     sheet.answer("friction_offset", "Friction alone: F/k", offset);
     sheet.answer("friction_scatter", "Friction alone: scatter", scatter);
@@ -273,13 +278,23 @@ fn of_both<W: Worksheet>(fits: &DecayFits, sheet: W) -> [W::Num; 2] {
     let offset = if fit.decrement > 1e-3 {
         // tanh(δ/4) = (1 − q)/(1 + q) with q = e^(−δ/2), what viscous damping leaves in a stroke.
         let one = W::Num::from(1.0);
-        let kept = sheet.step("q", "1", (-(decrement / 2.0)).exp(), "What viscous damping leaves of the amplitude in half a cycle");
+        let kept = sheet.step(
+            "q",
+            "1",
+            (-(decrement / 2.0)).exp(),
+            "What viscous damping leaves of the amplitude in half a cycle",
+        );
         loss / decrement * (one - kept) / (one + kept)
     } else {
         // The next term of the series is (δ/4)²/3 of it.
         loss / 4.0
     };
-    let offset = sheet.step("f", "mm", offset, "Both together: F/k, which takes f (1 + q) of the amplitude in half a cycle");
+    let offset = sheet.step(
+        "f",
+        "mm",
+        offset,
+        "Both together: F/k, which takes f (1 + q) of the amplitude in half a cycle",
+    );
     sheet.answer("decrement", "Both: decrement of the viscous part", decrement);
     sheet.answer("damping_ratio", "Both: damping ratio", ratio);
     sheet.answer("offset", "Both: F/k", offset);

@@ -9,8 +9,8 @@ use dalembert_core::{
 use dalembert_mechanics::{Real, sdof};
 
 use crate::{
-    mass::{Mass, mass},
-    sources::{RAO, THOMSON_THEORY},
+    oscillator::{Mass, mass},
+    sources::{RAO, THOMSON},
 };
 
 /// An oscillator under a harmonic force, and what its damping is known by.
@@ -76,7 +76,7 @@ impl Analysis for EquivalentDamping {
         summary: "Equivalent viscous damping, loss factor and steady amplitude of an oscillator whose damping is known by its loop.",
         keywords: "structural damping hysteresis loop area loss factor specific damping capacity quadratic drag \
                    amortecimento histerético estrutural fator de perda laço de histerese arrasto quadrático",
-        sources: &[&RAO, &THOMSON_THEORY],
+        sources: &[&RAO, &THOMSON],
         cases: include_str!("../cases/equivalent_damping.toml"),
     };
 
@@ -189,7 +189,10 @@ impl Analysis for EquivalentDamping {
             "ψ",
             "%",
             loss * 2.0 * PI,
-            ("Specific damping capacity: that energy over the largest elastic energy kX²/2", RAO.at("§2.6.4")),
+            (
+                "Specific damping capacity: that energy over the largest elastic energy kX²/2",
+                RAO.at("§2.6.4"),
+            ),
         );
         let ratio = sheet.step(
             "ζ_eq",
@@ -212,7 +215,10 @@ impl Analysis for EquivalentDamping {
                 "Xₘₐₓ",
                 "mm",
                 force / (loss * stiffness),
-                ("Largest amplitude, exactly at the natural frequency, unlike that of viscous damping", RAO.at("§3.9")),
+                (
+                    "Largest amplitude, exactly at the natural frequency, unlike that of viscous damping",
+                    RAO.at("§3.9"),
+                ),
             );
             sheet.answer("largest_amplitude", "Largest amplitude at any frequency", largest);
         }
@@ -263,7 +269,15 @@ impl EquivalentDamping {
                 let force = stiffness * amplitude * phase.sin() + self.damping_force(amplitude, loss, phase);
                 force * amplitude * phase.cos()
             };
-            let weight = |n: u32| if n == 0 || n == panels { 1.0 } else if n % 2 == 1 { 4.0 } else { 2.0 };
+            let weight = |n: u32| {
+                if n == 0 || n == panels {
+                    1.0
+                } else if n % 2 == 1 {
+                    4.0
+                } else {
+                    2.0
+                }
+            };
             let half: f64 = (0..=panels).map(|n| weight(n) * at(n)).sum();
             let area = 2.0 * half * PI / f64::from(panels) / 3.0;
             sheet.check("the area of the loop, summed", W::Num::from(area), energy);
@@ -285,10 +299,7 @@ impl EquivalentDamping {
                 Series::line("spring and damping", (0..=240).map(at).collect()),
                 Series::line(
                     "spring alone",
-                    vec![
-                        (-amplitude, -self.stiffness * amplitude),
-                        (amplitude, self.stiffness * amplitude),
-                    ],
+                    vec![(-amplitude, -self.stiffness * amplitude), (amplitude, self.stiffness * amplitude)],
                 ),
             ],
         )

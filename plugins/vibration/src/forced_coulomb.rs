@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    mass::{Mass, mass},
+    oscillator::{Mass, mass},
     sources::{DEN_HARTOG_1931, GROVER, RAO},
 };
 
@@ -107,25 +107,29 @@ impl Analysis for ForcedCoulomb {
             FrictionGiven::Coefficient { coefficient, gravity } => {
                 sheet.step("F", "N", *coefficient * mass * *gravity, why)
             }
-            FrictionGiven::Normal { coefficient, normal } => sheet.step("F", "N", *coefficient * *normal, why),
+            FrictionGiven::Normal { coefficient, normal } => {
+                sheet.step("F", "N", *coefficient * *normal, why)
+            }
         };
-        let offset =
-            sheet.step("f", "mm", friction / given.stiffness, "Deflection of the spring under the friction force");
+        let offset = sheet.step(
+            "f",
+            "mm",
+            friction / given.stiffness,
+            "Deflection of the spring under the friction force",
+        );
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("frequency_ratio", "Frequency ratio", ratio);
         sheet.answer("friction", "Friction force", friction);
-        let system = Shaken { mass, stiffness: given.stiffness, frequency: given.frequency, ratio, friction, offset };
+        let system =
+            Shaken { mass, stiffness: given.stiffness, frequency: given.frequency, ratio, friction, offset };
         let (force, amplitude) = match &given.excitation {
             ExcitationGiven::Force { force } => (force.value(), amplitude_of(&system, *force, sheet)?),
             ExcitationGiven::Amplitude { amplitude } => {
                 (force_of(&system, *amplitude, sheet)?, amplitude.value())
             }
         };
-        let shaken = DryForced {
-            ratio: ratio.value(),
-            deflection: force / self.stiffness,
-            offset: offset.value(),
-        };
+        let shaken =
+            DryForced { ratio: ratio.value(), deflection: force / self.stiffness, offset: offset.value() };
         sheet.show(|| Exhibit::Plot(response(&shaken, natural.value(), self.frequency, amplitude)));
         sheet.show(|| Exhibit::Plot(hysteresis(friction.value(), self.stiffness, amplitude)));
         sheet.show(|| Exhibit::Plot(history(&shaken, natural.value())));
@@ -151,7 +155,8 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
     if force.value() <= friction.value() {
         return Err(stuck());
     }
-    let deflection = sheet.step("s", "mm", force / stiffness, "Deflection of the spring under the force at rest");
+    let deflection =
+        sheet.step("s", "mm", force / stiffness, "Deflection of the spring under the force at rest");
     let shaken = DryForced { ratio: ratio.value(), deflection: deflection.value(), offset: offset.value() };
     let steady = shaken.steady();
     if steady == Steady::Stuck {
@@ -179,7 +184,8 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
             ("The damping holds the part 4F/π of the force: sine of the phase", RAO.at("§3.8")),
         );
         let lag = if ratio.value() < 1.0 { angle } else { W::Num::from(PI) - angle };
-        let lag = sheet.step("φ_eq", "deg", lag, "Lag of the motion behind the force, above 90° beyond resonance");
+        let lag =
+            sheet.step("φ_eq", "deg", lag, "Lag of the motion behind the force, above 90° beyond resonance");
         sheet.answer("amplitude", "Amplitude by equivalent damping", amplitude);
         sheet.answer("phase", "Phase lag by equivalent damping", lag);
         Some(amplitude)
@@ -234,13 +240,16 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
                 )
             });
             return equivalent.map(Real::value).ok_or_else(|| {
-                Refusal::because("the exact motion has too many stops to be followed, and there is no equivalent one")
+                Refusal::because(
+                    "the exact motion has too many stops to be followed, and there is no equivalent one",
+                )
             });
         }
     };
     sheet.answer("exact_amplitude", "Amplitude, exact", exact);
     if let Some(equivalent) = equivalent {
-        let off = sheet.step("ΔX", "%", (equivalent - exact) / exact, "How far the equivalent damping is off");
+        let off =
+            sheet.step("ΔX", "%", (equivalent - exact) / exact, "How far the equivalent damping is off");
         sheet.answer("difference", "Equivalent damping, off by", off);
         if off.value().abs() > 0.05 {
             sheet.warn(|| {
@@ -269,7 +278,10 @@ fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) 
         "F₀",
         "N",
         (spring.powi(2) + (friction * 4.0 / PI).powi(2)).sqrt(),
-        ("Force: with the part 4F/π that the equivalent damping takes, a quarter cycle ahead", RAO.at("§3.8")),
+        (
+            "Force: with the part 4F/π that the equivalent damping takes, a quarter cycle ahead",
+            RAO.at("§3.8"),
+        ),
     );
     if ratio.value() != 1.0 {
         sheet.check(
@@ -290,8 +302,8 @@ fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) 
         dry_forced::damping_function(ratio),
         ("Damping function of the exact motion without stops", DEN_HARTOG_1931.at("")),
     );
-    let deflection = (amplitude.powi(2) + (offset * damping).powi(2)).sqrt()
-        * (W::Num::from(1.0) - ratio.powi(2)).abs();
+    let deflection =
+        (amplitude.powi(2) + (offset * damping).powi(2)).sqrt() * (W::Num::from(1.0) - ratio.powi(2)).abs();
     let exact = DryForced { ratio: ratio.value(), deflection: deflection.value(), offset: offset.value() };
     if exact.sliding().is_some() {
         let exact_force = sheet.step(
@@ -344,8 +356,12 @@ fn sliding<W: Worksheet>(deflection: W::Num, offset: W::Num, ratio: W::Num, shee
         dry_forced::response_function(ratio),
         ("Exact motion without stops: response function", DEN_HARTOG_1931.at("")),
     );
-    let damping =
-        sheet.step("U", "1", dry_forced::damping_function(ratio), ("Damping function", DEN_HARTOG_1931.at("")));
+    let damping = sheet.step(
+        "U",
+        "1",
+        dry_forced::damping_function(ratio),
+        ("Damping function", DEN_HARTOG_1931.at("")),
+    );
     sheet.step(
         "X",
         "mm",

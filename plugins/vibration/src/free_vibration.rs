@@ -10,7 +10,7 @@ mod form;
 
 use self::form::{Form, Units};
 use crate::{
-    mass::{Mass, mass},
+    oscillator::{Mass, mass},
     sources::RAO,
 };
 
@@ -326,18 +326,13 @@ fn ratio_of<W: Worksheet>(
         coefficient / critical,
         ("Damping ratio: damping over critical damping", RAO.at("§2.6")),
     );
-    sheet.check(
-        "the same from stiffness and mass",
-        sdof::damping_ratio(coefficient, stiffness, mass),
-        zeta,
-    );
+    sheet.check("the same from stiffness and mass", sdof::damping_ratio(coefficient, stiffness, mass), zeta);
     zeta
 }
 
 fn coefficient_of<W: Worksheet>(zeta: W::Num, critical: W::Num, units: Units, sheet: W) {
     let symbol = if units == Units::ROTATION { "cₜ" } else { "c" };
-    let damping =
-        sheet.step(symbol, units.damping, zeta * critical, ("Damping coefficient", RAO.at("§2.6")));
+    let damping = sheet.step(symbol, units.damping, zeta * critical, ("Damping coefficient", RAO.at("§2.6")));
     sheet.answer("damping", "Damping coefficient", damping);
 }
 
@@ -503,8 +498,7 @@ fn history(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
         let side = (motion.velocity + z * w * motion.displacement) / motion.damped_frequency();
         let size = motion.displacement.hypot(side);
         if size < 50.0 * (motion.displacement.abs() + motion.velocity.abs() / w) {
-            let envelope =
-                |sign: f64| times.clone().map(move |t| (t, sign * size * (-z * w * t).exp()));
+            let envelope = |sign: f64| times.clone().map(move |t| (t, sign * size * (-z * w * t).exp()));
             let gap = std::iter::once((f64::INFINITY, f64::INFINITY));
             series.push(Series::line("envelope", envelope(1.0).chain(gap).chain(envelope(-1.0)).collect()));
         }
@@ -549,7 +543,11 @@ fn root_locus(motion: &FreeMotion) -> Plot {
     let last = 1.3f64.max(1.2 * z.abs()).min(5.0) * if z < 0.0 { -1.0 } else { 1.0 };
     let roots = |z: f64| {
         let part = w * ((1.0 - z) * (1.0 + z)).abs().sqrt();
-        if z.abs() < 1.0 { [(-z * w, part), (-z * w, -part)] } else { [(-z * w + part, 0.0), (-z * w - part, 0.0)] }
+        if z.abs() < 1.0 {
+            [(-z * w, part), (-z * w, -part)]
+        } else {
+            [(-z * w + part, 0.0), (-z * w - part, 0.0)]
+        }
     };
     let branch = |which: usize| (0..=200u16).map(|n| roots(last * f64::from(n) / 200.0)[which]).collect();
     Plot::new(

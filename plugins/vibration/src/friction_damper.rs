@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    mass::{Mass, mass},
+    oscillator::{Mass, mass},
     sources::RAO,
 };
 
@@ -193,7 +193,11 @@ impl FrictionDamper {
             sheet.verify(|| {
                 let [summed, part] = oscillator.harmonic_by_summation(amplitude.value());
                 sheet.check("equivalent stiffness by summing over the loop", W::Num::from(summed), element);
-                sheet.check("the part in phase with the velocity by summing over the loop", W::Num::from(part), quadrature);
+                sheet.check(
+                    "the part in phase with the velocity by summing over the loop",
+                    W::Num::from(part),
+                    quadrature,
+                );
             });
             let stiffness = sheet.step(whole, "N/m", given.stiffness + element, "Both stiffnesses together");
             (stiffness, quadrature)
@@ -263,13 +267,7 @@ fn hysteresis(oscillator: &JenkinsOscillator, amplitude: f64) -> Plot {
         vec![(-amplitude, -end), (amplitude, end)]
     } else {
         let back = 2.0 * slip - amplitude;
-        vec![
-            (-amplitude, -force),
-            (back, force),
-            (amplitude, force),
-            (-back, -force),
-            (-amplitude, -force),
-        ]
+        vec![(-amplitude, -force), (back, force), (amplitude, force), (-back, -force), (-amplitude, -force)]
     };
     Plot::new(
         "Loop of the element at the peak",

@@ -9,7 +9,7 @@ use dalembert_core::{
 use dalembert_mechanics::{Real, roots, sdof, vibration::free::FreeMotion};
 
 use crate::{
-    mass::{Mass, mass},
+    oscillator::{Mass, mass},
     sources::{GROVER, RAO},
 };
 

@@ -10,7 +10,7 @@ use dalembert_mechanics::{Real, sdof, section as area, spring, vibration::decay_
 
 use crate::{
     decay::{Decay, decrement},
-    mass::{Mass, mass},
+    oscillator::{Mass, mass},
     sources::{GROVER, RAO},
 };
 
@@ -152,7 +152,9 @@ impl Analysis for LogarithmicDecrement {
         sheet.answer("damping_ratio", "Damping ratio", zeta);
         light(decrement, zeta, sheet);
         if decrement.value() == 0.0 {
-            sheet.warn(|| Text::new("the motion does not decay: there is no damping, and no amplitude is ever reached"));
+            sheet.warn(|| {
+                Text::new("the motion does not decay: there is no damping, and no amplitude is ever reached")
+            });
         } else {
             let kept = sheet.step(
                 "x₁/x₂",
@@ -164,15 +166,18 @@ impl Analysis for LogarithmicDecrement {
                 "ψ",
                 "%",
                 W::Num::from(1.0) - (-(decrement * 2.0)).exp(),
-                ("Share of the energy lost in a cycle: energy goes with the square of the amplitude", RAO.at("§2.6.4")),
+                (
+                    "Share of the energy lost in a cycle: energy goes with the square of the amplitude",
+                    RAO.at("§2.6.4"),
+                ),
             );
-            let two = sheet.step("ρ", "1", W::Num::from(2.0), "Half the amplitude: the ratio of the amplitudes is 2");
-            let half = sheet.step(
-                "n½",
+            let two = sheet.step(
+                "ρ",
                 "1",
-                two.ln() / decrement,
-                "Cycles in which the amplitude halves",
+                W::Num::from(2.0),
+                "Half the amplitude: the ratio of the amplitudes is 2",
             );
+            let half = sheet.step("n½", "1", two.ln() / decrement, "Cycles in which the amplitude halves");
             sheet.answer("amplitude_ratio", "Ratio of successive amplitudes", kept);
             sheet.answer("energy_loss", "Energy lost in a cycle", lost);
             sheet.answer("half_cycles", "Cycles in which the amplitude halves", half);
@@ -190,11 +195,7 @@ impl Analysis for LogarithmicDecrement {
             sheet.answer("fall_cycles", "Cycles of that fall", cycles);
             if let Some(Oscillation { period, natural }) = period {
                 let time = sheet.step("t", "s", cycles * period, "Time of these cycles");
-                sheet.check(
-                    "the same time from the envelope e^(−ζωₙt)",
-                    fall.ln() / (zeta * natural),
-                    time,
-                );
+                sheet.check("the same time from the envelope e^(−ζωₙt)", fall.ln() / (zeta * natural), time);
                 sheet.answer("fall_time", "Time of that fall", time);
             }
         }
@@ -276,7 +277,11 @@ impl LogarithmicDecrement {
                         (natural - oscillation.natural) / oscillation.natural,
                         "How far the measured period is off that of mass and stiffness",
                     );
-                    sheet.answer("measured_natural_frequency", "Natural frequency of the measured period", natural);
+                    sheet.answer(
+                        "measured_natural_frequency",
+                        "Natural frequency of the measured period",
+                        natural,
+                    );
                     sheet.answer("frequency_difference", "Measured frequency, off by", off);
                     if off.value().abs() > 0.02 {
                         sheet.warn(|| {
@@ -516,8 +521,7 @@ fn elastic<W: Worksheet>(
         sdof::damped_frequency(natural, zeta),
         ("Frequency of the decaying motion", RAO.at("§2.6")),
     );
-    let period =
-        sheet.step("T_d", "s", W::Num::from(2.0) * PI / damped, "Period of the decaying motion");
+    let period = sheet.step("T_d", "s", W::Num::from(2.0) * PI / damped, "Period of the decaying motion");
     sheet.answer("natural_frequency", "Natural frequency", natural);
     sheet.answer("damped_frequency", "Damped natural frequency", damped);
     sheet.answer("period", "Period", period);
@@ -525,12 +529,7 @@ fn elastic<W: Worksheet>(
     Oscillation { period, natural }
 }
 
-fn natural_of_period<W: Worksheet>(
-    period: W::Num,
-    zeta: W::Num,
-    symbol: &'static str,
-    sheet: W,
-) -> W::Num {
+fn natural_of_period<W: Worksheet>(period: W::Num, zeta: W::Num, symbol: &'static str, sheet: W) -> W::Num {
     let damped_symbol = if symbol == "ωₙ" { "ω_d" } else { "ω_d′" };
     let damped = sheet.step(
         damped_symbol,

@@ -38,6 +38,8 @@ pub(crate) static LISTS: Source =
 pub(crate) static THOMSON: Source = Source {
     short: "Thomson",
     full: "W. T. Thomson, Theory of Vibration with Applications, 2nd ed., Prentice Hall, 1981",
+};
+
 /// G. K. Grover, Mechanical Vibrations.
 pub(crate) static GROVER: Source =
     Source { short: "Grover", full: "G. K. Grover, Mechanical Vibrations, 8th ed., Nem Chand & Bros, 2009" };
@@ -46,10 +48,4 @@ pub(crate) static GROVER: Source =
 pub(crate) static DEN_HARTOG_1931: Source = Source {
     short: "Den Hartog 1931",
     full: "J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, Transactions of the ASME 53 (1931), APM-53-9",
-};
-
-/// W. T. Thomson, Theory of Vibration with Applications.
-pub(crate) static THOMSON_THEORY: Source = Source {
-    short: "Thomson",
-    full: "W. T. Thomson and M. D. Dahleh, Theory of Vibration with Applications, 5th ed., Prentice Hall, 1998",
 };

@@ -110,9 +110,9 @@ pub struct TurningPoint {
 /// of the whole range, each at the vertex of the parabola through the highest sample and its neighbours. The ends
 /// of the record are not turning points.
 pub fn turning_points(record: &[(f64, f64)], share: f64) -> Vec<TurningPoint> {
-    let (least, most) = record
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), point| (least.min(point.1), most.max(point.1)));
+    let (least, most) = record.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), point| {
+        (least.min(point.1), most.max(point.1))
+    });
     let threshold = share * (most - least);
     if !(threshold > 0.0 && threshold.is_finite()) {
         return Vec::new();
@@ -135,7 +135,11 @@ pub fn turning_points(record: &[(f64, f64)], share: f64) -> Vec<TurningPoint> {
             (rising, low, high) = (Some(true), i, i);
         }
     }
-    found.into_iter().filter(|&i| i > 0 && i + 1 < record.len()).map(|i| vertex(&record[i - 1..=i + 1])).collect()
+    found
+        .into_iter()
+        .filter(|&i| i > 0 && i + 1 < record.len())
+        .map(|i| vertex(&record[i - 1..=i + 1]))
+        .collect()
 }
 
 /// The vertex of the parabola through three points; the middle one where there is none.
@@ -197,8 +201,7 @@ fn polished(mut model: [f64; 3], free: [bool; 3], points: &[(f64, f64)]) -> [f64
     for _ in 0..60 {
         let rows: Vec<[f64; 3]> = points.iter().map(|&(n, _)| slopes(&model, n)).collect();
         let jacobian = DMatrix::from_fn(rows.len(), columns.len(), |i, j| rows[i][columns[j]]);
-        let residual =
-            DVector::from_iterator(points.len(), points.iter().map(|&(n, x)| x - at(&model, n)));
+        let residual = DVector::from_iterator(points.len(), points.iter().map(|&(n, x)| x - at(&model, n)));
         let Ok(solved) = linalg::least_squares(&jacobian, &residual) else { break };
         let mut share = 1.0;
         let mut moved = false;
@@ -233,7 +236,9 @@ fn finished(
         if j > 0 && model[j] == 0.0 {
             return 0.0;
         }
-        let terms = scaled.iter().map(|&(n, x)| [slopes(&model, n)[j] * (x - at(&model, n)), slopes(&model, n)[j].abs()]);
+        let terms = scaled
+            .iter()
+            .map(|&(n, x)| [slopes(&model, n)[j] * (x - at(&model, n)), slopes(&model, n)[j].abs()]);
         let [sum, scale] = terms.fold([0.0; 2], |sum, term| [sum[0] + term[0], sum[1] + term[1]]);
         if scale == 0.0 { 0.0 } else { sum / scale }
     });
@@ -243,11 +248,5 @@ fn finished(
     let (decrement, loss) = (model[1] / span, model[2] * size / span);
     // Back from n = start to n = 0.
     let initial = at(&[model[0] * size, decrement, loss], -start);
-    DecayFit {
-        initial,
-        decrement,
-        loss,
-        scatter: size * scatter,
-        normal_equations,
-    }
+    DecayFit { initial, decrement, loss, scatter: size * scatter, normal_equations }
 }

@@ -126,8 +126,7 @@ impl DryForced {
         let (phase, tangent) = (self.phase(), r * u);
         let velocity = |tau: f64| f * (tau.sin() - tangent * tau.cos()) - q * r * (r * tau + phase).sin();
         let samples = 96 * (1.0 / r).ceil().min(20.0) as u32;
-        let moving =
-            (1..samples).all(|n| velocity(PI / r * f64::from(n) / f64::from(samples)) <= 1e-12 * s);
+        let moving = (1..samples).all(|n| velocity(PI / r * f64::from(n) / f64::from(samples)) <= 1e-12 * s);
         moving.then(|| (x, phase.rem_euclid(TAU)))
     }
 
@@ -262,6 +261,14 @@ impl DryForced {
 fn simpson(function: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     let panels = 2000u32;
     let h = (to - from) / f64::from(panels);
-    let weight = |i: u32| if i == 0 || i == panels { 1.0 } else if i % 2 == 1 { 4.0 } else { 2.0 };
+    let weight = |i: u32| {
+        if i == 0 || i == panels {
+            1.0
+        } else if i % 2 == 1 {
+            4.0
+        } else {
+            2.0
+        }
+    };
     (0..=panels).map(|i| weight(i) * function(from + h * f64::from(i))).sum::<f64>() * h / 3.0
 }

@@ -74,10 +74,7 @@ impl JenkinsOscillator {
         }
         let angle = elastic_angle(slip, amplitude);
         let area = loop_area(self.slip_force, amplitude, slip);
-        [
-            self.stiffness + equivalent_stiffness(self.element, angle),
-            quadrature_stiffness(area, amplitude),
-        ]
+        [self.stiffness + equivalent_stiffness(self.element, angle), quadrature_stiffness(area, amplitude)]
     }
 
     /// First harmonic of the force of the element by summing over one turn of its loop: `[k_j, h]` in N/m. A second
@@ -90,7 +87,11 @@ impl JenkinsOscillator {
         // On the way down from +X: elastic to θ, then slipping. The way up mirrors it.
         let angle = elastic_angle(slip, amplitude);
         let force = |psi: f64| {
-            if psi <= angle { self.slip_force - self.element * amplitude * (1.0 - psi.cos()) } else { -self.slip_force }
+            if psi <= angle {
+                self.slip_force - self.element * amplitude * (1.0 - psi.cos())
+            } else {
+                -self.slip_force
+            }
         };
         let panel = |from: f64, to: f64| {
             // Simpson's rule on each smooth part.
@@ -98,7 +99,13 @@ impl JenkinsOscillator {
             let h = (to - from) / f64::from(n);
             let mut sums = [0.0; 2];
             for i in 0..=n {
-                let weight = if i == 0 || i == n { 1.0 } else if i % 2 == 1 { 4.0 } else { 2.0 };
+                let weight = if i == 0 || i == n {
+                    1.0
+                } else if i % 2 == 1 {
+                    4.0
+                } else {
+                    2.0
+                };
                 // The end of the elastic part belongs to both parts, and the force is continuous there.
                 let psi = from + h * f64::from(i);
                 let value = force(psi) * weight * h / 3.0;

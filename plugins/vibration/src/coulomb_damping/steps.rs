@@ -61,14 +61,14 @@ pub(super) fn to_rest<W: Worksheet>(
         }
     };
     if more > 0.0 {
-        sheet.step("n′", "1", needed, "Strokes until the turning point would lie on the edge of the zone in which friction holds");
+        sheet.step(
+            "n′",
+            "1",
+            needed,
+            "Strokes until the turning point would lie on the edge of the zone in which friction holds",
+        );
     }
-    let strokes = sheet.found(
-        "n",
-        "1",
-        more,
-        ("Strokes to rest: that number rounded up", RAO.at("§2.9")),
-    );
+    let strokes = sheet.found("n", "1", more, ("Strokes to rest: that number rounded up", RAO.at("§2.9")));
     let distance = match viscous {
         None => first.amplitude - strokes * system.offset * 2.0,
         Some([kept, constant]) => {
@@ -105,7 +105,12 @@ pub(super) fn to_rest<W: Worksheet>(
 /// The time of a stroke, what it takes of the amplitude, and what viscous damping leaves.
 fn stroke<W: Worksheet>(system: &System<W::Num>, sheet: W) -> (W::Num, Option<[W::Num; 2]>) {
     let Some(zeta) = system.zeta else {
-        let half = sheet.step("T/2", "s", W::Num::from(PI) / system.natural, "Time of a stroke, from one turning point to the next");
+        let half = sheet.step(
+            "T/2",
+            "s",
+            W::Num::from(PI) / system.natural,
+            "Time of a stroke, from one turning point to the next",
+        );
         let loss = sheet.step(
             "ΔX",
             "mm",
@@ -121,7 +126,12 @@ fn stroke<W: Worksheet>(system: &System<W::Num>, sheet: W) -> (W::Num, Option<[W
         sdof::damped_frequency(system.natural, zeta),
         ("Frequency of the strokes", RAO.at("§2.6")),
     );
-    let half = sheet.step("T/2", "s", W::Num::from(PI) / damped, "Time of a stroke, from one turning point to the next");
+    let half = sheet.step(
+        "T/2",
+        "s",
+        W::Num::from(PI) / damped,
+        "Time of a stroke, from one turning point to the next",
+    );
     let kept = sheet.step(
         "q",
         "1",
@@ -158,7 +168,12 @@ fn first_turning<W: Worksheet>(
     let (turned, displacement) = if system.zeta.is_none() {
         // About the shifted position of rest, mirrored so that the motion begins forward.
         let (y0, speed) = if forward { (x0 + system.offset, v0) } else { (system.offset - x0, -v0) };
-        let y0 = sheet.step("y₀", "mm", y0, "Start of the first stroke, from its shifted position of rest, forward counted positive");
+        let y0 = sheet.step(
+            "y₀",
+            "mm",
+            y0,
+            "Start of the first stroke, from its shifted position of rest, forward counted positive",
+        );
         let radius = sheet.step(
             "R",
             "mm",
@@ -171,13 +186,19 @@ fn first_turning<W: Worksheet>(
         (turned, sheet.step("x₁", "mm", displacement, "Displacement there"))
     } else {
         (
-            sheet.found("t₁", "s", time, "First turning point after the start: zero of the velocity of the first stroke"),
+            sheet.found(
+                "t₁",
+                "s",
+                time,
+                "First turning point after the start: zero of the velocity of the first stroke",
+            ),
             sheet.found("x₁", "mm", at, "Displacement there"),
         )
     };
     sheet.verify(|| {
         if let Some([there, speed]) = decay.marched(turned.value()) {
-            let size = decay.motion.displacement.abs() + decay.motion.velocity.abs() / decay.motion.natural_frequency;
+            let size = decay.motion.displacement.abs()
+                + decay.motion.velocity.abs() / decay.motion.natural_frequency;
             sheet.check_zero(
                 "displacement at the first turning point by marching",
                 W::Num::from(there - displacement.value()),
@@ -221,18 +242,18 @@ fn energy<W: Worksheet>(
 }
 
 /// Viscous damping so strong that the mass only creeps to the shifted position of rest.
-fn creeping<W: Worksheet>(
-    system: &System<W::Num>,
-    decay: &FrictionDecay,
-    rest: &Rest,
-    sheet: W,
-) -> W::Num {
+fn creeping<W: Worksheet>(system: &System<W::Num>, decay: &FrictionDecay, rest: &Rest, sheet: W) -> W::Num {
     let position = match rest.time {
         // The first turning point already lies where friction holds.
         Some(time) => {
             let time = sheet.found("t_R", "s", time, "Time until it rests: end of the first stroke");
             sheet.answer("stop_time", "Time until it rests", time);
-            sheet.found("x_R", "mm", rest.position, "Position of rest, where friction holds at the first turning point")
+            sheet.found(
+                "x_R",
+                "mm",
+                rest.position,
+                "Position of rest, where friction holds at the first turning point",
+            )
         }
         None => {
             sheet.warn(|| {
@@ -284,7 +305,12 @@ pub(super) fn fall<W: Worksheet>(
             ((first.amplitude + constant) / (asked + constant)).ln() / ((W::Num::from(1.0) / kept).ln() * 2.0)
         }
     };
-    let exact = sheet.step("Nₐ′", "1", exact, ("Cycles in which the amplitude falls to the asked one", GROVER.at("§3.6")));
+    let exact = sheet.step(
+        "Nₐ′",
+        "1",
+        exact,
+        ("Cycles in which the amplitude falls to the asked one", GROVER.at("§3.6")),
+    );
     let strokes = sheet.found(
         "nₐ",
         "1",
@@ -303,7 +329,11 @@ pub(super) fn fall<W: Worksheet>(
         let inside = size(strokes.value()) <= asked.value() * (1.0 + 1e-9);
         let outside = size(strokes.value() - 1.0) > asked.value() * (1.0 - 1e-9);
         let off = if inside && outside { 0.0 } else { 1.0 };
-        sheet.check_zero("the turning point is the first one inside the asked amplitude", W::Num::from(off), 1.0);
+        sheet.check_zero(
+            "the turning point is the first one inside the asked amplitude",
+            W::Num::from(off),
+            1.0,
+        );
     });
     sheet.answer("fall_cycles_exact", "Cycles of that fall, as a fraction", exact);
     sheet.answer("fall_cycles", "Cycles of that fall, whole strokes", cycles);
@@ -329,16 +359,27 @@ pub(super) fn at_time<W: Worksheet>(
     };
     let begun = sheet.found("t_j", "s", stroke.begun, "Start of the stroke in which the asked time lies");
     let centre = if stroke.centre > 0.0 { system.offset } else { -system.offset };
-    let centre = sheet.step("x_c", "mm", centre, ("Position of rest, shifted by friction against the motion", RAO.at("§2.9")));
+    let centre = sheet.step(
+        "x_c",
+        "mm",
+        centre,
+        ("Position of rest, shifted by friction against the motion", RAO.at("§2.9")),
+    );
     let lapse = sheet.step("τ", "s", time - begun, "Time since the start of the stroke");
     let first = stroke.begun == 0.0;
     let from = if first {
-        sheet.step("y", "mm", given.displacement - centre, "Start of the stroke, from the shifted position of rest")
+        sheet.step(
+            "y",
+            "mm",
+            given.displacement - centre,
+            "Start of the stroke, from the shifted position of rest",
+        )
     } else {
         sheet.found("y", "mm", motion.displacement, "Start of the stroke, from the shifted position of rest")
     };
     let speed = if motion.velocity == 0.0 { None } else { Some(given.velocity) };
-    let why = ("Displacement at that time: a free vibration about the shifted position of rest", RAO.at("§2.9"));
+    let why =
+        ("Displacement at that time: a free vibration about the shifted position of rest", RAO.at("§2.9"));
     let (x, v) = match system.zeta {
         None => {
             let angle = system.natural * lapse;
@@ -347,7 +388,10 @@ pub(super) fn at_time<W: Worksheet>(
                 x = x + speed / system.natural * angle.sin();
                 v = v + speed * angle.cos();
             }
-            (sheet.step("x", "mm", x, why), sheet.step("v", "m/s", v, "Velocity at that time: its derivative"))
+            (
+                sheet.step("x", "mm", x, why),
+                sheet.step("v", "m/s", v, "Velocity at that time: its derivative"),
+            )
         }
         Some(zeta) if zeta.value() < 1.0 => {
             let damped = sdof::damped_frequency(system.natural, zeta);
@@ -359,8 +403,13 @@ pub(super) fn at_time<W: Worksheet>(
             let fade = (-(zeta * system.natural * lapse)).exp();
             let (c, s) = ((damped * lapse).cos(), (damped * lapse).sin());
             let x = centre + fade * (from * c + sine * s);
-            let v = fade * ((damped * sine - zeta * system.natural * from) * c - (damped * from + zeta * system.natural * sine) * s);
-            (sheet.step("x", "mm", x, why), sheet.step("v", "m/s", v, "Velocity at that time: its derivative"))
+            let v = fade
+                * ((damped * sine - zeta * system.natural * from) * c
+                    - (damped * from + zeta * system.natural * sine) * s);
+            (
+                sheet.step("x", "mm", x, why),
+                sheet.step("v", "m/s", v, "Velocity at that time: its derivative"),
+            )
         }
         Some(_) => {
             let [x, v] = decay.state(time.value());
@@ -369,7 +418,8 @@ pub(super) fn at_time<W: Worksheet>(
         }
     };
     sheet.verify(|| {
-        let size = decay.motion.displacement.abs() + decay.motion.velocity.abs() / decay.motion.natural_frequency;
+        let size =
+            decay.motion.displacement.abs() + decay.motion.velocity.abs() / decay.motion.natural_frequency;
         if let Some([there, moving]) = decay.marched(time.value()) {
             let off = [there - x.value(), moving - v.value()].map(W::Num::from);
             sheet.check_zero("displacement by marching through the equation of motion", off[0], size);

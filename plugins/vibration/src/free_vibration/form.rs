@@ -73,7 +73,12 @@ impl<N: Real> Form<N> {
                 ("Without damping the motion is harmonic; its period", RAO.at("§2.2")),
             );
             sheet.answer("period", "Period", period);
-            let b = sheet.step("B", units.displacement, v0 / natural, "Constant of the sine, from the velocity at the start");
+            let b = sheet.step(
+                "B",
+                units.displacement,
+                v0 / natural,
+                "Constant of the sine, from the velocity at the start",
+            );
             let size = sheet.step(
                 "X",
                 units.displacement,
@@ -111,7 +116,10 @@ impl<N: Real> Form<N> {
         sheet.check("the sum of the roots is −2ζωₙ", roots[0] + roots[1], -(zeta * natural * 2.0));
         sheet.answer("slow_root", "Slower root", roots[0]);
         sheet.answer("fast_root", "Faster root", roots[1]);
-        let share = ("Constant of the motion C₁ e^(λ₁t) + C₂ e^(λ₂t), from displacement and velocity at the start", RAO.at("§2.6"));
+        let share = (
+            "Constant of the motion C₁ e^(λ₁t) + C₂ e^(λ₂t), from displacement and velocity at the start",
+            RAO.at("§2.6"),
+        );
         let first = sheet.step("C₁", units.displacement, (v0 - roots[1] * x0) / (roots[0] - roots[1]), share);
         let second = sheet.step(
             "C₂",
@@ -130,9 +138,15 @@ impl<N: Real> Form<N> {
         sheet: W,
     ) -> Self {
         let why = if zeta.value() > 0.0 {
-            ("Underdamped, ζ < 1: complex roots −ζωₙ ± i ω_d, a decaying oscillation of frequency", RAO.at("§2.6"))
+            (
+                "Underdamped, ζ < 1: complex roots −ζωₙ ± i ω_d, a decaying oscillation of frequency",
+                RAO.at("§2.6"),
+            )
         } else {
-            ("Negative damping, −1 < ζ < 0: complex roots −ζωₙ ± i ω_d, a growing oscillation of frequency", RAO.at("§2.6"))
+            (
+                "Negative damping, −1 < ζ < 0: complex roots −ζωₙ ± i ω_d, a growing oscillation of frequency",
+                RAO.at("§2.6"),
+            )
         };
         let damped = sheet.step("ω_d", "rad/s", sdof::damped_frequency(natural, zeta), why);
         let period = sheet.step("T_d", "s", N::from(2.0) * PI / damped, "Period of the damped motion");
@@ -151,7 +165,10 @@ impl<N: Real> Form<N> {
                 "ψ",
                 "%",
                 N::from(1.0) - (-(decrement * 2.0)).exp(),
-                ("Share of the energy lost in a cycle: energy goes with the square of the amplitude", RAO.at("§2.6.4")),
+                (
+                    "Share of the energy lost in a cycle: energy goes with the square of the amplitude",
+                    RAO.at("§2.6.4"),
+                ),
             );
             sheet.answer("energy_loss", "Energy lost in a cycle", lost);
             let overshoot = sheet.step(
@@ -214,7 +231,12 @@ impl<N: Real> Form<N> {
     /// Displacement, velocity and acceleration at the asked time, written down.
     pub(super) fn state<W: Worksheet<Num = N>>(&self, t: N, units: &Units, sheet: W) -> [N; 3] {
         let [x, v, a] = [units.symbol, units.velocity_symbol, units.acceleration_symbol];
-        let x = sheet.step(x, units.displacement, self.displacement(t), ("Displacement at the asked time", RAO.at("§2.6")));
+        let x = sheet.step(
+            x,
+            units.displacement,
+            self.displacement(t),
+            ("Displacement at the asked time", RAO.at("§2.6")),
+        );
         let v = sheet.step(v, units.velocity, self.velocity(t), "Velocity at that time: its derivative");
         let acceleration = match *self {
             Form::Harmonic { natural, .. } => -(natural.powi(2) * x),
@@ -222,7 +244,12 @@ impl<N: Real> Form<N> {
             | Form::Double { natural, zeta, .. }
             | Form::Exponentials { natural, zeta, .. } => -(natural.powi(2) * x) - zeta * natural * v * 2.0,
         };
-        let a = sheet.step(a, units.acceleration, acceleration, "Acceleration at that time, from the equation of motion");
+        let a = sheet.step(
+            a,
+            units.acceleration,
+            acceleration,
+            "Acceleration at that time, from the equation of motion",
+        );
         [x, v, a]
     }
 
@@ -237,7 +264,12 @@ impl<N: Real> Form<N> {
     pub(super) fn settling_of_envelope<W: Worksheet<Num = N>>(&self, level: N, sheet: W) -> Option<N> {
         let Form::Oscillating { natural, zeta, size, .. } = *self else { return None };
         let time = (size / level).ln() / (zeta * natural);
-        Some(sheet.step("tₑ", "s", time, "Time in which the envelope falls to the share p of the largest displacement"))
+        Some(sheet.step(
+            "tₑ",
+            "s",
+            time,
+            "Time in which the envelope falls to the share p of the largest displacement",
+        ))
     }
 
     /// The first passage through rest; only asked where there is one.
@@ -258,7 +290,9 @@ impl<N: Real> Form<N> {
     pub(super) fn first_turning<W: Worksheet<Num = N>>(&self, sheet: W) -> Option<N> {
         let why = "First time that the velocity is zero";
         let time = match *self {
-            Form::Harmonic { natural, x0, v0, .. } => turn(phase_of_velocity(v0, -(natural * x0), sheet), natural),
+            Form::Harmonic { natural, x0, v0, .. } => {
+                turn(phase_of_velocity(v0, -(natural * x0), sheet), natural)
+            }
             Form::Oscillating { natural, zeta, damped, x0, v0, b, .. } => {
                 turn(phase_of_velocity(v0, -(damped * x0 + zeta * natural * b), sheet), damped)
             }
@@ -273,7 +307,12 @@ impl<N: Real> Form<N> {
 
 /// The phase `φ` that makes `a cos y + b sin y = R sin(y + φ)`.
 fn phase<W: Worksheet>(a: W::Num, b: W::Num, sheet: W) -> W::Num {
-    sheet.step("φ", "rad", a.atan2(b), "Written as R sin(ωt + φ), it is zero where ωt + φ is a multiple of π; here φ")
+    sheet.step(
+        "φ",
+        "rad",
+        a.atan2(b),
+        "Written as R sin(ωt + φ), it is zero where ωt + φ is a multiple of π; here φ",
+    )
 }
 
 /// The phase of the velocity, likewise.
