@@ -344,13 +344,13 @@ impl PeriodicExcitation {
         sheet: W,
     ) {
         let height = system.height;
-        let Some(steady) = steady else {
+        let whole = steady.and_then(|steady| Some((steady, steady.mean_square()?, steady.extremes()?)));
+        let Some((steady, square, [largest, least])) = whole else {
             sheet.warn(|| {
                 Text::new("the motion of all harmonics together is not answered: it cannot be told exactly")
             });
             return;
         };
-        let square = steady.mean_square();
         let how = "Root mean square over the static deflection, of the exact motion: piece by piece, closed over a period";
         let share = sheet.found("q_rms", "1", square.sqrt(), (how, RAO.at("§4.3")));
         sheet.verify(|| {
@@ -364,7 +364,6 @@ impl PeriodicExcitation {
             }
         });
         let rms = sheet.step("x_rms", "mm", height * share, "Root mean square of the displacement");
-        let [largest, least] = steady.extremes();
         let why = "Largest displacement of the exact motion, over the static deflection";
         let largest = sheet.found("q_max", "1", largest, (why, RAO.at("§4.3")));
         let least = sheet.found(

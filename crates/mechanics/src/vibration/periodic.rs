@@ -146,27 +146,33 @@ impl Steady {
         p - 2.0 * self.damping_ratio * (x - self.through(self.drive_at(n, since)))
     }
 
-    /// Mean of the square of the displacement, by quadrature over every half radian.
-    pub fn mean_square(&self) -> f64 {
-        let of = |(n, piece): (usize, &Piece)| {
-            let length = piece.to - piece.from;
-            let fast = self.angle * (1.0 + 2.0 * self.damping_ratio) + piece.rate;
-            let parts = (2.0 * fast * length).ceil().clamp(1.0, 2e4) as u32;
-            integral(|since| self.advance(n, self.starts[n], since)[0].powi(2), [0.0, length], parts)
-        };
-        self.pieces.iter().enumerate().map(of).sum()
+    /// Mean of the square of the displacement, by quadrature. `None` where the
+    /// motion rings through so many radians that they are too many.
+    pub fn mean_square(&self) -> Option<f64> {
+        let mut sum = 0.0;
+        for (n, start) in self.starts.iter().enumerate() {
+            let square = |since: f64| self.advance(n, *start, since)[0].powi(2);
+            sum += self.edges(n)?.windows(2).map(|edge| integral(square, [edge[0], edge[1]], 1)).sum::<f64>();
+        }
+        Some(sum)
     }
 
-    /// The largest and the least displacement.
-    pub fn extremes(&self) -> [f64; 2] {
-        let count = (4.0 * self.angle).clamp(512.0, 8192.0) as u32;
-        let share = |n: u32| f64::from(n) / f64::from(count);
+    /// The largest and the least displacement. `None` as for [`Steady::mean_square`].
+    pub fn extremes(&self) -> Option<[f64; 2]> {
+        let mut shares = Vec::new();
+        for (n, piece) in self.pieces.iter().enumerate() {
+            let between =
+                |edge: &[f64]| [0.0, 0.25, 0.5, 0.75].map(|part| edge[0] + part * (edge[1] - edge[0]));
+            shares.extend(self.edges(n)?.windows(2).flat_map(between).map(|since| piece.from + since));
+        }
         let refined = |sign: f64| {
             let of = |s: f64| sign * self.displacement(s);
-            let best = (0..count).max_by(|m, n| of(share(*m)).total_cmp(&of(share(*n)))).unwrap_or_default();
-            // Half the bracket as long as the velocity changes its sign within.
-            let (mut low, mut high) =
-                (share(best) - 1.0 / f64::from(count), share(best) + 1.0 / f64::from(count));
+            let best = (0..shares.len()).max_by(|m, n| of(shares[*m]).total_cmp(&of(shares[*n])))?;
+            // The velocity changes its sign between the neighbours of the largest.
+            let last = shares.len() - 1;
+            let before = if best == 0 { shares[last] - 1.0 } else { shares[best - 1] };
+            let after = if best == last { shares[0] + 1.0 } else { shares[best + 1] };
+            let (mut low, mut high) = (before, after);
             for _ in 0..60 {
                 let middle = f64::midpoint(low, high);
                 if sign * self.velocity(middle) > 0.0 {
@@ -175,9 +181,34 @@ impl Steady {
                     high = middle;
                 }
             }
-            sign * of(low).max(of(share(best)))
+            Some(sign * of(low).max(of(shares[best])))
         };
-        [refined(1.0), refined(-1.0)]
+        Some([refined(1.0)?, refined(-1.0)?])
+    }
+
+    /// Shares since the beginning of a piece between which the motion is smooth: half a radian apart while the free
+    /// motion that the piece began with lasts, further apart where it only creeps, and after it has died as the drive
+    /// itself asks.
+    fn edges(&self, n: usize) -> Option<Vec<f64>> {
+        const MOST: usize = 8000;
+        let (length, zeta) = (self.length(n), self.damping_ratio);
+        let width = (zeta * zeta - 1.0).max(0.0).sqrt();
+        let (fast, slow) = (1.0 + zeta + width, if zeta < 1.0 { zeta } else { 1.0 / (zeta + width) });
+        let longest = if zeta < 1.0 { 0.5 } else { 0.5 / slow };
+        let (end, mut angle) = (self.angle * length, 0.0);
+        let mut edges = vec![0.0];
+        while angle < end && slow * angle < 40.0 {
+            angle += (0.25 * angle).min(longest).max(0.5 / fast);
+            edges.push((angle / self.angle).min(length));
+            if edges.len() > MOST {
+                return None;
+            }
+        }
+        if angle < end {
+            let (from, parts) = (angle / self.angle, (self.pieces[n].rate * 2.0 + 4.0) as u32);
+            edges.extend((1..=parts).map(|k| from + (length - from) * f64::from(k) / f64::from(parts)));
+        }
+        Some(edges)
     }
 
     fn at(&self, share: f64) -> Vector2<f64> {
