@@ -1,4 +1,5 @@
-//! Stiffness `k = F/δ` in N/m of uniform slender beams under a transverse force, at the point of the force.
+//! Stiffness `k = F/δ` in N/m of uniform slender beams under a transverse force, at the point of the force; of
+//! some, `k = M/θ` in N·m/rad under a couple at an end.
 //!
 //! Young's modulus `E` in Pa, second moment `I` in m⁴, lengths in m. Bending only, small deflections
 //! (Euler–Bernoulli), no mass. Deflections: Beer & Johnston, *Mechanics of Materials*, and Shigley, *Mechanical
@@ -62,4 +63,22 @@ pub fn clamped_pinned<S: Real>(young: S, second_moment: S, length: S, distance: 
 #[inline]
 pub fn overhang<S: Real>(young: S, second_moment: S, span: S, overhang: S) -> S {
     young * second_moment * 3.0 / (overhang.powi(2) * (span + overhang))
+}
+
+/// Cantilever turned by a couple at its tip: `k = EI/L`, N·m/rad.
+#[inline]
+pub fn cantilever_tip_rotation<S: Real>(young: S, second_moment: S, length: S) -> S {
+    young * second_moment / length
+}
+
+/// Simply supported, turned by a couple at one end: `k = 3EI/L`, N·m/rad.
+#[inline]
+pub fn simply_supported_end_rotation<S: Real>(young: S, second_moment: S, length: S) -> S {
+    young * second_moment * 3.0 / length
+}
+
+/// Clamped at the far end, turned by a couple at its pinned end: `k = 4EI/L`, N·m/rad.
+#[inline]
+pub fn clamped_pinned_end_rotation<S: Real>(young: S, second_moment: S, length: S) -> S {
+    young * second_moment * 4.0 / length
 }

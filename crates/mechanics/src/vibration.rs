@@ -1,5 +1,5 @@
 //! Vibration beyond the closed formulas of [`crate::sdof`]: free motion and motion from rest, friction, bands of
-//! frequencies, instruments, periodic forces.
+//! frequencies, instruments, periodic forces, networks, torsional trains.
 
 pub mod decay_fit;
 pub mod dry_forced;
@@ -9,5 +9,7 @@ pub mod from_rest;
 pub mod instrument;
 pub mod isolation;
 pub mod jenkins;
+pub mod network;
 pub mod periodic;
 pub mod quadrature;
+pub mod torsional;

@@ -1,0 +1,308 @@
+//! Networks of springs and dampers along one line: nodes with masses, elements between them or to fixed ground.
+//!
+//! Stiffnesses in N/m, damping in N·s/m, masses in kg, frequencies in rad/s, forces in N.
+
+use nalgebra::{Complex, DMatrix, DVector};
+
+use crate::linalg::{self, LinalgError};
+
+/// Why a network has no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum NetworkError {
+    /// A node, counted from 0, is held by nothing, directly or through others.
+    #[error("node {node} is held by nothing that resists this motion")]
+    Loose {
+        /// The node.
+        node: usize,
+    },
+    /// The linear system has no answer within the range of numbers.
+    #[error(transparent)]
+    Linear(#[from] LinalgError),
+}
+
+/// A spring and a damper side by side between two nodes, counted from 0; `None` is fixed ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Link {
+    /// The nodes.
+    pub ends: [Option<usize>; 2],
+    /// Stiffness, N/m; zero for a damper alone.
+    pub stiffness: f64,
+    /// Damping, N·s/m; zero for a spring alone.
+    pub damping: f64,
+}
+
+/// Nodes, their masses and the elements between them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Network {
+    /// The mass of each node, kg; zero for a light one.
+    pub masses: Vec<f64>,
+    /// The elements.
+    pub links: Vec<Link>,
+}
+
+impl Network {
+    /// The displacements under constant forces, held by the springs alone, m.
+    ///
+    /// # Errors
+    /// `Loose` where a node is not joined to ground by springs; `Linear`.
+    pub fn at_rest(&self, forces: &[f64]) -> Result<Vec<f64>, NetworkError> {
+        self.held_by(|link| link.stiffness > 0.0)?;
+        let matrix = self.assembled(|link| link.stiffness);
+        Ok(linalg::solve(&matrix, &DVector::from_column_slice(forces))?.x.as_slice().to_vec())
+    }
+
+    /// The complex amplitudes under forces `F cos ωt`, m; the masses count.
+    ///
+    /// # Errors
+    /// `Loose` where a node is joined to ground neither by springs nor by dampers and has no mass; `Linear`, among
+    /// them a singular matrix at an undamped resonance.
+    pub fn shaken(&self, forces: &[f64], frequency: f64) -> Result<Vec<Complex<f64>>, NetworkError> {
+        let damping = self.assembled(|link| link.damping * frequency);
+        let mut matrix = self.assembled(|link| link.stiffness).zip_map(&damping, Complex::new);
+        for (node, mass) in self.masses.iter().enumerate() {
+            matrix[(node, node)] -= mass * frequency.powi(2);
+        }
+        let right = DMatrix::from_iterator(forces.len(), 1, forces.iter().map(|force| Complex::from(*force)));
+        Ok(linalg::solve_complex(&matrix, &right)?.as_slice().to_vec())
+    }
+
+    /// The stiffness felt at a node, with the other nodes free and `of` telling the stiffness of an element (real, or
+    /// complex `k + iωc`): the other nodes are eliminated one by one, each leaving `kᵢkⱼ/Σk` between its
+    /// neighbours (star–mesh transformation). No subtraction occurs, so nothing cancels.
+    pub fn felt_at(&self, node: usize, of: impl Fn(&Link) -> Complex<f64>) -> Complex<f64> {
+        let n = self.masses.len();
+        // Ground is the last node.
+        let mut between = DMatrix::<Complex<f64>>::zeros(n + 1, n + 1);
+        for link in &self.links {
+            let [a, b] = link.ends.map(|end| end.unwrap_or(n));
+            if a != b {
+                between[(a, b)] += of(link);
+                between[(b, a)] += of(link);
+            }
+        }
+        for gone in (0..n).filter(|gone| *gone != node) {
+            let sum: Complex<f64> = (0..=n).map(|other| between[(gone, other)]).sum();
+            if sum == Complex::ZERO {
+                continue;
+            }
+            for a in 0..=n {
+                for b in (0..=n).filter(|b| *b != a) {
+                    let through = between[(gone, a)] * (between[(gone, b)] / sum);
+                    between[(a, b)] += through;
+                }
+            }
+            for other in 0..=n {
+                between[(gone, other)] = Complex::ZERO;
+                between[(other, gone)] = Complex::ZERO;
+            }
+        }
+        between[(node, n)]
+    }
+
+    /// The finite roots `s` of `det(M s² + C s + K) = 0`, ascending by real part and then by imaginary part: the
+    /// network moves by itself as `e^(st)`. Light nodes only raise the degree through their dampers.
+    ///
+    /// With `s = σ + 1/µ` and `A = K + σC + σ²M` the problem is `µ² A x + µ (C + 2σM) x + M x = 0`, whose companion
+    /// needs no inverse of `M`; infinite roots are at `µ = 0`.
+    ///
+    /// # Errors
+    /// `Loose` where a node has neither mass nor anything that holds it; `Linear`.
+    pub fn roots(&self) -> Result<Vec<Complex<f64>>, NetworkError> {
+        self.held_by(|link| link.stiffness > 0.0 || link.damping > 0.0)?;
+        let n = self.masses.len();
+        let stiffness = self.assembled(|link| link.stiffness);
+        let damping = self.assembled(|link| link.damping);
+        let masses = DMatrix::from_diagonal(&DVector::from_column_slice(&self.masses));
+        let shift = self.scale();
+        let shifted = &stiffness + &damping * shift + &masses * shift.powi(2);
+        let inverse_times = |right: &DMatrix<f64>| -> Result<DMatrix<f64>, NetworkError> {
+            let columns =
+                right.column_iter().map(|column| Ok(linalg::solve(&shifted, &column.into_owned())?.x));
+            Ok(DMatrix::from_columns(&columns.collect::<Result<Vec<_>, NetworkError>>()?))
+        };
+        // µ in units of 1/σ: both blocks of the companion are pure numbers.
+        let first = inverse_times(&((&damping + &masses * (2.0 * shift)) * shift))?;
+        let second = inverse_times(&(&masses * shift.powi(2)))?;
+        let mut companion = DMatrix::zeros(2 * n, 2 * n);
+        companion.view_mut((0, 0), (n, n)).copy_from(&-first);
+        companion.view_mut((0, n), (n, n)).copy_from(&-second);
+        companion.view_mut((n, 0), (n, n)).fill_with_identity();
+        let count = self.degree();
+        let mut values = linalg::complex_eigenvalues(&companion)?;
+        values.sort_by(|p, q| q.norm().total_cmp(&p.norm()));
+        let mut roots: Vec<Complex<f64>> =
+            values.into_iter().take(count).map(|value| (Complex::from(1.0) + value.inv()) * shift).collect();
+        roots.retain(|root| root.re.is_finite() && root.im.is_finite());
+        roots.sort_by(|p, q| p.re.total_cmp(&q.re).then(p.im.total_cmp(&q.im)));
+        Ok(roots)
+    }
+
+    /// The number of finite roots: the degree of the determinant, two for each mass and one for each way in which
+    /// the light nodes are joined by dampers.
+    fn degree(&self) -> usize {
+        // Light nodes in groups joined by dampers; a group counts once for each node unless it floats, where one less.
+        let n = self.masses.len();
+        let heavy = self.masses.iter().filter(|mass| **mass > 0.0).count();
+        let mut group: Vec<usize> = (0..n).collect();
+        let fixed = |end: Option<usize>| end.is_none_or(|node| self.masses[node] > 0.0);
+        for _ in 0..n {
+            for link in self.links.iter().filter(|link| link.damping > 0.0) {
+                if let [Some(a), Some(b)] = link.ends
+                    && !fixed(link.ends[0])
+                    && !fixed(link.ends[1])
+                {
+                    let low = group[a].min(group[b]);
+                    group[a] = low;
+                    group[b] = low;
+                }
+            }
+        }
+        let light = (0..n).filter(|node| self.masses[*node] == 0.0);
+        let grounded = |of: usize| {
+            self.links.iter().filter(|link| link.damping > 0.0).any(|link| {
+                let inside = |end: Option<usize>| end.is_some_and(|node| !fixed(end) && group[node] == of);
+                inside(link.ends[0]) && fixed(link.ends[1]) || inside(link.ends[1]) && fixed(link.ends[0])
+            })
+        };
+        let damped: usize =
+            light.clone().map(|node| if group[node] != node || grounded(node) { 1 } else { 0 }).sum();
+        2 * heavy + damped
+    }
+
+    /// A typical rate of the network, 1/s.
+    fn scale(&self) -> f64 {
+        let sum = |of: fn(&Link) -> f64| self.links.iter().map(of).sum::<f64>();
+        let (stiffness, damping) = (sum(|link| link.stiffness), sum(|link| link.damping));
+        let mass: f64 = self.masses.iter().sum();
+        let scale = match (mass > 0.0, stiffness > 0.0) {
+            (true, true) => (stiffness / mass).sqrt(),
+            (true, false) => damping / mass,
+            (false, _) => stiffness / damping,
+        };
+        if scale.is_finite() && scale > 0.0 { scale } else { 1.0 }
+    }
+
+    fn assembled(&self, of: impl Fn(&Link) -> f64) -> DMatrix<f64> {
+        let n = self.masses.len();
+        let mut matrix = DMatrix::zeros(n, n);
+        for link in &self.links {
+            let value = of(link);
+            for end in link.ends.into_iter().flatten() {
+                matrix[(end, end)] += value;
+            }
+            if let [Some(a), Some(b)] = link.ends {
+                matrix[(a, b)] -= value;
+                matrix[(b, a)] -= value;
+            }
+        }
+        matrix
+    }
+
+    fn held_by(&self, counts: impl Fn(&Link) -> bool) -> Result<(), NetworkError> {
+        let mut held = vec![false; self.masses.len()];
+        for _ in 0..self.masses.len() {
+            for link in self.links.iter().filter(|link| counts(link)) {
+                let fixed = |end: Option<usize>| end.is_none_or(|node| held[node]);
+                if fixed(link.ends[0]) || fixed(link.ends[1]) {
+                    for end in link.ends.into_iter().flatten() {
+                        held[end] = true;
+                    }
+                }
+            }
+        }
+        match held.iter().position(|held| !held) {
+            None => Ok(()),
+            Some(node) => Err(NetworkError::Loose { node }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn link(a: Option<usize>, b: Option<usize>, stiffness: f64, damping: f64) -> Link {
+        Link { ends: [a, b], stiffness, damping }
+    }
+
+    fn close(ours: f64, expected: f64) {
+        assert!((ours - expected).abs() <= 1e-12 * expected.abs().max(1e-3), "{ours} is not {expected}");
+    }
+
+    /// A bridge of five springs that is neither series nor parallel.
+    fn bridge() -> Network {
+        let links = vec![
+            link(Some(0), Some(1), 3.0, 0.1),
+            link(Some(0), Some(2), 5.0, 0.2),
+            link(Some(1), Some(2), 7.0, 0.0),
+            link(Some(1), None, 11.0, 0.3),
+            link(Some(2), None, 13.0, 0.0),
+        ];
+        Network { masses: vec![2.0, 0.0, 0.0], links }
+    }
+
+    #[test]
+    fn a_bridge_of_springs_is_felt_as_it_gives() {
+        let network = bridge();
+        let x = network.at_rest(&[1.0, 0.0, 0.0]).unwrap();
+        let felt = network.felt_at(0, |link| Complex::from(link.stiffness));
+        close(felt.re * x[0], 1.0);
+    }
+
+    #[test]
+    fn the_shaken_bridge_meets_its_dynamic_stiffness() {
+        let (network, frequency) = (bridge(), 1.7);
+        let x = network.shaken(&[1.0, 0.0, 0.0], frequency).unwrap()[0];
+        let felt = network.felt_at(0, |link| Complex::new(link.stiffness, link.damping * frequency));
+        let whole = (felt - 2.0 * frequency * frequency) * x;
+        close(whole.re, 1.0);
+        assert!(whole.im.abs() < 1e-12);
+    }
+
+    #[test]
+    fn roots_are_those_of_the_polynomial() {
+        // m s² + Z(s) = 0 with two Kelvin–Voigt elements in series: of the third degree.
+        let links = vec![link(Some(0), Some(1), 3000.0, 100.0), link(Some(1), None, 12000.0, 330.0)];
+        let network = Network { masses: vec![10.0, 0.0], links };
+        let roots = network.roots().unwrap();
+        let (m, k, c, l, d) = (10.0, 3000.0, 100.0, 12000.0, 330.0);
+        let cubic = [m * (c + d), m * (k + l) + c * d, k * d + l * c, k * l];
+        let expected = crate::polynomial::roots(&cubic).unwrap();
+        assert_eq!(roots.len(), 3);
+        for (ours, expected) in roots.iter().zip(&expected) {
+            assert!((ours - expected).norm() < 1e-10 * expected.norm(), "{ours} is not {expected}");
+        }
+        close((roots[1].im.abs() * 1e5).round(), 1_501_392.0);
+    }
+
+    #[test]
+    fn light_nodes_without_dampers_add_no_roots() {
+        let links = vec![link(Some(0), Some(1), 6.0, 0.0), link(Some(1), None, 3.0, 0.0)];
+        let roots = Network { masses: vec![0.5, 0.0], links }.roots().unwrap();
+        assert_eq!(roots.len(), 2);
+        close(roots[1].im, 2.0);
+        assert!(roots[1].re.abs() < 1e-12);
+        assert_eq!(bridge().roots().unwrap().len(), 4);
+    }
+
+    #[test]
+    fn two_masses_in_a_row() {
+        // Equal masses and springs, one end fixed: ω = 2 √(k/m) sin(π/10), sin(3π/10).
+        let links = vec![link(Some(0), None, 9.0, 0.0), link(Some(0), Some(1), 9.0, 0.0)];
+        let roots = Network { masses: vec![1.0, 1.0], links }.roots().unwrap();
+        let mut frequencies: Vec<f64> = roots.iter().map(|root| root.im).filter(|im| *im > 0.0).collect();
+        frequencies.sort_by(f64::total_cmp);
+        for (n, frequency) in frequencies.iter().enumerate() {
+            let angle = (2 * n + 1) as f64 * std::f64::consts::PI / 10.0;
+            assert!((frequency / (6.0 * angle.sin()) - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn what_nothing_holds_is_named() {
+        let links = vec![link(Some(0), None, 1.0, 0.0), link(Some(0), Some(1), 0.0, 1.0)];
+        let network = Network { masses: vec![0.0, 1.0], links };
+        assert_eq!(network.at_rest(&[0.0, 1.0]), Err(NetworkError::Loose { node: 1 }));
+        assert!(network.roots().is_ok());
+    }
+}
