@@ -9,7 +9,11 @@ use dalembert_mechanics::{Real, sdof};
 use crate::{
     decay::{Decay, FreeDecay, decrement},
     sources::{LISTS, RAO},
-    spring::{Spring, network, shares::shares, sketch},
+    spring::{
+        Spring, network,
+        shares::{Loaded, shares},
+        sketch,
+    },
 };
 
 /// The springs, the free motion of the mass on them, and what shakes it.
@@ -98,7 +102,7 @@ impl Analysis for BeamAndSprings {
             Some(excitation) => excite(excitation, &system, sheet)?,
             None => None,
         };
-        shares(&springs, sheet, amplitude);
+        shares(&springs, sheet, amplitude.map(Loaded::Vibrating));
         sheet.show(|| Exhibit::Drawing(self.drawing()));
         if let Some(excitation) = &self.excitation {
             let (natural, zeta) = (natural.value(), zeta.value());

@@ -49,3 +49,13 @@ pub(crate) static DEN_HARTOG_1931: Source = Source {
     short: "Den Hartog 1931",
     full: "J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, Transactions of the ASME 53 (1931), APM-53-9",
 };
+
+/// T. Bevan, The Theory of Machines.
+pub(crate) static BEVAN: Source =
+    Source { short: "Bevan", full: "T. Bevan, The Theory of Machines, 3rd ed., Longmans, 1956" };
+
+/// J. P. Den Hartog, Mechanical Vibrations.
+pub(crate) static DEN_HARTOG: Source = Source {
+    short: "Den Hartog",
+    full: "J. P. Den Hartog, Mechanical Vibrations, 4th ed., McGraw-Hill, 1956; Dover, 1985",
+};

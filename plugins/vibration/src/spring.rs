@@ -1,15 +1,17 @@
 //! Springs: elastic elements and networks of them, as one number `k`.
 
-use dalembert_core::{Inputs, Refusal, Symbol, Worksheet};
-use dalembert_mechanics::{Real, beam, sdof, section as area, spring};
+use dalembert_core::{Inputs, Refusal, Worksheet};
+use dalembert_mechanics::Real;
 
+pub(crate) mod element;
 pub(crate) mod shares;
+mod single;
 pub(crate) mod sketch;
+pub mod torsional;
 
-use crate::{
-    section::{Section, SectionGiven, second_moment},
-    sources::{BEER, RAO, SHIGLEY},
-};
+use self::element::{Build, Motion};
+pub(crate) use self::element::{Element, Joined, symbol};
+use crate::section::{AxialSection, Section, ShaftSection};
 
 /// What carries the load elastically.
 #[derive(Clone, Debug, Inputs)]
@@ -104,6 +106,7 @@ pub enum Spring {
         section: Section,
     },
     /// Bar pulled along its axis
+    /// A stepped bar is its parts in series.
     Bar {
         /// Length.
         #[input("L", "m", positive)]
@@ -111,11 +114,25 @@ pub enum Spring {
         /// Young's modulus.
         #[input("E", "Pa", positive)]
         young: f64,
-        /// Area of the section.
-        #[input("A", "m^2", positive)]
-        area: f64,
+        /// Section.
+        section: AxialSection,
     },
-    /// Round torsion bar with a lever
+    /// Tapered round bar pulled along its axis
+    TaperedBar {
+        /// Length.
+        #[input("L", "m", positive)]
+        length: f64,
+        /// Young's modulus.
+        #[input("E", "Pa", positive)]
+        young: f64,
+        /// Diameter at one end.
+        #[input("d_a", "m", positive)]
+        first_diameter: f64,
+        /// Diameter at the other end.
+        #[input("d_b", "m", positive)]
+        second_diameter: f64,
+    },
+    /// Torsion bar with a lever
     TorsionBar {
         /// Length.
         #[input("L", "m", positive)]
@@ -123,9 +140,8 @@ pub enum Spring {
         /// Shear modulus.
         #[input("G", "Pa", positive)]
         shear: f64,
-        /// Diameter.
-        #[input("d", "m", positive)]
-        diameter: f64,
+        /// Section.
+        section: ShaftSection,
         /// Lever.
         /// From the axis of the bar to the load; small angles.
         #[input("a", "m", positive)]
@@ -164,6 +180,126 @@ pub enum Spring {
         #[input("ω₁", "rad/s", positive)]
         frequency: f64,
     },
+    /// Leaf spring
+    /// Semi-elliptic, of leaves cut from a plate of uniform strength; friction between them left out.
+    Leaf {
+        /// Young's modulus.
+        #[input("E", "Pa", positive)]
+        young: f64,
+        /// Leaves.
+        #[input("n", "1", positive)]
+        leaves: f64,
+        /// Breadth of a leaf.
+        #[input("b", "m", positive)]
+        breadth: f64,
+        /// Thickness of a leaf.
+        #[input("t", "m", positive)]
+        thickness: f64,
+        /// Span.
+        #[input("L", "m", positive)]
+        span: f64,
+    },
+    /// Rubber pad in shear
+    ShearPad {
+        /// Shear modulus.
+        #[input("G", "Pa", positive)]
+        shear: f64,
+        /// Bonded area.
+        #[input("A", "m^2", positive)]
+        area: f64,
+        /// Thickness.
+        #[input("h", "m", positive)]
+        thickness: f64,
+    },
+    /// Air spring
+    Gas {
+        /// Exponent of the gas.
+        /// 1.4 for air and quick motions, 1 for slow ones.
+        #[input("n", "1", positive, default = "1.4")]
+        exponent: f64,
+        /// Absolute pressure.
+        #[input("p", "Pa", positive)]
+        pressure: f64,
+        /// Area of the piston.
+        #[input("A", "m^2", positive)]
+        area: f64,
+        /// Volume of the gas.
+        #[input("V", "m^3", positive)]
+        volume: f64,
+    },
+    /// Taut string or cable pushed sideways
+    TautString {
+        /// Tension.
+        #[input("T", "N", positive)]
+        tension: f64,
+        /// From the load to one end.
+        #[input("a", "m", positive)]
+        left: f64,
+        /// From the load to the other end.
+        #[input("b", "m", positive)]
+        right: f64,
+    },
+    /// Pendulum pushed sideways
+    Pendulum {
+        /// Mass that hangs.
+        #[input("m", "kg", positive)]
+        mass: f64,
+        /// Length.
+        #[input("l", "m", positive)]
+        length: f64,
+        /// Gravity.
+        #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+        gravity: f64,
+    },
+    /// Floating body
+    Buoyancy {
+        /// Density of the liquid.
+        #[input("ρ", "kg/m^3", positive)]
+        density: f64,
+        /// Area of the waterline.
+        #[input("A", "m^2", positive)]
+        area: f64,
+        /// Gravity.
+        #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+        gravity: f64,
+    },
+    /// Liquid in a U-tube
+    UTube {
+        /// Density of the liquid.
+        #[input("ρ", "kg/m^3", positive)]
+        density: f64,
+        /// Area of the bore.
+        #[input("A", "m^2", positive)]
+        area: f64,
+        /// Gravity.
+        #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+        gravity: f64,
+    },
+    /// Felt through a lever
+    /// The members stand side by side on the lever; small angles.
+    Lever {
+        /// Arm of the springs.
+        /// From the pivot.
+        #[input("a", "m", positive)]
+        spring_arm: f64,
+        /// Arm of the load.
+        /// From the pivot.
+        #[input("b", "m", positive)]
+        load_arm: f64,
+        /// Members.
+        #[input(min = 1)]
+        members: Vec<Spring>,
+    },
+    /// Inclined to the motion
+    /// The members stand side by side; small motions, no load at rest.
+    Inclined {
+        /// Angle between springs and motion.
+        #[input("α", "deg", min = -89.9, max = 89.9)]
+        angle: f64,
+        /// Members.
+        #[input(min = 1)]
+        members: Vec<Spring>,
+    },
     /// Series: end to end
     /// Every member carries the whole force.
     Series {
@@ -186,29 +322,7 @@ pub enum Spring {
 /// A load outside its beam; a tube without a wall.
 #[inline]
 pub fn stiffness<W: Worksheet>(given: &SpringGiven<W>, sheet: W) -> Result<W::Num, Refusal> {
-    single(given, sheet, &[])
-}
-
-/// A spring or a part of a network, with its stiffness.
-pub(crate) struct Element<N> {
-    /// Its rows in the network, counted from 1: the place of `k₁,₂` is `[1, 2]`.
-    pub(crate) place: Vec<usize>,
-    /// What it is.
-    pub(crate) label: &'static str,
-    /// Its stiffness.
-    pub(crate) stiffness: N,
-    /// How its members hang together.
-    pub(crate) joined: Joined<N>,
-}
-
-/// How the members of an element hang together.
-pub(crate) enum Joined<N> {
-    /// It has none.
-    Alone,
-    /// End to end.
-    Series(Vec<Element<N>>),
-    /// Side by side.
-    Parallel(Vec<Element<N>>),
+    single::stiffness(given, sheet, &[])
 }
 
 /// The stiffness of a network and of each of its parts, with the steps that lead to them.
@@ -220,144 +334,32 @@ pub(crate) fn network<W: Worksheet>(
     sheet: W,
     place: &[usize],
 ) -> Result<Element<W::Num>, Refusal> {
+    let build = Build { motion: Motion::Translation, place, label: label(given), sheet };
     let inside = |members: &[SpringGiven<W>]| {
         let row = |(n, member): (usize, &SpringGiven<W>)| network(member, sheet, &[place, &[n + 1]].concat());
         members.iter().enumerate().map(row).collect::<Result<Vec<_>, _>>()
     };
-    let (stiffness, joined) = match given {
-        SpringGiven::Series { members } => {
+    match given {
+        SpringGiven::Series { members } => Ok(build.series(inside(members)?)),
+        SpringGiven::Parallel { members } => Ok(build.parallel(inside(members)?)),
+        SpringGiven::Lever { spring_arm, load_arm, members } => {
             let members = inside(members)?;
-            let k = spring::series(members.iter().map(|member| member.stiffness));
-            let why = ("Springs in series: the deflections add up", RAO.at("§1.7"));
-            (sheet.step(symbol("k", place), "kN/m", k, why), Joined::Series(members))
+            let why = "The spring end of the lever moves this much for the load end";
+            Ok(build.felt_through(*spring_arm / *load_arm, why, members))
         }
-        SpringGiven::Parallel { members } => {
+        SpringGiven::Inclined { angle, members } => {
             let members = inside(members)?;
-            let k = spring::parallel(members.iter().map(|member| member.stiffness));
-            let why = ("Springs in parallel: the forces add up", RAO.at("§1.7"));
-            (sheet.step(symbol("k", place), "kN/m", k, why), Joined::Parallel(members))
+            let why = "The springs take up this much of the motion";
+            Ok(build.felt_through(angle.cos(), why, members))
         }
-        element => (single(element, sheet, place)?, Joined::Alone),
-    };
-    Ok(Element { place: place.to_vec(), label: label(given), stiffness, joined })
-}
-
-/// A symbol with the rows of a place.
-pub(crate) fn symbol(base: &'static str, place: &[usize]) -> Symbol {
-    place.iter().fold(Symbol::from(base), |symbol, row| symbol.row(*row))
-}
-
-/// The stiffness alone.
-#[inline]
-fn single<W: Worksheet>(given: &SpringGiven<W>, sheet: W, place: &[usize]) -> Result<W::Num, Refusal> {
-    let moment = |section: &SectionGiven<W>| second_moment(section, sheet, symbol("I", place));
-    let (k, why) = match given {
-        SpringGiven::Stiffness { stiffness } => return Ok(*stiffness),
-        SpringGiven::Cantilever { length, young, section } => (
-            beam::cantilever(*young, moment(section)?, *length),
-            ("Stiffness of a cantilever under a force at its end", RAO.at("§1.7")),
-        ),
-        SpringGiven::SimplySupported { length, distance, young, section } => match distance {
-            None => (
-                beam::simply_supported_middle(*young, moment(section)?, *length),
-                ("Stiffness of a simply supported beam at its middle", RAO.at("§1.7")),
-            ),
-            Some(distance) => {
-                within(distance, length)?;
-                (
-                    beam::simply_supported(*young, moment(section)?, *length, *distance),
-                    ("Stiffness of a simply supported beam at the load", BEER.at("app. D")),
-                )
-            }
-        },
-        SpringGiven::Clamped { length, distance, young, section } => match distance {
-            None => (
-                beam::clamped_clamped_middle(*young, moment(section)?, *length),
-                ("Stiffness at its middle of a beam clamped at both ends", RAO.at("§1.7")),
-            ),
-            Some(distance) => {
-                within(distance, length)?;
-                (
-                    beam::clamped_clamped(*young, moment(section)?, *length, *distance),
-                    ("Stiffness at the load of a beam clamped at both ends", SHIGLEY.at("table A-9")),
-                )
-            }
-        },
-        SpringGiven::ClampedPinned { length, distance, young, section } => match distance {
-            None => (
-                beam::clamped_pinned_middle(*young, moment(section)?, *length),
-                (
-                    "Stiffness at its middle of a beam clamped at one end and pinned at the other",
-                    SHIGLEY.at("table A-9"),
-                ),
-            ),
-            Some(distance) => {
-                within(distance, length)?;
-                (
-                    beam::clamped_pinned(*young, moment(section)?, *length, *distance),
-                    (
-                        "Stiffness at the load of a beam clamped at one end and pinned at the other",
-                        SHIGLEY.at("table A-9"),
-                    ),
-                )
-            }
-        },
-        SpringGiven::Overhang { length, overhang, young, section } => (
-            beam::overhang(*young, moment(section)?, *length, *overhang),
-            ("Stiffness of a beam at the end of its overhang", SHIGLEY.at("table A-9")),
-        ),
-        SpringGiven::Column { length, young, section } => (
-            beam::clamped_guided(*young, moment(section)?, *length),
-            ("Stiffness of a column whose end moves sideways without turning", RAO.at("§1.7")),
-        ),
-        SpringGiven::Bar { length, young, area } => {
-            (spring::axial(*young, *area, *length), ("Stiffness of a bar along its axis", RAO.at("§1.7")))
-        }
-        SpringGiven::TorsionBar { length, shear, diameter, lever } => {
-            let polar = sheet.step(
-                symbol("J", place),
-                "cm^4",
-                area::round_polar_moment(*diameter),
-                ("Polar second moment of area of a round section", BEER.at("app. A")),
-            );
-            let torsional = sheet.step(
-                symbol("k_t", place),
-                "N*m/rad",
-                spring::torsional(*shear, polar, *length),
-                ("Torsional stiffness of the bar", RAO.at("§1.7")),
-            );
-            (torsional / lever.powi(2), ("Stiffness at the end of the lever", RAO.at("§1.7")))
-        }
-        SpringGiven::Helical { shear, wire_diameter, coil_diameter, coils } => (
-            spring::helical(*shear, *wire_diameter, *coil_diameter, *coils),
-            ("Stiffness of a helical spring", RAO.at("§1.7")),
-        ),
-        SpringGiven::Deflected { load, deflection } => {
-            (*load / *deflection, ("Stiffness: load over deflection", RAO.at("§1.7")))
-        }
-        SpringGiven::Tuned { mass, frequency } => (
-            sdof::stiffness_from_natural_frequency(*mass, *frequency),
-            ("Stiffness that gives this mass this natural frequency", RAO.at("§2.2")),
-        ),
-        SpringGiven::Series { .. } | SpringGiven::Parallel { .. } => {
-            return network(given, sheet, place).map(|element| element.stiffness);
-        }
-    };
-    Ok(sheet.step(symbol("k", place), "kN/m", k, why))
-}
-
-fn within<N: Real>(distance: &N, length: &N) -> Result<(), Refusal> {
-    if distance.value() < length.value() {
-        return Ok(());
+        single => Ok(build.alone(single::stiffness(single, sheet, place)?)),
     }
-    Err(Refusal::because(
-        "the load stands at or beyond the far support of its beam: write a distance below the span",
-    ))
 }
 
 /// What an element is, in a word.
 fn label<W: Worksheet>(given: &SpringGiven<W>) -> &'static str {
     match given {
+        SpringGiven::Stiffness { .. } | SpringGiven::Deflected { .. } | SpringGiven::Tuned { .. } => "spring",
         SpringGiven::Cantilever { .. } => "cantilever",
         SpringGiven::SimplySupported { .. } => "simply supported beam",
         SpringGiven::Clamped { .. } => "clamped beam",
@@ -365,9 +367,18 @@ fn label<W: Worksheet>(given: &SpringGiven<W>) -> &'static str {
         SpringGiven::Overhang { .. } => "overhang",
         SpringGiven::Column { .. } => "column",
         SpringGiven::Bar { .. } => "bar",
+        SpringGiven::TaperedBar { .. } => "tapered bar",
         SpringGiven::TorsionBar { .. } => "torsion bar",
         SpringGiven::Helical { .. } => "helical spring",
-        SpringGiven::Stiffness { .. } | SpringGiven::Deflected { .. } | SpringGiven::Tuned { .. } => "spring",
+        SpringGiven::Leaf { .. } => "leaf spring",
+        SpringGiven::ShearPad { .. } => "rubber pad",
+        SpringGiven::Gas { .. } => "air spring",
+        SpringGiven::TautString { .. } => "taut string",
+        SpringGiven::Pendulum { .. } => "pendulum",
+        SpringGiven::Buoyancy { .. } => "buoyancy",
+        SpringGiven::UTube { .. } => "liquid column",
+        SpringGiven::Lever { .. } => "through a lever",
+        SpringGiven::Inclined { .. } => "inclined",
         SpringGiven::Series { .. } => "in series",
         SpringGiven::Parallel { .. } => "in parallel",
     }
@@ -462,10 +473,30 @@ mod tests {
         let bar = Spring::TorsionBar {
             length: std::f64::consts::PI * coil_diameter * coils,
             shear,
-            diameter: wire_diameter,
+            section: ShaftSection::Round { diameter: wire_diameter },
             lever: coil_diameter / 2.0,
         };
         close(stiffness_of(&helical).unwrap(), 40e3);
         close(stiffness_of(&bar).unwrap(), 40e3);
+    }
+
+    #[test]
+    fn a_lever_and_an_inclination_count_twice() {
+        let lever = Spring::Lever { spring_arm: 0.5, load_arm: 2.0, members: vec![given(9.0), given(7.0)] };
+        close(stiffness_of(&lever).unwrap(), 1.0);
+        let inclined =
+            Spring::Inclined { angle: std::f64::consts::FRAC_PI_3, members: vec![given(3.0), given(5.0)] };
+        close(stiffness_of(&inclined).unwrap(), 2.0);
+    }
+
+    #[test]
+    fn what_gravity_and_tension_bring_back() {
+        let g = 9.81;
+        close(stiffness_of(&Spring::TautString { tension: 10.0, left: 2.0, right: 0.5 }).unwrap(), 25.0);
+        close(stiffness_of(&Spring::Pendulum { mass: 2.0, length: 0.5, gravity: g }).unwrap(), 4.0 * g);
+        close(stiffness_of(&Spring::Buoyancy { density: 1e3, area: 0.1, gravity: g }).unwrap(), 100.0 * g);
+        close(stiffness_of(&Spring::UTube { density: 1e3, area: 0.1, gravity: g }).unwrap(), 200.0 * g);
+        let gas = Spring::Gas { exponent: 1.4, pressure: 5e5, area: 0.01, volume: 0.002 };
+        close(stiffness_of(&gas).unwrap(), 35e3);
     }
 }

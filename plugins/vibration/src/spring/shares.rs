@@ -3,8 +3,20 @@
 use dalembert_core::{Cell, Column, Exhibit, Symbol, TableExhibit, Text, Worksheet, printer};
 use dalembert_mechanics::Real;
 
-use super::{Element, Joined, symbol};
+use super::{
+    Element, Joined,
+    element::{Motion, symbol},
+};
 use crate::sources::RAO;
+
+/// What loads the network, so that its members can be shown with their forces.
+#[derive(Clone, Copy)]
+pub(crate) enum Loaded {
+    /// The whole vibrates with this amplitude, m or rad.
+    Vibrating(f64),
+    /// The whole is deflected at rest by this, m.
+    AtRest(f64),
+}
 
 /// The share of the force and of the deflection of one single spring.
 struct Share {
@@ -18,8 +30,8 @@ struct Share {
 /// Writes the share of the force (`φ`) and of the deflection (`ψ`) of every member of a network, shows them in a
 /// table, and holds the stiffness of the whole to the energy of the members, `Σ kᵢ ψᵢ² = k`.
 ///
-/// `deflection` is the amplitude of the whole, m, where it is known: the table then has forces and deflections too.
-pub(crate) fn shares<W: Worksheet>(whole: &Element<W::Num>, sheet: W, deflection: Option<f64>) {
+/// Where it is known what loads the whole, the table has forces and deflections too.
+pub(crate) fn shares<W: Worksheet>(whole: &Element<W::Num>, sheet: W, loaded: Option<Loaded>) {
     if matches!(whole.joined, Joined::Alone) {
         return;
     }
@@ -33,7 +45,7 @@ pub(crate) fn shares<W: Worksheet>(whole: &Element<W::Num>, sheet: W, deflection
         whole.stiffness,
     );
     let stiffness = whole.stiffness.value();
-    sheet.show(|| Exhibit::Table(table(&all, deflection.map(|x| (x, stiffness * x)))));
+    sheet.show(|| Exhibit::Table(table(&all, whole.motion, stiffness, loaded)));
 }
 
 fn inside<W: Worksheet>(
@@ -44,11 +56,13 @@ fn inside<W: Worksheet>(
     all: &mut Vec<Share>,
     energies: &mut Vec<W::Num>,
 ) {
+    let words = Words::of(group.motion);
+    let base = group.motion.symbol();
     let (members, in_series) = match &group.joined {
         Joined::Alone => {
             energies.push(group.stiffness * deflection.powi(2));
             all.push(Share {
-                symbol: symbol("k", &group.place),
+                symbol: symbol(base, &group.place),
                 label: group.label,
                 stiffness: group.stiffness.value(),
                 force: force.value(),
@@ -58,6 +72,16 @@ fn inside<W: Worksheet>(
         }
         Joined::Series(members) => (members, true),
         Joined::Parallel(members) => (members, false),
+        Joined::Through(ratio, members) => {
+            let behind = deflection * *ratio;
+            for member in members {
+                let moved = sheet.step(symbol("ψ", &member.place), "%", behind, words.behind);
+                let carried = force * member.stiffness * *ratio / group.stiffness;
+                let carried = sheet.step(symbol("φ", &member.place), "%", carried, words.felt);
+                inside(member, carried, moved, sheet, all, energies);
+            }
+            return;
+        }
     };
     let mut parts = Vec::new();
     for member in members {
@@ -66,7 +90,7 @@ fn inside<W: Worksheet>(
                 symbol("ψ", &member.place),
                 "%",
                 deflection * group.stiffness / member.stiffness,
-                ("Share of the deflection: in series the force is the same", RAO.at("§1.7")),
+                (words.in_series, RAO.at("§1.7")),
             );
             parts.push(share);
             (force, share)
@@ -75,7 +99,7 @@ fn inside<W: Worksheet>(
                 symbol("φ", &member.place),
                 "%",
                 force * member.stiffness / group.stiffness,
-                ("Share of the force: in parallel the deflection is the same", RAO.at("§1.7")),
+                (words.in_parallel, RAO.at("§1.7")),
             );
             parts.push(share);
             (share, deflection)
@@ -83,24 +107,75 @@ fn inside<W: Worksheet>(
         inside(member, force, deflection, sheet, all, energies);
     }
     if in_series {
-        sheet.check("the deflections of the members in series add up", W::Num::sum(parts), deflection);
+        sheet.check(words.series_check, W::Num::sum(parts), deflection);
     } else {
-        sheet.check("the forces of the members in parallel add up", W::Num::sum(parts), force);
+        sheet.check(words.parallel_check, W::Num::sum(parts), force);
     }
 }
 
-fn table(all: &[Share], amplitude: Option<(f64, f64)>) -> TableExhibit {
+/// What shares are called: of forces and deflections, or of torques and twists.
+struct Words {
+    in_series: &'static str,
+    in_parallel: &'static str,
+    behind: &'static str,
+    felt: &'static str,
+    series_check: &'static str,
+    parallel_check: &'static str,
+    force_share: &'static str,
+    deflection_share: &'static str,
+    vibrating: [(&'static str, &'static str); 2],
+    at_rest: [(&'static str, &'static str); 2],
+}
+
+impl Words {
+    fn of(motion: Motion) -> &'static Self {
+        match motion {
+            Motion::Translation => &Words {
+                in_series: "Share of the deflection: in series the force is the same",
+                in_parallel: "Share of the force: in parallel the deflection is the same",
+                behind: "Deflection behind the lever, over that of the load",
+                felt: "Force behind the lever, over that of the load",
+                series_check: "the deflections of the members in series add up",
+                parallel_check: "the forces of the members in parallel add up",
+                force_share: "share of the force",
+                deflection_share: "share of the deflection",
+                vibrating: [("amplitude of the force", "N"), ("amplitude of the deflection", "mm")],
+                at_rest: [("force", "N"), ("deflection", "mm")],
+            },
+            Motion::Rotation => &Words {
+                in_series: "Share of the twist: in series the torque is the same",
+                in_parallel: "Share of the torque: in parallel the twist is the same",
+                behind: "Angle behind the gears, over that of the body",
+                felt: "Torque behind the gears, over that on the body",
+                series_check: "the twists of the members in series add up",
+                parallel_check: "the torques of the members in parallel add up",
+                force_share: "share of the torque",
+                deflection_share: "share of the twist",
+                vibrating: [("amplitude of the torque", "N*m"), ("amplitude of the twist", "deg")],
+                at_rest: [("torque", "N*m"), ("twist", "deg")],
+            },
+        }
+    }
+}
+
+fn table(all: &[Share], motion: Motion, stiffness: f64, loaded: Option<Loaded>) -> TableExhibit {
+    let words = Words::of(motion);
     let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
     let mut columns = vec![
         column("spring", ""),
         column("kind", ""),
-        column("stiffness", "kN/m"),
-        column("share of the force", "%"),
-        column("share of the deflection", "%"),
+        column("stiffness", motion.unit()),
+        column(words.force_share, "%"),
+        column(words.deflection_share, "%"),
     ];
-    if amplitude.is_some() {
-        columns.extend([column("amplitude of the force", "N"), column("amplitude of the deflection", "mm")]);
-    }
+    let amplitude = loaded.map(|loaded| {
+        let (headings, x) = match loaded {
+            Loaded::Vibrating(x) => (words.vibrating, x),
+            Loaded::AtRest(x) => (words.at_rest, x),
+        };
+        columns.extend(headings.map(|(heading, unit)| column(heading, unit)));
+        (x, stiffness * x)
+    });
     let row = |share: &Share| {
         let name = Text::new(printer::symbol(&share.symbol));
         let mut cells: Vec<Cell> = vec![

@@ -2,36 +2,104 @@
 
 use dalembert_core::{DrawnShape, Ink, Point, Symbol, Text, printer};
 
-use super::{Spring, symbol};
+use super::{Spring, element::symbol, torsional::TorsionalSpring};
 
 /// Height of one spring, and the width it takes up.
 const HEIGHT: f64 = 1.2;
 const WIDTH: f64 = 1.6;
 
+/// A spring or a network that can be drawn hanging down.
+pub(crate) trait Hung: Sized {
+    /// The symbol of its stiffness.
+    const SYMBOL: &'static str;
+    /// How its members hang together.
+    fn hanging(&self) -> Hanging<'_, Self>;
+}
+
+/// How the members of a drawn network hang together.
+pub(crate) enum Hanging<'a, T> {
+    /// End to end.
+    Series(&'a [T]),
+    /// Side by side.
+    Parallel(&'a [T]),
+    /// A single spring, of a kind; empty for one of given stiffness.
+    One(&'static str),
+}
+
+impl Hung for Spring {
+    const SYMBOL: &'static str = "k";
+    fn hanging(&self) -> Hanging<'_, Self> {
+        Hanging::One(match self {
+            Spring::Series { members } => return Hanging::Series(members),
+            Spring::Parallel { members } => return Hanging::Parallel(members),
+            Spring::Stiffness { .. } | Spring::Deflected { .. } | Spring::Tuned { .. } => "",
+            Spring::Cantilever { .. } => "cantilever",
+            Spring::Column { .. } => "column",
+            Spring::Bar { .. } | Spring::TaperedBar { .. } => "bar",
+            Spring::TorsionBar { .. } => "torsion bar",
+            Spring::Helical { .. } => "helical spring",
+            Spring::Leaf { .. } => "leaf spring",
+            Spring::ShearPad { .. } => "rubber pad",
+            Spring::Gas { .. } => "air spring",
+            Spring::TautString { .. } => "taut string",
+            Spring::Pendulum { .. } => "pendulum",
+            Spring::Buoyancy { .. } => "buoyancy",
+            Spring::UTube { .. } => "liquid column",
+            Spring::Lever { .. } => "through a lever",
+            Spring::Inclined { .. } => "inclined",
+            Spring::SimplySupported { .. }
+            | Spring::Clamped { .. }
+            | Spring::ClampedPinned { .. }
+            | Spring::Overhang { .. } => "beam",
+        })
+    }
+}
+
+impl Hung for TorsionalSpring {
+    const SYMBOL: &'static str = "k_t";
+    fn hanging(&self) -> Hanging<'_, Self> {
+        Hanging::One(match self {
+            TorsionalSpring::Series { members } => return Hanging::Series(members),
+            TorsionalSpring::Parallel { members } => return Hanging::Parallel(members),
+            TorsionalSpring::Stiffness { .. } => "",
+            TorsionalSpring::Shaft { .. } | TorsionalSpring::TaperedShaft { .. } => "shaft",
+            TorsionalSpring::Helical { .. } => "helical spring",
+            TorsionalSpring::Spiral { .. } => "spiral spring",
+            TorsionalSpring::Cantilever { .. }
+            | TorsionalSpring::SimplySupported { .. }
+            | TorsionalSpring::ClampedPinned { .. } => "beam",
+            TorsionalSpring::Arm { .. } => "springs at an arm",
+            TorsionalSpring::Pendulum { .. } => "pendulum",
+            TorsionalSpring::Wires { .. } => "hung on wires",
+            TorsionalSpring::Gears { .. } => "through gears",
+        })
+    }
+}
+
 /// The size of a spring or a network that is drawn hanging down: width and height.
-pub(crate) fn size(spring: &Spring) -> (f64, f64) {
-    match spring {
-        Spring::Series { members } => {
+pub(crate) fn size<T: Hung>(spring: &T) -> (f64, f64) {
+    match spring.hanging() {
+        Hanging::Series(members) => {
             members.iter().map(size).fold((0.0, 0.0), |all, one| (f64::max(all.0, one.0), all.1 + one.1))
         }
-        Spring::Parallel { members } => {
+        Hanging::Parallel(members) => {
             members.iter().map(size).fold((0.0, 0.0), |all, one| (all.0 + one.0, f64::max(all.1, one.1)))
         }
-        _ => (WIDTH, HEIGHT),
+        Hanging::One(_) => (WIDTH, HEIGHT),
     }
 }
 
 /// A spring or a network hanging down from `top`, filling its size in height or more.
-pub(crate) fn hanging(
-    spring: &Spring,
+pub(crate) fn hanging<T: Hung>(
+    spring: &T,
     top: Point,
     height: f64,
     place: &[usize],
     shapes: &mut Vec<DrawnShape>,
 ) {
     let line = |from: Point, to: Point| DrawnShape::Polyline(vec![from, to], Ink::Body);
-    match spring {
-        Spring::Series { members } => {
+    match spring.hanging() {
+        Hanging::Series(members) => {
             let stretch = height / size(spring).1.max(HEIGHT);
             let mut at = top;
             for (n, member) in members.iter().enumerate() {
@@ -40,7 +108,7 @@ pub(crate) fn hanging(
                 at.1 -= height;
             }
         }
-        Spring::Parallel { members } => {
+        Hanging::Parallel(members) => {
             let gap = 0.1 * height;
             let widths: Vec<f64> = members.iter().map(|member| size(member).0).collect();
             let all: f64 = widths.iter().sum();
@@ -60,11 +128,11 @@ pub(crate) fn hanging(
             shapes.push(line(top, (top.0, top.1 - gap)));
             shapes.push(line((top.0, top.1 - height + gap), (top.0, top.1 - height)));
         }
-        single => {
+        Hanging::One(kind) => {
             let end = (top.0, top.1 - height);
             shapes.push(DrawnShape::Spring(top, end));
             let label = (top.0 + 0.35, top.1 - height / 2.0);
-            shapes.push(DrawnShape::Label(label, caption(single, symbol("k", place))));
+            shapes.push(DrawnShape::Label(label, caption(kind, &symbol(T::SYMBOL, place))));
         }
     }
 }
@@ -111,16 +179,10 @@ pub(crate) fn carrying(spring: &Spring) -> Vec<DrawnShape> {
     }
 }
 
-/// `k₁,₂ (cantilever)`
-fn caption(spring: &Spring, name: Symbol) -> Text {
-    let kind: &'static str = match spring {
-        Spring::Stiffness { .. } => return Text::new(printer::symbol(&name)),
-        Spring::Cantilever { .. } => "cantilever",
-        Spring::Column { .. } => "column",
-        Spring::Bar { .. } => "bar",
-        Spring::TorsionBar { .. } => "torsion bar",
-        Spring::Helical { .. } => "helical spring",
-        _ => "beam",
-    };
-    Text::new("{symbol}: {kind}").with("symbol", printer::symbol(&name)).with_text("kind", kind)
+/// `k₁,₂: cantilever`
+fn caption(kind: &'static str, name: &Symbol) -> Text {
+    if kind.is_empty() {
+        return Text::new(printer::symbol(name));
+    }
+    Text::new("{symbol}: {kind}").with("symbol", printer::symbol(name)).with_text("kind", kind)
 }

@@ -1,0 +1,122 @@
+//! The parts of a network of springs, linear or torsional.
+
+use dalembert_core::{Symbol, Text, Worksheet};
+use dalembert_mechanics::spring;
+
+use crate::sources::RAO;
+
+/// A spring or a part of a network, with its stiffness.
+pub(crate) struct Element<N> {
+    /// Its rows in the network, counted from 1: the place of `k₁,₂` is `[1, 2]`.
+    pub(crate) place: Vec<usize>,
+    /// What it is.
+    pub(crate) label: &'static str,
+    /// Whether it moves along a line or turns.
+    pub(crate) motion: Motion,
+    /// Its stiffness, N/m or N·m/rad.
+    pub(crate) stiffness: N,
+    /// How its members hang together.
+    pub(crate) joined: Joined<N>,
+}
+
+/// How the members of an element hang together.
+pub(crate) enum Joined<N> {
+    /// It has none.
+    Alone,
+    /// End to end.
+    Series(Vec<Element<N>>),
+    /// Side by side.
+    Parallel(Vec<Element<N>>),
+    /// Side by side behind a lever or gears: what the members move for the motion of the whole.
+    Through(N, Vec<Element<N>>),
+}
+
+/// Whether springs move along a line or turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Motion {
+    /// Along a line: forces and deflections.
+    Translation,
+    /// About an axis: torques and angles of twist.
+    Rotation,
+}
+
+impl Motion {
+    /// The symbol of a stiffness.
+    pub(crate) fn symbol(self) -> &'static str {
+        match self {
+            Motion::Translation => "k",
+            Motion::Rotation => "k_t",
+        }
+    }
+
+    /// The unit of a stiffness.
+    pub(crate) fn unit(self) -> &'static str {
+        match self {
+            Motion::Translation => "kN/m",
+            Motion::Rotation => "N*m/rad",
+        }
+    }
+}
+
+/// A symbol with the rows of a place.
+pub(crate) fn symbol(base: &'static str, place: &[usize]) -> Symbol {
+    place.iter().fold(Symbol::from(base), |symbol, row| symbol.row(*row))
+}
+
+/// What writes an element of a network.
+pub(super) struct Build<'p, W> {
+    pub(super) motion: Motion,
+    pub(super) place: &'p [usize],
+    pub(super) label: &'static str,
+    pub(super) sheet: W,
+}
+
+impl<W: Worksheet> Build<'_, W> {
+    pub(super) fn alone(self, stiffness: W::Num) -> Element<W::Num> {
+        self.element(stiffness, Joined::Alone)
+    }
+
+    pub(super) fn series(self, members: Vec<Element<W::Num>>) -> Element<W::Num> {
+        let why = match self.motion {
+            Motion::Translation => "Springs in series: the deflections add up",
+            Motion::Rotation => "Torsional springs in series: the angles of twist add up",
+        };
+        let k = self.step(spring::series(members.iter().map(|member| member.stiffness)), why);
+        self.element(k, Joined::Series(members))
+    }
+
+    pub(super) fn parallel(self, members: Vec<Element<W::Num>>) -> Element<W::Num> {
+        let why = match self.motion {
+            Motion::Translation => "Springs in parallel: the forces add up",
+            Motion::Rotation => "Torsional springs in parallel: the torques add up",
+        };
+        let k = self.step(spring::parallel(members.iter().map(|member| member.stiffness)), why);
+        self.element(k, Joined::Parallel(members))
+    }
+
+    /// Members side by side that move `ratio` times what the whole moves.
+    pub(super) fn felt_through(
+        self,
+        ratio: W::Num,
+        why: &'static str,
+        members: Vec<Element<W::Num>>,
+    ) -> Element<W::Num> {
+        let ratio = self.sheet.step(symbol("i", self.place), "1", ratio, why);
+        let behind = spring::parallel(members.iter().map(|member| member.stiffness));
+        let k = self.step(
+            spring::felt_through(behind, ratio),
+            "Both store the same energy, so the stiffness goes with the square of the ratio",
+        );
+        self.element(k, Joined::Through(ratio, members))
+    }
+
+    fn step(&self, stiffness: W::Num, why: &'static str) -> W::Num {
+        let cited = (Text::from(why), RAO.at("§1.7"));
+        self.sheet.step(symbol(self.motion.symbol(), self.place), self.motion.unit(), stiffness, cited)
+    }
+
+    fn element(self, stiffness: W::Num, joined: Joined<W::Num>) -> Element<W::Num> {
+        let Self { motion, place, label, .. } = self;
+        Element { place: place.to_vec(), label, motion, stiffness, joined }
+    }
+}

@@ -1,0 +1,598 @@
+//! A network of springs and dampers as a graph: what it gives under a load, at rest, shaken and by itself.
+
+use dalembert_core::{
+    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Reference, Refusal, Series, TableExhibit,
+    Text, Why, Worksheet, register,
+};
+use dalembert_mechanics::{
+    Real, sdof,
+    vibration::network::{Link, Network, NetworkError},
+};
+use nalgebra::Complex;
+
+mod drawing;
+
+use crate::{
+    sources::RAO,
+    spring::{Spring, network},
+};
+
+/// Nodes on one line of motion, and the springs and dampers between them.
+#[derive(Clone, Debug, Inputs)]
+pub struct SpringNetwork {
+    /// Nodes.
+    /// Points that move along one line; ground is there by itself.
+    #[input(min = 1)]
+    pub nodes: Vec<Node>,
+    /// Elements.
+    #[input(min = 1)]
+    pub elements: Vec<Element>,
+    /// Loaded node.
+    #[input(rows = "nodes")]
+    pub loaded: Reference,
+    /// Force on it.
+    #[input("F", "N", positive, default = "1 N")]
+    pub force: f64,
+    /// Frequency of the force.
+    /// Left out for a constant force.
+    #[input("ω", "rad/s", positive)]
+    pub frequency: Option<f64>,
+}
+
+/// A point that moves.
+#[derive(Clone, Debug, Inputs)]
+pub struct Node {
+    /// Name.
+    pub name: String,
+    /// Mass.
+    /// Left out for a joint.
+    #[input("m", "kg", positive)]
+    pub mass: Option<f64>,
+}
+
+/// What stands between two nodes, or between a node and ground.
+#[derive(Clone, Debug, Inputs)]
+pub struct Element {
+    /// From node.
+    #[input(rows = "nodes")]
+    pub from: Reference,
+    /// To node.
+    /// Left out for ground.
+    #[input(rows = "nodes")]
+    pub to: Option<Reference>,
+    /// Kind.
+    pub kind: Kind,
+}
+
+/// What an element is.
+#[derive(Clone, Debug, Inputs)]
+pub enum Kind {
+    /// Spring
+    Spring {
+        /// Spring.
+        spring: Spring,
+    },
+    /// Damper
+    Damper {
+        /// Damping coefficient.
+        #[input("c", "N*s/m", positive)]
+        damping: f64,
+    },
+    /// Spring and damper side by side
+    KelvinVoigt {
+        /// Stiffness.
+        #[input("k", "N/m", positive)]
+        stiffness: f64,
+        /// Damping coefficient.
+        #[input("c", "N*s/m", positive)]
+        damping: f64,
+    },
+}
+
+register!(SpringNetwork);
+
+/// The most nodes and elements that are answered one by one.
+const MOST: usize = 8;
+
+impl Analysis for SpringNetwork {
+    const ABOUT: About = About {
+        id: "vibration/spring-network",
+        title: "Network of springs and dampers",
+        summary: "Stiffness at a node of any network of springs and dampers, at rest or shaken, what each element carries, and how masses on it vibrate.",
+        keywords: "graph node series parallel Kelvin-Voigt Maxwell dynamic stiffness bridge rubber felt pad rede de molas \
+                   amortecedores nós rigidez dinâmica",
+        sources: &[&RAO],
+        cases: include_str!("../cases/spring_network.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &SpringNetworkGiven<W>, sheet: W) -> Result<(), Refusal> {
+        if self.nodes.len() > 100 {
+            return Err(Refusal::because("there are more than 100 nodes: join some of them"));
+        }
+        let elements = self.elements(given, sheet)?;
+        let system = self.system(&elements);
+        self.at_rest(given, &system, &elements, sheet)?;
+        if let Some(frequency) = given.frequency {
+            self.shaken(given, &system, frequency, sheet)?;
+        }
+        if self.nodes.iter().any(|node| node.mass.is_some()) {
+            self.by_itself(given, &system, sheet)?;
+        }
+        sheet.show(|| Exhibit::Drawing(drawing::drawing(self)));
+        sheet.show(|| Exhibit::Plot(self.receptance(&system)));
+        Ok(())
+    }
+}
+
+/// An element with its numbers.
+struct Between<N> {
+    stiffness: Option<N>,
+    damping: Option<N>,
+}
+
+impl SpringNetwork {
+    fn ends(&self, element: usize) -> [Option<usize>; 2] {
+        let element = &self.elements[element];
+        [Some(element.from.0), element.to.map(|node| node.0)]
+    }
+
+    fn elements<W: Worksheet>(
+        &self,
+        given: &SpringNetworkGiven<W>,
+        sheet: W,
+    ) -> Result<Vec<Between<W::Num>>, Refusal> {
+        let mut elements = Vec::new();
+        for (n, element) in given.elements.iter().enumerate() {
+            if let [Some(from), Some(to)] = self.ends(n)
+                && from == to
+            {
+                return Err(Refusal::because(
+                    Text::new("element {element} begins and ends at {node}: write two different nodes")
+                        .with("element", n + 1)
+                        .with("node", &self.nodes[from].name),
+                ));
+            }
+            elements.push(match &element.kind {
+                KindGiven::Spring { spring } => {
+                    Between { stiffness: Some(network(spring, sheet, &[n + 1])?.stiffness), damping: None }
+                }
+                KindGiven::Damper { damping } => Between { stiffness: None, damping: Some(*damping) },
+                KindGiven::KelvinVoigt { stiffness, damping } => {
+                    Between { stiffness: Some(*stiffness), damping: Some(*damping) }
+                }
+            });
+        }
+        Ok(elements)
+    }
+
+    fn system<N: Real>(&self, elements: &[Between<N>]) -> Network {
+        let links = elements.iter().enumerate().map(|(n, element)| Link {
+            ends: self.ends(n),
+            stiffness: element.stiffness.map_or(0.0, Real::value),
+            damping: element.damping.map_or(0.0, Real::value),
+        });
+        Network {
+            masses: self.nodes.iter().map(|node| node.mass.unwrap_or(0.0)).collect(),
+            links: links.collect(),
+        }
+    }
+
+    fn forces(&self) -> Vec<f64> {
+        let mut forces = vec![0.0; self.nodes.len()];
+        forces[self.loaded.0] = self.force;
+        forces
+    }
+
+    /// Under the constant force, held by the springs.
+    fn at_rest<W: Worksheet>(
+        &self,
+        given: &SpringNetworkGiven<W>,
+        system: &Network,
+        elements: &[Between<W::Num>],
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let loaded = self.loaded.0;
+        let found = match system.at_rest(&self.forces()) {
+            Ok(found) => found,
+            Err(NetworkError::Loose { node }) => {
+                if system.links.iter().all(|link| link.damping == 0.0) {
+                    return Err(self.refusal(&NetworkError::Loose { node }));
+                }
+                sheet.warn(|| {
+                    Text::new("no springs hold {node}: a constant force moves it without end, so there is no stiffness at rest")
+                        .with("node", &self.nodes[node].name)
+                });
+                return Ok(());
+            }
+            Err(error) => return Err(self.refusal(&error)),
+        };
+        let why = (
+            "Displacement under the force at rest: at every node the forces of the springs balance the load",
+            RAO.at("§1.7"),
+        );
+        let node = |(n, x): (usize, &f64)| {
+            let why = if n == 0 { Why::from(why) } else { Why::from("In the same way") };
+            sheet.found(("x", n + 1), "mm", *x, why)
+        };
+        let displacements: Vec<W::Num> = found.iter().enumerate().map(node).collect();
+        let k = sheet.step(
+            "k",
+            "kN/m",
+            given.force / displacements[loaded],
+            ("Equivalent stiffness at the loaded node: force over displacement", RAO.at("§1.7")),
+        );
+        let mut forces = Vec::new();
+        for (n, element) in elements.iter().enumerate() {
+            let Some(stiffness) = element.stiffness else { continue };
+            let deflection = match self.ends(n) {
+                [Some(from), Some(to)] => displacements[from] - displacements[to],
+                [Some(only), None] | [None, Some(only)] => displacements[only],
+                [None, None] => continue,
+            };
+            let why = "Force in the spring, positive from its first node on";
+            forces.push((n, sheet.step(("F", n + 1), "N", stiffness * deflection, why)));
+        }
+        sheet.verify(|| {
+            sheet.check(
+                "stiffness by eliminating the other nodes one by one (star and mesh)",
+                W::Num::from(system.felt_at(loaded, |link| Complex::from(link.stiffness)).re),
+                k,
+            );
+            let (mut left, mut size) = (self.forces(), self.force);
+            for (n, force) in &forces {
+                let [from, to] = self.ends(*n);
+                for (end, sign) in [(from, -1.0), (to, 1.0)] {
+                    if let Some(end) = end {
+                        left[end] += sign * force.value();
+                    }
+                }
+                size = size.max(force.value().abs());
+            }
+            let worst = left.iter().fold(0.0, |worst: f64, x| worst.max(x.abs()));
+            sheet.check_zero("the forces at every node add up to zero", W::Num::from(worst), size);
+        });
+        sheet.answer("stiffness", "Equivalent stiffness", k);
+        for (n, x) in displacements.iter().enumerate().take(MOST) {
+            sheet.answer(("displacement", n + 1), "Displacement of node", *x);
+        }
+        for (n, force) in forces.iter().filter(|(n, _)| *n < MOST) {
+            sheet.answer(("force", n + 1), "Force in element", *force);
+        }
+        sheet.show(|| Exhibit::Table(self.table_at_rest(&found, &forces)));
+        Ok(())
+    }
+
+    /// Under the harmonic force.
+    fn shaken<W: Worksheet>(
+        &self,
+        given: &SpringNetworkGiven<W>,
+        system: &Network,
+        frequency: W::Num,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let loaded = self.loaded.0;
+        let omega = frequency.value();
+        let moved = system.shaken(&self.forces(), omega).map_err(|_| {
+            Refusal::because(
+                "at this frequency nothing limits the motion: it grows without bound, there is no steady state; add \
+                 damping or change the frequency",
+            )
+        })?;
+        let x = moved[loaded];
+        let why = (
+            "Complex amplitude of the loaded node, from the equilibrium of every node with k + iωc for each element and −mω² for each mass",
+            RAO.at("§3.5"),
+        );
+        let real = sheet.found("X'", "mm", x.re, why);
+        let imaginary = sheet.found("X''", "mm", x.im, "Its imaginary part");
+        let size =
+            sheet.step("X", "mm", (real.powi(2) + imaginary.powi(2)).sqrt(), "Amplitude of the loaded node");
+        let lag = sheet.step("φ", "deg", (-imaginary).atan2(real), "The motion lags the force by");
+        let square = real.powi(2) + imaginary.powi(2);
+        let storage = sheet.step(
+            "k'",
+            "kN/m",
+            given.force * real / square,
+            "Real part of the dynamic stiffness F/X, masses included",
+        );
+        let loss = sheet.step(
+            "k''",
+            "kN/m",
+            -(given.force * imaginary / square),
+            "Imaginary part of the dynamic stiffness: what the dampers add",
+        );
+        let dynamic = sheet.step("k_d", "kN/m", given.force / size, "Magnitude of the dynamic stiffness");
+        sheet.verify(|| {
+            let power: f64 = system
+                .links
+                .iter()
+                .map(|link| {
+                    let end = |end: Option<usize>| end.map_or(Complex::ZERO, |node| moved[node]);
+                    let deflection: Complex<f64> = end(link.ends[0]) - end(link.ends[1]);
+                    link.damping * omega * deflection.norm_sqr()
+                })
+                .sum();
+            let put_in = self.force * -x.im;
+            sheet.check_zero(
+                "the power of the force is the power that the dampers take",
+                W::Num::from(power - put_in),
+                self.force * x.norm(),
+            );
+            if self.nodes.iter().enumerate().all(|(n, node)| n == loaded || node.mass.is_none()) {
+                let felt = system.felt_at(loaded, |link| Complex::new(link.stiffness, link.damping * omega));
+                let whole = felt - system.masses[loaded] * omega.powi(2);
+                let off = (whole * x - self.force).norm();
+                sheet.check_zero(
+                    "dynamic stiffness by eliminating the other nodes one by one (star and mesh)",
+                    W::Num::from(off),
+                    self.force,
+                );
+            }
+        });
+        sheet.answer("amplitude", "Amplitude of the loaded node", size);
+        sheet.answer("phase", "Phase lag", lag);
+        sheet.answer("dynamic_stiffness", "Dynamic stiffness", dynamic);
+        sheet.answer("storage_stiffness", "Real part of the dynamic stiffness", storage);
+        sheet.answer("loss_stiffness", "Imaginary part of the dynamic stiffness", loss);
+        if storage.value() > 0.0 && loss.value() > 0.0 {
+            let factor = sheet.step("η", "1", loss / storage, "Loss factor");
+            sheet.answer("loss_factor", "Loss factor", factor);
+        }
+        sheet.show(|| Exhibit::Table(self.table_shaken(system, omega, &moved)));
+        Ok(())
+    }
+
+    /// The masses moving by themselves.
+    fn by_itself<W: Worksheet>(
+        &self,
+        given: &SpringNetworkGiven<W>,
+        system: &Network,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let roots = system.roots().map_err(|error| self.refusal(&error))?;
+        let heavy: Vec<usize> =
+            (0..self.nodes.len()).filter(|node| self.nodes[*node].mass.is_some()).collect();
+        if let ([only], true) = (&heavy[..], roots.len() > 1)
+            && let Some(mass) = given.nodes[*only].mass
+        {
+            combined(system, *only, mass, sheet);
+        }
+        // A root belongs to an oscillation where its imaginary part is more than rounding.
+        let mut oscillations: Vec<Complex<f64>> =
+            roots.iter().copied().filter(|root| root.im > 1e-9 * root.norm()).collect();
+        oscillations.sort_by(|p, q| p.norm().total_cmp(&q.norm()));
+        let dashpots = system.links.iter().any(|link| link.damping > 0.0);
+        for (n, root) in oscillations.iter().enumerate().take(MOST / 2) {
+            let why = "Exact: frequency of the motion e^(st) that meets the equations of all nodes";
+            let damped = sheet.found(("ω_d", n + 1), "rad/s", root.im, why);
+            sheet.answer(("frequency", n + 1), "Exact frequency of free vibration", damped);
+            if dashpots {
+                let decay = sheet.found(("σ", n + 1), "rad/s", -root.re + 0.0, "Its rate of decay");
+                let ratio = sheet.step(
+                    ("ζ", n + 1),
+                    "1",
+                    decay / (decay.powi(2) + damped.powi(2)).sqrt(),
+                    ("Damping ratio of this root", RAO.at("§2.6")),
+                );
+                sheet.answer(("damping_ratio", n + 1), "Exact damping ratio", ratio);
+            }
+        }
+        sheet.verify(|| {
+            if let [only] = heavy[..] {
+                for root in &oscillations {
+                    let felt = system.felt_at(only, |link| link.stiffness + link.damping * root);
+                    let inertia = system.masses[only] * root * root;
+                    sheet.check_zero(
+                        "at the root the dynamic stiffness of the network meets the inertia of the mass",
+                        W::Num::from((felt + inertia).norm()),
+                        inertia.norm(),
+                    );
+                }
+            }
+            // Vieta: the sum of all roots of a damped system of masses is −Σ c/m where every node has mass.
+            if heavy.len() == self.nodes.len() {
+                let traces: f64 = system
+                    .links
+                    .iter()
+                    .flat_map(|link| link.ends.into_iter().flatten().map(move |end| (end, link.damping)))
+                    .map(|(end, damping)| damping / system.masses[end])
+                    .sum();
+                let sum: f64 = roots.iter().map(|root| root.re).sum();
+                let size: f64 = roots.iter().map(|root| root.norm()).sum();
+                sheet.check_zero("the roots add up to −Σ c/m", W::Num::from(sum + traces), size);
+            }
+        });
+        if oscillations.is_empty() {
+            sheet.warn(|| {
+                Text::new("the dampers are so strong that nothing oscillates: every motion creeps back")
+            });
+        }
+        sheet.show(|| Exhibit::Table(roots_table(&roots)));
+        Ok(())
+    }
+
+    fn refusal(&self, error: &NetworkError) -> Refusal {
+        match error {
+            NetworkError::Loose { node } => Refusal::because(
+                Text::new("nothing holds {node}: join it to ground, directly or through other elements")
+                    .with("node", &self.nodes[*node].name),
+            ),
+            NetworkError::Linear(_) => Refusal::because(
+                "the stiffnesses, dampings and masses differ so much that no digits are left: leave out the elements \
+                 that hardly give and join their nodes",
+            ),
+        }
+    }
+
+    fn name(&self, end: Option<usize>) -> Cell {
+        end.map_or("ground".into(), |node| Text::new("{x}").with("x", &self.nodes[node].name).into())
+    }
+
+    fn table_at_rest<N: Real>(&self, displacements: &[f64], forces: &[(usize, N)]) -> TableExhibit {
+        let at = |end: Option<usize>| end.map_or(0.0, |node| displacements[node]);
+        let row = |(n, force): &(usize, N)| {
+            let [from, to] = self.ends(*n);
+            vec![
+                Cell::Text(Text::new((n + 1).to_string())),
+                self.name(from),
+                self.name(to),
+                Cell::Number(force.value()),
+                Cell::Number(at(from) - at(to)),
+                Cell::Number(0.5 * force.value() * (at(from) - at(to))),
+            ]
+        };
+        TableExhibit {
+            title: "What each spring carries".into(),
+            columns: vec![
+                column("element", ""),
+                column("from", ""),
+                column("to", ""),
+                column("force", "N"),
+                column("deflection", "mm"),
+                column("elastic energy", "J"),
+            ],
+            rows: forces.iter().map(row).collect(),
+            foot: Vec::new(),
+        }
+    }
+
+    fn table_shaken(&self, system: &Network, omega: f64, moved: &[Complex<f64>]) -> TableExhibit {
+        let at = |end: Option<usize>| end.map_or(Complex::ZERO, |node| moved[node]);
+        let row = |(n, link): (usize, &Link)| {
+            let deflection = at(link.ends[0]) - at(link.ends[1]);
+            let force = deflection * Complex::new(link.stiffness, link.damping * omega);
+            vec![
+                Cell::Text(Text::new((n + 1).to_string())),
+                self.name(link.ends[0]),
+                self.name(link.ends[1]),
+                Cell::Number(force.norm()),
+                Cell::Number(-force.arg()),
+                Cell::Number(deflection.norm()),
+            ]
+        };
+        TableExhibit {
+            title: "What each element carries under the harmonic force".into(),
+            columns: vec![
+                column("element", ""),
+                column("from", ""),
+                column("to", ""),
+                column("amplitude of the force", "N"),
+                column("phase lag", "deg"),
+                column("amplitude of the deflection", "mm"),
+            ],
+            rows: system.links.iter().enumerate().map(row).collect(),
+            foot: Vec::new(),
+        }
+    }
+
+    /// Amplitude for each unit of force against frequency.
+    fn receptance(&self, system: &Network) -> Plot {
+        let stiffness: f64 = system.links.iter().map(|link| link.stiffness).sum();
+        let damping: f64 = system.links.iter().map(|link| link.damping).sum();
+        let mass: f64 = system.masses.iter().sum();
+        let own = if mass > 0.0 { (stiffness / mass).sqrt() } else { stiffness / damping };
+        let usual = if own.is_finite() && own > 0.0 { own } else { 1.0 };
+        let last = 2.5 * usual.max(self.frequency.map_or(0.0, |frequency| 0.6 * frequency));
+        let forces = self.forces();
+        let at = |n: u16| {
+            let frequency = last * f64::from(n) / 150.0;
+            let amplitude = system.shaken(&forces, frequency).map_or(f64::NAN, |x| x[self.loaded.0].norm());
+            (frequency, amplitude / self.force)
+        };
+        Plot::new(
+            "Receptance at the loaded node",
+            Axis::linear("frequency", "rad/s"),
+            Axis::log("receptance", "m/N"),
+            vec![Series::line("X/F", (1..=150).map(at).collect())],
+        )
+    }
+}
+
+/// Springs and dampers combined apart from one another, as books do.
+fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W) {
+    let felt = |of: fn(&Link) -> f64| system.felt_at(node, |link| Complex::from(of(link))).re;
+    let (stiffness, damping) = (felt(|link| link.stiffness), felt(|link| link.damping));
+    if stiffness <= 0.0 {
+        return;
+    }
+    let k = sheet.found(
+        "k_e",
+        "kN/m",
+        stiffness,
+        ("The springs combined at the mass, as if there were no dampers", RAO.at("§1.7")),
+    );
+    let natural = sheet.step(
+        "ωₙ",
+        "rad/s",
+        sdof::natural_frequency(k, mass),
+        ("Natural frequency without damping", RAO.at("§2.2")),
+    );
+    sheet.answer("natural_frequency", "Natural frequency without damping", natural);
+    sheet.verify(|| {
+        let mut unit = vec![0.0; system.masses.len()];
+        unit[node] = 1.0;
+        if let Ok(x) = system.at_rest(&unit) {
+            sheet.check("the displacement under a unit force is 1/k", W::Num::from(1.0 / x[node]), k);
+        }
+    });
+    if damping <= 0.0 {
+        return;
+    }
+    let c = sheet.found(
+        "c_e",
+        "N*s/m",
+        damping,
+        ("The dampers combined in the same way, as if there were no springs", RAO.at("§1.9")),
+    );
+    let ratio = sheet.step(
+        "ζ",
+        "1",
+        sdof::damping_ratio(c, k, mass),
+        ("Damping ratio: damping over critical damping", RAO.at("§2.6")),
+    );
+    sheet.answer("combined_damping", "Damping, combined apart from the springs", c);
+    sheet.answer("combined_damping_ratio", "Damping ratio, springs and dampers combined apart", ratio);
+    if ratio.value() < 1.0 {
+        let damped = sheet.step(
+            "ω_d",
+            "rad/s",
+            sdof::damped_frequency(natural, ratio),
+            ("Frequency of the decaying motion", RAO.at("§2.6")),
+        );
+        sheet.answer("combined_frequency", "Damped frequency, springs and dampers combined apart", damped);
+    }
+    if system.links.iter().filter(|link| link.damping > 0.0 || link.stiffness > 0.0).count() > 1 {
+        sheet.warn(|| {
+            Text::new(
+                "springs and dampers combined apart from one another are exact only where c/k is the same in every \
+                 element; the exact roots stand beside them",
+            )
+        });
+    }
+}
+
+fn roots_table(roots: &[Complex<f64>]) -> TableExhibit {
+    let row = |root: &Complex<f64>| {
+        vec![
+            Cell::Number(root.re),
+            Cell::Number(root.im),
+            Cell::Number(root.norm()),
+            Cell::Number(-root.re / root.norm()),
+        ]
+    };
+    TableExhibit {
+        title: "Exact roots s of the free motion".into(),
+        columns: vec![
+            column("real part", "1/s"),
+            column("imaginary part", "rad/s"),
+            column("|s|", "rad/s"),
+            column("ζ", "1"),
+        ],
+        rows: roots.iter().map(row).collect(),
+        foot: Vec::new(),
+    }
+}
+
+fn column(heading: &'static str, unit: &'static str) -> Column {
+    Column { heading: heading.into(), unit }
+}

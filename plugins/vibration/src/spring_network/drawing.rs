@@ -1,0 +1,84 @@
+//! The drawing of a network.
+
+use std::collections::VecDeque;
+
+use dalembert_core::{Drawing, DrawnShape, Ink, Text, exhibit::Point};
+
+use super::{Kind, SpringNetwork};
+
+/// Nodes in columns by their distance from ground, elements between them, the load at its node.
+pub(super) fn drawing(problem: &SpringNetwork) -> Drawing {
+    let at = places(problem);
+    let rows = at.iter().fold(0.0, |rows: f64, at| rows.max(at.1));
+    let mut shapes = vec![DrawnShape::Ground((0.0, rows + 0.8), (0.0, -0.8))];
+    let mut drawn: Vec<[Option<usize>; 2]> = Vec::new();
+    for (n, element) in problem.elements.iter().enumerate() {
+        let mut ends = problem.ends(n);
+        ends.sort();
+        let beside = drawn.iter().filter(|other| **other == ends).count();
+        drawn.push(ends);
+        let [from, to] = problem.ends(n).map(|end| end.map(|node| at[node]));
+        let (Some(from), to) = (from, to) else { continue };
+        let to = to.unwrap_or((0.0, from.1));
+        let shift = 0.45 * beside as f64;
+        let (from, to) = ((from.0, from.1 + shift), (to.0, to.1 + shift));
+        let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0 + 0.35);
+        match &element.kind {
+            Kind::Spring { .. } => shapes.push(DrawnShape::Spring(from, to)),
+            Kind::Damper { .. } => shapes.push(DrawnShape::Damper(from, to)),
+            Kind::KelvinVoigt { .. } => {
+                shapes.push(DrawnShape::Spring(from, to));
+                shapes.push(DrawnShape::Damper((from.0, from.1 - 0.3), (to.0, to.1 - 0.3)));
+            }
+        }
+        shapes.push(DrawnShape::Label(middle, Text::new((n + 1).to_string())));
+    }
+    for (node, &(x, y)) in problem.nodes.iter().zip(&at) {
+        shapes.push(match node.mass {
+            Some(_) => DrawnShape::Block((x - 0.25, y - 0.45), (x + 0.25, y + 0.45), Ink::Body),
+            None => DrawnShape::Circle((x, y), 0.08, Ink::Body),
+        });
+        shapes.push(DrawnShape::Label((x - 0.1, y + 0.6), Text::new("{x}").with("x", &node.name)));
+    }
+    let (x, y) = at[problem.loaded.0];
+    shapes.push(DrawnShape::Arrow((x + 0.3, y), (x + 1.2, y), Ink::Force));
+    shapes.push(DrawnShape::Label((x + 1.3, y), Text::from("F")));
+    Drawing { title: "The network".into(), shapes }
+}
+
+fn places(problem: &SpringNetwork) -> Vec<Point> {
+    let count = problem.nodes.len();
+    let mut depth: Vec<Option<u16>> = vec![None; count];
+    let mut waiting = VecDeque::new();
+    let links: Vec<[Option<usize>; 2]> = (0..problem.elements.len()).map(|n| problem.ends(n)).collect();
+    for ends in &links {
+        if let [Some(node), None] = *ends
+            && depth[node].is_none()
+        {
+            depth[node] = Some(1);
+            waiting.push_back(node);
+        }
+    }
+    while let Some(node) = waiting.pop_front() {
+        for ends in &links {
+            if let [Some(a), Some(b)] = *ends {
+                for (here, there) in [(a, b), (b, a)] {
+                    if here == node && depth[there].is_none() {
+                        depth[there] = depth[node].map(|depth| depth + 1);
+                        waiting.push_back(there);
+                    }
+                }
+            }
+        }
+    }
+    let mut used: Vec<(u16, u16)> = Vec::new();
+    depth
+        .into_iter()
+        .map(|depth| {
+            let depth = depth.unwrap_or(1);
+            let row = used.iter().filter(|(other, _)| *other == depth).count();
+            used.push((depth, 0));
+            (2.2 * f64::from(depth), 1.6 * row as f64)
+        })
+        .collect()
+}

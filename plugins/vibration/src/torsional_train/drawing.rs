@@ -1,0 +1,122 @@
+//! Drawings and films of a train: discs along their shafts, amplitudes as ordinates.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{Drawing, DrawnShape, Film, Ink, Text};
+
+use super::{Inertia, TorsionalTrain, verbatim};
+
+/// Half the height of a disc, the height of an amplitude of one, and the distance of shaft lines.
+const DISC: f64 = 0.7;
+const AMPLITUDE: f64 = 0.9;
+const LINE: f64 = 3.0;
+/// Frames of a film.
+const FRAMES: u16 = 24;
+
+/// Where the discs are drawn.
+pub(super) struct Layout {
+    at: Vec<(f64, f64)>,
+}
+
+impl Layout {
+    /// Discs joined by shafts stand side by side; geared ones and side branches on a line of their own below.
+    pub(super) fn of(problem: &TorsionalTrain) -> Self {
+        let count = problem.discs.len();
+        let mut joined: Vec<Vec<(usize, bool)>> = vec![Vec::new(); count];
+        for shaft in &problem.shafts {
+            let [a, b] = shaft.ends();
+            joined[a].push((b, true));
+            joined[b].push((a, true));
+        }
+        for pair in &problem.gears {
+            joined[pair.driving.0].push((pair.driven.0, false));
+            joined[pair.driven.0].push((pair.driving.0, false));
+        }
+        let mut at: Vec<Option<(f64, f64)>> = vec![None; count];
+        let mut lines = 0.0;
+        // A chain may start in the middle of the list: begin where only one thing is joined.
+        let start = (0..count).find(|disc| joined[*disc].len() <= 1).unwrap_or(0);
+        at[start] = Some((0.0, 0.0));
+        let mut waiting = vec![start];
+        while let Some(disc) = waiting.pop() {
+            let Some((x, y)) = at[disc] else { continue };
+            let mut same_line = true;
+            for &(other, shaft) in &joined[disc] {
+                if at[other].is_some() {
+                    continue;
+                }
+                at[other] = Some(if shaft && same_line {
+                    same_line = false;
+                    (x + 2.0, y)
+                } else {
+                    lines -= LINE;
+                    (if shaft { x + 2.0 } else { x }, lines)
+                });
+                waiting.push(other);
+            }
+        }
+        Self { at: at.into_iter().map(|at| at.unwrap_or((0.0, 0.0))).collect() }
+    }
+
+    /// The train at rest.
+    pub(super) fn drawing(&self, problem: &TorsionalTrain) -> Drawing {
+        let mut shapes = self.still(problem, Ink::Body);
+        for (disc, &(x, y)) in problem.discs.iter().zip(&self.at) {
+            shapes.push(DrawnShape::Label((x - 0.2, y + DISC + 0.25), verbatim(&disc.name)));
+        }
+        Drawing { title: "The train".into(), shapes }
+    }
+
+    /// A mode, with the amplitudes of the discs as they are; the largest fills the height.
+    pub(super) fn film(&self, problem: &TorsionalTrain, mode: usize, shape: &[f64]) -> Film {
+        let largest = shape.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        let frame = |n: u16| {
+            let now = AMPLITUDE / largest * (TAU * f64::from(n) / f64::from(FRAMES)).cos();
+            let mut shapes = self.still(problem, Ink::Faint);
+            for shaft in &problem.shafts {
+                let [a, b] = shaft.ends();
+                let line = self.at[a].1.min(self.at[b].1);
+                let point = |disc: usize| (self.at[disc].0, line + now * shape[disc]);
+                shapes.push(DrawnShape::Polyline(vec![point(a), point(b)], Ink::Motion));
+            }
+            for (&(x, y), amplitude) in self.at.iter().zip(shape) {
+                shapes.push(DrawnShape::Polyline(vec![(x, y), (x, y + now * amplitude)], Ink::Motion));
+            }
+            // Points at the largest excursions keep all frames in the same window.
+            shapes.push(DrawnShape::Circle((0.0, AMPLITUDE + 0.3), 0.01, Ink::Faint));
+            shapes.push(DrawnShape::Circle((0.0, self.lowest() - AMPLITUDE - 0.3), 0.01, Ink::Faint));
+            shapes
+        };
+        Film {
+            title: Text::new("Mode {mode}: angle of twist along the shafts").with("mode", mode),
+            frames: (0..FRAMES).map(frame).collect(),
+            period: 2.0,
+        }
+    }
+
+    fn lowest(&self) -> f64 {
+        self.at.iter().fold(0.0, |lowest: f64, at| lowest.min(at.1))
+    }
+
+    fn still(&self, problem: &TorsionalTrain, ink: Ink) -> Vec<DrawnShape> {
+        let mut shapes = Vec::new();
+        for shaft in &problem.shafts {
+            let [a, b] = shaft.ends().map(|disc| self.at[disc]);
+            shapes.push(DrawnShape::Polyline(vec![a, (a.0, a.1.min(b.1)), (b.0, a.1.min(b.1)), b], ink));
+        }
+        for pair in &problem.gears {
+            let [a, b] = [self.at[pair.driving.0], self.at[pair.driven.0]];
+            shapes.push(DrawnShape::Polyline(vec![a, b], Ink::Faint));
+        }
+        for (disc, &(x, y)) in problem.discs.iter().zip(&self.at) {
+            shapes.push(if disc.is_held() {
+                DrawnShape::Ground((x, y - DISC), (x, y + DISC))
+            } else if !matches!(disc.inertia, Inertia::Light) && ink == Ink::Body {
+                DrawnShape::Block((x - 0.15, y - DISC), (x + 0.15, y + DISC), ink)
+            } else {
+                DrawnShape::Polyline(vec![(x, y - DISC), (x, y + DISC)], ink)
+            });
+        }
+        shapes
+    }
+}
