@@ -180,7 +180,8 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
     let name = &item.ident;
     let visibility: &Visibility = &item.vis;
     let given_name = format_ident!("{name}Given");
-    let plain = data.variants.iter().all(|variant| variant.fields.is_empty());
+    // Without a number in any alternative there is nothing to lift to the worksheet.
+    let mut plain = true;
     let (mut described, mut statics, mut reads, mut givens) =
         (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut slots, mut given_variants) = (Vec::new(), Vec::new());
@@ -218,20 +219,19 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
                 Some(Self::#ident { #(#names),* })
             }
         });
-        if !plain {
-            let fields = group.given_fields(&quote! {});
-            let doc = format!("{label}.");
-            given_variants.push(quote! { #[doc = #doc] #ident { #(#fields,)* } });
-            givens.push(quote! {
-                Self::#ident { #(#names),* } => {
-                    let fields = #list;
-                    let trail = lift.trail.field(#text);
-                    let lift = dalembert_core::Lift { trail: &trail, ..lift };
-                    let _ = (fields, lift.trail, #(#names,)*);
-                    #given_name::#ident { #(#given,)* }
-                }
-            });
-        }
+        plain &= given.is_empty();
+        let fields = group.given_fields(&quote! {});
+        let doc = format!("{label}.");
+        given_variants.push(quote! { #[doc = #doc] #ident { #(#fields,)* } });
+        givens.push(quote! {
+            Self::#ident { #(#names),* } => {
+                let fields = #list;
+                let trail = lift.trail.field(#text);
+                let lift = dalembert_core::Lift { trail: &trail, ..lift };
+                let _ = (fields, lift.trail, #(#names,)*);
+                #given_name::#ident { #(#given,)* }
+            }
+        });
         slots.push(quote! { (#at, Self::#ident { #(#names),* }) => {
             let (first, rest) = rest.split_first()?;
             let _ = (rest, #(&#names,)*);
