@@ -6,6 +6,14 @@
 //!
 //! Receptances in m/N, frequencies in rad/s, mass in kg, damping in N·s/m, stiffness in N/m.
 
+mod few_points;
+pub mod modal;
+
+pub use few_points::{
+    damping_ratio_from_force_ratio, damping_ratio_from_free_and_forced, damping_ratio_from_resonance_and_far,
+    damping_ratio_from_speed, damping_ratio_from_unbalance_ratio, natural_frequency_from_two_speeds,
+};
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::{

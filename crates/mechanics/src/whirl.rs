@@ -7,11 +7,13 @@
 use crate::Real;
 
 mod permitted;
+mod speeds;
 
 pub use permitted::{
     Limit, LimitedBy, PermittedStiffness, WhirlError, permitted_stiffness, permitted_stiffness_at_damping,
     worst_speed,
 };
+pub use speeds::{PermittedSpeeds, largest_eccentricity, permitted_speeds};
 
 /// Whirl amplitude `A = e r²/√((1 − r²)² + (2ζr)²)`, m, of a rotor whose mass centre is `e` off the shaft, at
 /// `r = ω/ω_n`. Rao, 5th ed., §9.5.
@@ -54,6 +56,50 @@ pub fn stiff_limit<S: Real>(mass: S, unbalance: S, clearance: S, speed: S, dampi
     mass * speed.powi(2)
         * (S::from(1.0) - damping_ratio.powi(2) * 2.0
             + limit_width(mass, unbalance, clearance, damping_ratio))
+}
+
+/// Eccentricity whose whirl at `r = ω/ω_n` has the amplitude `R`: `e = R √((1 − r²)² + (2ζr)²)/r²`, m, the inverse of
+/// [`whirl_amplitude`].
+#[inline]
+pub fn eccentricity_from_amplitude<S: Real>(amplitude: S, frequency_ratio: S, damping_ratio: S) -> S {
+    amplitude
+        * ((S::from(1.0) - frequency_ratio.powi(2)).powi(2) + (damping_ratio * frequency_ratio * 2.0).powi(2))
+            .sqrt()
+        / frequency_ratio.powi(2)
+}
+
+/// Below the critical speed, undamped: the speed at which the whirl reaches the amplitude `R`,
+/// `ω = ω_n √(R/(R + e))`, rad/s.
+#[inline]
+pub fn speed_below_undamped<S: Real>(natural_frequency: S, eccentricity: S, amplitude: S) -> S {
+    natural_frequency * (amplitude / (amplitude + eccentricity)).sqrt()
+}
+
+/// Above the critical speed, undamped: the speed at which the whirl is back at the amplitude `R`,
+/// `ω = ω_n √(R/(R − e))`, rad/s, for `e < R`.
+#[inline]
+pub fn speed_above_undamped<S: Real>(natural_frequency: S, eccentricity: S, amplitude: S) -> S {
+    natural_frequency * (amplitude / (amplitude - eccentricity)).sqrt()
+}
+
+/// Below the critical speed: the speed at which the whirl reaches the amplitude `R = e/μ`,
+/// `ω = ω_n/√(1 − 2ζ² + √(μ² − 4ζ²(1 − ζ²)))`, rad/s.
+#[inline]
+pub fn speed_below<S: Real>(natural_frequency: S, share: S, damping_ratio: S) -> S {
+    natural_frequency
+        / (S::from(1.0) - damping_ratio.powi(2) * 2.0 + speed_width(share, damping_ratio)).sqrt()
+}
+
+/// Above the critical speed: the speed at which the whirl is back at the amplitude `R = e/μ`,
+/// `ω = ω_n/√(1 − 2ζ² − √(μ² − 4ζ²(1 − ζ²)))`, rad/s, for `μ < 1`.
+#[inline]
+pub fn speed_above<S: Real>(natural_frequency: S, share: S, damping_ratio: S) -> S {
+    natural_frequency
+        / (S::from(1.0) - damping_ratio.powi(2) * 2.0 - speed_width(share, damping_ratio)).sqrt()
+}
+
+fn speed_width<S: Real>(share: S, damping_ratio: S) -> S {
+    (share.powi(2) - damping_ratio.powi(2) * (S::from(1.0) - damping_ratio.powi(2)) * 4.0).sqrt()
 }
 
 fn limit_width<S: Real>(mass: S, unbalance: S, clearance: S, damping_ratio: S) -> S {

@@ -193,7 +193,7 @@ pub fn worst_speed(
 
 /// The open interval of `k/(m ω²)` in which the amplitude exceeds the clearance, `μ = m e/(m R)`; a lower end below
 /// zero means that it reaches down to zero and includes it.
-fn forbidden_ratios(mu: f64, damping_ratio: f64) -> Option<[f64; 2]> {
+pub(super) fn forbidden_ratios(mu: f64, damping_ratio: f64) -> Option<[f64; 2]> {
     let middle = 1.0 - 2.0 * damping_ratio.powi(2);
     let shift = 2.0 * damping_ratio * (1.0 - damping_ratio.powi(2)).max(0.0).sqrt();
     let squared_width = if damping_ratio < 1.0 {
@@ -235,7 +235,7 @@ fn nothing_forbidden() -> PermittedStiffness {
     PermittedStiffness { set, soft: None, stiff: None }
 }
 
-fn check(
+pub(super) fn check(
     mass: f64,
     unbalance: f64,
     clearance: f64,

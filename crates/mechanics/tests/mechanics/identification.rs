@@ -1,8 +1,13 @@
+use std::f64::consts::TAU;
+
+use dalembert_mechanics::identification::modal::{
+    Complex, DampingModel, ModalError, ModalFit, Point, Residuals, Response, circle_fit, modal_fit,
+};
 use dalembert_mechanics::identification::{self, FitError, fit_receptance, measured_peak};
 use dalembert_mechanics::sdof;
 use proptest::prelude::*;
 
-use crate::close::{close, found, printed};
+use crate::close::{ROUNDING, close, found, printed};
 
 /// The suspension of list 06: static 2e-4 m/N, peak 1.6e-3 m/N at 12 rad/s.
 const STATIC: f64 = 2e-4;
@@ -101,5 +106,145 @@ proptest! {
         close(stiffness, k, 1e-9);
         let damping = identification::damping_from_mass_and_peak(mass, stiffness, height, frequency);
         close(damping, sdof::damping_from_ratio(zeta, k, m), 1e-9);
+    }
+}
+
+/// Points of `A/(ω_n² − ω² + i d) + R − S/ω²`, as what was measured.
+fn mode(
+    [natural, damping, a, r, s]: [f64; 5],
+    model: DampingModel,
+    response: Response,
+    ratios: impl IntoIterator<Item = f64>,
+) -> Vec<Point> {
+    let fit = ModalFit {
+        natural_frequency: natural,
+        damping,
+        modal_constant: a,
+        stiffness_residual: r,
+        mass_residual: s,
+        misfit: 0.0,
+        slopes: [0.0; 5],
+    };
+    let at = |ratio: f64| {
+        let frequency = natural * ratio;
+        let receptance = fit.receptance(model, frequency);
+        let i = Complex::new(0.0, frequency);
+        let value = match response {
+            Response::Receptance => receptance,
+            Response::Mobility => receptance * i,
+            Response::Accelerance => receptance * i * i,
+        };
+        (frequency, value)
+    };
+    ratios.into_iter().map(at).collect()
+}
+
+#[test]
+fn three_receptances_of_a_chain() {
+    // Code_Aster SDLD21 at 5.0, 5.5 and 6.0 Hz; the model has 5.5274 Hz and ζ = 0.00868.
+    let points: Vec<Point> =
+        [(5.0, 1.0237e-4, -8.5187e-6), (5.5, 4.5066e-4, -7.7914e-4), (6.0, -9.4101e-5, -1.0585e-5)]
+            .into_iter()
+            .map(|(f, re, im)| (TAU * f, Complex::new(re, im)))
+            .collect();
+    let fit = found(modal_fit(&points, Response::Receptance, DampingModel::Viscous, Residuals::Stiffness));
+    printed(fit.natural_frequency / TAU, 5.5274, 4);
+    close(fit.damping, 0.00868242, 1e-3);
+    let circle = found(circle_fit(&points, Response::Receptance, DampingModel::Hysteretic));
+    close(2.0 * circle.circle.radius, 0.001028953972043863, 1e-10);
+}
+
+#[test]
+fn what_is_no_mode_is_refused() {
+    let line: Vec<Point> = (1..6).map(|n| (f64::from(n), Complex::new(f64::from(n), 1.0))).collect();
+    let fit = |points: &[Point]| circle_fit(points, Response::Receptance, DampingModel::Hysteretic);
+    assert_eq!(fit(&line).unwrap_err(), ModalError::NoCircle);
+    assert!(matches!(fit(&line[..2]), Err(ModalError::TooFew { .. })));
+    assert!(matches!(fit(&[(0.0, Complex::new(1.0, 0.0)); 3]), Err(ModalError::Point { .. })));
+    assert_eq!(fit(&[(1.0, Complex::new(0.0, 0.0)); 4]).unwrap_err(), ModalError::NoCircle);
+}
+
+proptest! {
+    #[test]
+    fn an_exact_mode_is_found_again(
+        natural in 1.0..1e4f64, damping in 0.002..0.2f64, a in 1e-3..1e3f64, share in -0.05..0.05f64,
+        viscous in any::<bool>(), which in 0..3usize, antiphase in any::<bool>(),
+    ) {
+        let model = if viscous { DampingModel::Viscous } else { DampingModel::Hysteretic };
+        let response = [Response::Receptance, Response::Mobility, Response::Accelerance][which];
+        let a = if antiphase { -a } else { a };
+        // The residual as a share of the peak.
+        let r = share * a / (damping * natural.powi(2));
+        // Round about the resonance, out to some bandwidths.
+        let ratios = (-12..=12).map(|n| 1.0 + f64::from(n) / 12.0 * (4.0 * damping).min(0.8));
+        let points = mode([natural, damping, a, r, 0.0], model, response, ratios);
+        let fit = found(modal_fit(&points, response, model, Residuals::Stiffness));
+        close(fit.natural_frequency, natural, 1e-9);
+        close(fit.damping, damping, 1e-8);
+        close(fit.modal_constant, a, 1e-8);
+        prop_assert!((fit.stiffness_residual - r).abs() < 1e-8 * (a / (damping * natural.powi(2))).abs());
+        prop_assert!(fit.misfit < 1e-9 && fit.slopes.iter().all(|slope| slope.abs() < 1e-9));
+        // A real residual leaves the circle of a receptance a circle; that of a mobility only without one.
+        if !viscous || share.abs() < 1e-3 {
+            let circle = found(circle_fit(&points, response, model));
+            let tolerance = if viscous { 0.1 } else { 1e-7 };
+            close(circle.natural_frequency, natural, tolerance);
+            close(circle.damping, damping, tolerance);
+            close(circle.modal_constant, a.abs(), tolerance);
+        }
+    }
+
+    #[test]
+    fn a_mode_alone_is_a_circle_in_its_plane(
+        natural in 1.0..1e4f64, damping in 0.002..0.3f64, viscous in any::<bool>(),
+    ) {
+        let model = if viscous { DampingModel::Viscous } else { DampingModel::Hysteretic };
+        let ratios = (-10..=10).map(|n| 1.0 + f64::from(n) / 10.0 * (3.0 * damping).min(0.8));
+        let points = mode([natural, damping, 2.0, 0.0, 0.0], model, Response::Receptance, ratios);
+        let fit = found(circle_fit(&points, Response::Receptance, model));
+        close(fit.natural_frequency, natural, 1e-9);
+        close(fit.damping, damping, 1e-8);
+        close(fit.modal_constant, 2.0, 1e-8);
+        let [least, most] = fit.damping_of_pairs.expect("there are points on both sides");
+        close(least, most, 1e-6);
+        // The half-power points lie on the ends of the diameter across.
+        let across = fit.marks[1] - fit.marks[2];
+        close(across.norm(), 2.0 * fit.circle.radius, 1e-9);
+    }
+
+    #[test]
+    fn any_points_are_fitted_or_refused(
+        numbers in prop::collection::vec((1e-3..1e6f64, -1e9..1e9f64, -1e9..1e9f64), 0..12),
+    ) {
+        let points: Vec<Point> = numbers.into_iter().map(|(w, x, y)| (w, Complex::new(x, y))).collect();
+        for model in [DampingModel::Viscous, DampingModel::Hysteretic] {
+            if let Ok(fit) = modal_fit(&points, Response::Mobility, model, Residuals::StiffnessAndMass) {
+                prop_assert!(fit.natural_frequency.is_finite() && fit.damping.is_finite());
+            }
+        }
+    }
+
+    #[test]
+    fn a_few_points_give_the_damping_back(zeta in 0.001..0.6f64, natural in 1.0..1e4f64, r in 0.2..3.0f64) {
+        prop_assume!((r - 1.0).abs() > 0.02);
+        let free = natural * (1.0 - zeta * zeta).sqrt();
+        let forced = natural * sdof::magnification_peak_ratio(zeta);
+        close(identification::damping_ratio_from_free_and_forced(free, forced), zeta, 1e-8 / zeta.powi(2));
+        let one = sdof::unbalance_magnification(1.0, zeta);
+        close(identification::damping_ratio_from_resonance_and_far(one, 1.0), zeta, ROUNDING);
+        let at = sdof::unbalance_magnification(r, zeta);
+        if one * r / at > 1.0 + 1e-6 {
+            close(identification::damping_ratio_from_unbalance_ratio(one / at, r), zeta, 1e-6);
+        }
+        let (force_one, force_at) = (sdof::magnification(1.0, zeta), sdof::magnification(r, zeta));
+        if force_one / force_at > r * (1.0 + 1e-6) {
+            close(identification::damping_ratio_from_force_ratio(force_one / force_at, r), zeta, 1e-6);
+        }
+        let speeds = [r * natural, 0.9 * r * natural];
+        let magnifications = speeds.map(|speed| sdof::unbalance_magnification(speed / natural, zeta));
+        let ours = identification::natural_frequency_from_two_speeds(speeds, magnifications);
+        close(ours, natural, 1e-8);
+        let squared = identification::damping_ratio_from_speed(natural, speeds[0], magnifications[0]).powi(2);
+        prop_assert!((squared - zeta * zeta).abs() < 1e-9 * (1.0 + r * r));
     }
 }

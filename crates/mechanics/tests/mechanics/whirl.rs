@@ -2,7 +2,8 @@ use std::f64::consts::TAU;
 
 use dalembert_mechanics::intervals::IntervalSet;
 use dalembert_mechanics::whirl::{
-    self, LimitedBy, WhirlError, permitted_stiffness, permitted_stiffness_at_damping, worst_speed,
+    self, LimitedBy, WhirlError, permitted_speeds, permitted_stiffness, permitted_stiffness_at_damping,
+    worst_speed,
 };
 use dalembert_mechanics::{beam, sdof, section};
 use proptest::prelude::*;
@@ -276,5 +277,42 @@ proptest! {
                 prop_assert!(limit.stiffness.is_finite() && limit.speed.is_finite());
             }
         }
+    }
+
+    #[test]
+    fn permitted_speeds_by_scanning(
+        natural in 1.0..1e4f64, share in 0.01..1.6f64, zeta in prop_oneof![Just(0.0), 0.001..1.5f64],
+        parts in prop::collection::vec(0.001..4.0f64, 20),
+    ) {
+        let permitted = found(permitted_speeds(natural, share, 1.0, zeta));
+        let near = [permitted.below, permitted.above]
+            .into_iter()
+            .flatten()
+            .flat_map(|speed| [0.999, 1.001].map(|factor| factor * speed));
+        for speed in parts.iter().map(|part| part * natural).chain(near) {
+            let amplitude = whirl::whirl_amplitude(share, speed / natural, zeta);
+            if (amplitude - 1.0).abs() > 1e-9 {
+                prop_assert_eq!(permitted.set.contains(speed), amplitude < 1.0, "{} {}", speed, amplitude);
+            }
+        }
+        for speed in [permitted.below, permitted.above].into_iter().flatten() {
+            close(whirl::whirl_amplitude(share, speed / natural, zeta), 1.0, 1e-6);
+        }
+        if let (Some(below), Some(above), true) = (permitted.below, permitted.above, zeta > 0.0) {
+            close(whirl::speed_below(natural, share, zeta), below, 1e-9);
+            close(whirl::speed_above(natural, share, zeta), above, 1e-6);
+        }
+        if let (Some(below), Some(above), true) = (permitted.below, permitted.above, zeta == 0.0) {
+            close(whirl::speed_below_undamped(natural, share, 1.0), below, 1e-9);
+            close(whirl::speed_above_undamped(natural, share, 1.0), above, 1e-6);
+        }
+    }
+
+    #[test]
+    fn eccentricity_and_whirl_are_inverses(e in 1e-6..1e-2f64, r in 0.05..20.0f64, zeta in 0.0..1.5f64) {
+        prop_assume!((r - 1.0).abs() > 1e-3 || zeta > 1e-3);
+        let amplitude = whirl::whirl_amplitude(e, r, zeta);
+        close(whirl::eccentricity_from_amplitude(amplitude, r, zeta), e, 1e-10);
+        close(whirl::largest_eccentricity(amplitude, r, zeta), e, 1e-10);
     }
 }
