@@ -27,7 +27,7 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
         }
         let cells = cells(line, columns.len());
         if table.rows.is_empty() && is_heading(&cells) {
-            read_heading(line, columns, &mut table.units, &mut faults);
+            read_heading(line, &cells, columns, &mut table.units, &mut faults);
             continue;
         }
         match read_row(&cells, columns, &table.units) {
@@ -87,11 +87,21 @@ fn is_heading(cells: &[&str]) -> bool {
         .all(|cell| !cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | '−')))
 }
 
-/// The units in brackets of a heading.
-fn read_heading(line: &str, columns: &'static [Field], found: &mut [Unit], faults: &mut Vec<Text>) {
-    let bracketed =
-        line.split(['[', '(']).skip(1).filter_map(|rest| rest.split_once([']', ')']).map(|(unit, _)| unit));
-    for ((text, column), place) in bracketed.zip(columns).zip(found) {
+/// The units in brackets of a heading: each of its own cell, where there are as many cells as columns.
+fn read_heading(
+    line: &str,
+    cells: &[&str],
+    columns: &'static [Field],
+    found: &mut [Unit],
+    faults: &mut Vec<Text>,
+) {
+    let units: Vec<Option<&str>> = if cells.len() == columns.len() {
+        cells.iter().map(|cell| bracketed(cell).pop()).collect()
+    } else {
+        bracketed(line).into_iter().map(Some).collect()
+    };
+    for ((text, column), place) in units.into_iter().zip(columns).zip(found) {
+        let Some(text) = text else { continue };
         let own = own_unit(column);
         match units::unit(text) {
             Ok(unit) if unit.dim.agrees(own.dim) => *place = unit,
@@ -102,6 +112,26 @@ fn read_heading(line: &str, columns: &'static [Field], found: &mut [Unit], fault
             Err(err) => faults.push(reading::text(&err)),
         }
     }
+}
+
+/// What stands in square brackets, or where there are none in round ones: `Re (H) [m/(N*s)]` has one unit.
+fn bracketed(text: &str) -> Vec<&str> {
+    let (open, close) = if text.contains('[') { ('[', ']') } else { ('(', ')') };
+    let (mut found, mut depth, mut start) = (Vec::new(), 0usize, 0);
+    for (at, c) in text.char_indices() {
+        if c == open {
+            if depth == 0 {
+                start = at + 1;
+            }
+            depth += 1;
+        } else if c == close && depth > 0 {
+            depth -= 1;
+            if depth == 0 {
+                found.push(&text[start..at]);
+            }
+        }
+    }
+    found
 }
 
 fn read_row(cells: &[&str], columns: &'static [Field], found: &[Unit]) -> Result<Vec<f64>, Text> {
