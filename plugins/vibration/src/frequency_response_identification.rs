@@ -1,13 +1,25 @@
 //! Stiffness, mass and damping of one degree of freedom from its measured frequency response.
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series,
-    TableExhibit, Text, Worksheet, register,
+    About, Analysis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text,
+    Worksheet, register,
 };
 use dalembert_mechanics::{Real, identification, sdof};
 
+mod circle;
+mod complex;
+mod few_points;
+mod plots;
+mod points;
 mod table;
 
+pub use self::{
+    complex::{
+        AccelerancePart, AccelerancePolar, DampingKind, MobilityPart, MobilityPolar, ReceptancePart,
+        ReceptancePolar, ResidualKind, ResponseTable,
+    },
+    few_points::{Excitation, PeakRead},
+};
 use crate::sources::{EWINS, LISTS, RAO};
 
 /// What was measured, and the force whose response is asked for.
@@ -44,6 +56,75 @@ pub enum Measurement {
         #[input(table)]
         points: Vec<MeasuredPoint>,
     },
+    /// Table of the complex frequency response
+    /// Read by circle fit and by complex least squares, beside the readings of the amplitude alone.
+    Complex {
+        /// Frequency response.
+        response: ResponseTable,
+        /// Kind of damping.
+        damping: DampingKind,
+        /// Other modes.
+        residuals: ResidualKind,
+        /// Lowest frequency that is read.
+        /// Points below it are left out.
+        #[input("ω_min", "Hz", positive)]
+        lowest: Option<f64>,
+        /// Highest frequency that is read.
+        /// Points above it are left out.
+        #[input("ω_max", "Hz", positive)]
+        highest: Option<f64>,
+    },
+    /// Frequencies of free vibration and of the forced peak
+    FreeAndForced {
+        /// Frequency of the free, damped vibration.
+        #[input("ω_d", "Hz", positive)]
+        damped_frequency: f64,
+        /// Frequency of the largest amplitude under a force.
+        #[input("ωₚ", "Hz", positive)]
+        peak_frequency: f64,
+    },
+    /// Unbalance: amplitudes at resonance and far above it
+    ResonanceAndFar {
+        /// Amplitude at resonance.
+        #[input("X", "m", positive, kind = "Amplitude")]
+        resonant_amplitude: f64,
+        /// Amplitude far above the resonance.
+        /// There it is m₀e/m, whatever the damping.
+        #[input("X_∞", "m", positive, kind = "Amplitude")]
+        far_amplitude: f64,
+        /// The amplitude at resonance was read.
+        read: PeakRead,
+    },
+    /// Unbalance: amplitudes at two speeds
+    TwoSpeeds {
+        /// Amplitude far above the resonance.
+        /// There it is m₀e/m, whatever the damping.
+        #[input("X_∞", "m", positive, kind = "Amplitude")]
+        far_amplitude: f64,
+        /// First speed.
+        #[input("ω₁", "rpm", positive)]
+        first_speed: f64,
+        /// Amplitude at the first speed.
+        #[input("X₁", "m", positive, kind = "Amplitude")]
+        first_amplitude: f64,
+        /// Second speed.
+        #[input("ω₂", "rpm", positive)]
+        second_speed: f64,
+        /// Amplitude at the second speed.
+        #[input("X₂", "m", positive, kind = "Amplitude")]
+        second_amplitude: f64,
+    },
+    /// Amplitude at resonance over that at another frequency
+    ResonanceRatio {
+        /// Excitation.
+        excitation: Excitation,
+        /// Amplitude at the natural frequency over the other amplitude.
+        #[input("q", "1", positive)]
+        amplitude_ratio: f64,
+        /// Frequency of the other amplitude over the natural frequency.
+        #[input("r", "1", positive)]
+        frequency_ratio: f64,
+    },
 }
 
 /// A point of the measured response.
@@ -63,9 +144,10 @@ impl Analysis for FrequencyResponseIdentification {
     const ABOUT: About = About {
         id: "vibration/frequency-response-identification",
         title: "Identification from a frequency response",
-        summary: "Stiffness, mass and damping of one degree of freedom from a measured receptance, and the amplitude at resonance.",
+        summary: "Stiffness, mass and damping of one degree of freedom from a measured frequency response, real or complex, or from a few points of it.",
         keywords: "frf receptance sweep modal half-power bandwidth peak suspension ensaio resposta em frequência \
-                   suspensão identificação ressonância receptância 06/1",
+                   suspensão identificação ressonância receptância \
+                   mobility accelerance nyquist circle fit modal testing uff mobilidade acelerância ajuste de círculo 06/1",
         sources: &[&RAO, &EWINS, &LISTS],
         cases: include_str!("../cases/frequency_response_identification.toml"),
     };
@@ -75,15 +157,29 @@ impl Analysis for FrequencyResponseIdentification {
         given: &FrequencyResponseIdentificationGiven<W>,
         sheet: W,
     ) -> Result<(), Refusal> {
-        let system = match (&self.measurement, &given.measurement) {
-            (Measurement::Table { points }, _) => table::identify(points, sheet)?,
-            (_, MeasurementGiven::Points { static_receptance, peak_receptance, peak_frequency }) => {
+        let (system, measured) = match (&self.measurement, &given.measurement) {
+            (Measurement::Table { points }, _) => {
+                let points = points.iter().map(|point| (point.frequency, point.receptance)).collect();
+                let points = points::ordered(points, sheet)?;
+                (table::identify(&points, sheet)?, points)
+            }
+            (
+                Measurement::Points {
+                    static_receptance: at_rest,
+                    peak_receptance: height,
+                    peak_frequency: place,
+                },
+                MeasurementGiven::Points { static_receptance, peak_receptance, peak_frequency },
+            ) => {
                 let peak = Peak { receptance: *peak_receptance, frequency: *peak_frequency };
-                from_points(*static_receptance, peak, sheet)?
+                let system = from_points(*static_receptance, peak, sheet)?;
+                (system, vec![(0.0, *at_rest), (*place, *height)])
             }
-            (Measurement::Points { .. }, MeasurementGiven::Table { .. }) => {
-                unreachable!("what is given is made from what was measured")
+            (Measurement::Complex { response, damping, residuals, lowest, highest }, _) => {
+                let range = [*lowest, *highest];
+                return complex::identify(response, *damping, *residuals, range, given.force, sheet);
             }
+            (measured, given) => return few_points::identify(measured, given, sheet),
         };
         let System { stiffness, mass, damping, damping_ratio, natural, peak } = system;
         sheet.answer("stiffness", "Stiffness", stiffness);
@@ -103,7 +199,11 @@ impl Analysis for FrequencyResponseIdentification {
         }
         let numbers = (stiffness.value(), mass.value(), damping.value());
         sheet.show(|| {
-            Exhibit::Plot(self.response(numbers, (peak.frequency.value(), peak.receptance.value())))
+            Exhibit::Plot(plots::receptance(
+                numbers,
+                measured,
+                (peak.frequency.value(), peak.receptance.value()),
+            ))
         });
         sheet.show(|| Exhibit::Drawing(drawing()));
         Ok(())
@@ -269,30 +369,6 @@ fn resonance<W: Worksheet>(force: Option<W::Num>, system: &System<W::Num>, sheet
     );
     sheet.answer("resonant_amplitude", "Largest amplitude under the force", largest);
     sheet.answer("natural_amplitude", "Amplitude at the natural frequency", natural);
-}
-
-impl FrequencyResponseIdentification {
-    /// What was measured, and the response of what was identified.
-    fn response(&self, (stiffness, mass, damping): (f64, f64, f64), peak: (f64, f64)) -> Plot {
-        let measured: Vec<(f64, f64)> = match &self.measurement {
-            Measurement::Points { static_receptance, .. } => vec![(0.0, *static_receptance), peak],
-            Measurement::Table { points } => {
-                points.iter().map(|point| (point.frequency, point.receptance)).collect()
-            }
-        };
-        let last = measured.iter().fold(2.0 * peak.0, |last, point| last.max(point.0));
-        let at = |n: u16| {
-            let frequency = last * f64::from(n) / 500.0;
-            (frequency, sdof::receptance(stiffness, mass, damping, frequency))
-        };
-        Plot::new(
-            "Receptance against frequency",
-            Axis::linear("frequency", "rad/s"),
-            Axis::log("receptance", "mm/N"),
-            vec![Series::line("identified", (0..=500).map(at).collect()), Series::dots("measured", measured)],
-        )
-        .mark("peak", peak)
-    }
 }
 
 /// The mass, spring and damper that stand for what was measured.

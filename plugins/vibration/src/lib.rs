@@ -19,6 +19,7 @@ pub mod logarithmic_decrement;
 pub mod mass_on_shaft;
 pub mod oscillator;
 pub mod periodic_excitation;
+pub mod jeffcott;
 pub mod rotating_unbalance;
 pub mod section;
 pub mod shaft_clearance;
@@ -27,6 +28,7 @@ pub mod spring_network;
 pub mod torsional_train;
 pub mod vibration_instrument;
 pub mod vibration_isolation;
+pub mod whirling_shaft;
 
 mod sources;
 

@@ -1,4 +1,4 @@
-//! The shaft diameters that keep an unbalanced rotor clear of its stator at every speed of a range.
+//! What keeps an unbalanced rotor clear of its stator: diameters or stiffnesses of its shaft, eccentricities, speeds.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -6,54 +6,112 @@ use dalembert_core::{
     About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
-    Real, beam,
+    Real,
     intervals::IntervalSet,
-    sdof, section,
+    sdof,
     whirl::{self, LimitedBy, PermittedStiffness},
 };
 
+mod diameter;
+mod eccentricity;
 mod judged;
 mod limits;
 mod plot;
+mod speed;
 
-use crate::sources::{BEER, LISTS, RAO, SHIGLEY};
+pub use crate::jeffcott::Mounting;
+use crate::{
+    jeffcott::RotorShaft,
+    sources::{BEER, LISTS, RAO, SHIGLEY},
+};
 
-/// The rotor, the speeds it runs at, and the shaft whose diameter is sought.
+/// The rotor in its stator, and what is sought.
 #[derive(Clone, Debug, Inputs)]
 pub struct ShaftClearance {
     /// Mass of the rotor.
     #[input("m", "kg", positive)]
     pub mass: f64,
-    /// Unbalance.
-    /// Mass of the rotor times the distance of its mass centre from the axis.
-    #[input("m₀e", "kg*m", positive)]
-    pub unbalance: f64,
     /// Radial clearance between rotor and stator.
     #[input("R", "m", positive)]
     pub clearance: f64,
+    /// Damping.
+    pub damping: Damping,
+    /// Sought.
+    pub sought: Sought,
+}
+
+/// The quantity whose permitted values are sought, and what is given of the others.
+#[derive(Clone, Debug, Inputs)]
+pub enum Sought {
+    /// Diameter of the shaft
+    Diameter {
+        /// Unbalance.
+        /// Mass of the rotor times the distance of its mass centre from the axis.
+        #[input("m₀e", "kg*m", positive)]
+        unbalance: f64,
+        /// Speeds.
+        speeds: SpeedRange,
+        /// Shaft.
+        shaft: Shaft,
+        /// Smallest diameter available.
+        #[input("d_min", "m", positive)]
+        smallest_diameter: Option<f64>,
+        /// Largest diameter available.
+        #[input("d_max", "m", positive)]
+        largest_diameter: Option<f64>,
+        /// A diameter to be judged.
+        #[input("d", "m", positive)]
+        diameter: Option<f64>,
+    },
+    /// Stiffness of the shaft at the rotor
+    Stiffness {
+        /// Unbalance.
+        /// Mass of the rotor times the distance of its mass centre from the axis.
+        #[input("m₀e", "kg*m", positive)]
+        unbalance: f64,
+        /// Speeds.
+        speeds: SpeedRange,
+        /// Smallest stiffness available.
+        #[input("k_min", "N/m", positive)]
+        smallest_stiffness: Option<f64>,
+        /// Largest stiffness available.
+        #[input("k_max", "N/m", positive)]
+        largest_stiffness: Option<f64>,
+        /// A stiffness to be judged.
+        #[input("k", "N/m", positive)]
+        stiffness: Option<f64>,
+    },
+    /// Eccentricity of the rotor
+    Eccentricity {
+        /// Speeds.
+        speeds: SpeedRange,
+        /// Shaft.
+        shaft: RotorShaft,
+    },
+    /// Speed of the rotor
+    Speed {
+        /// Unbalance.
+        /// Mass of the rotor times the distance of its mass centre from the axis.
+        #[input("m₀e", "kg*m", positive)]
+        unbalance: f64,
+        /// Shaft.
+        shaft: RotorShaft,
+    },
+}
+
+/// The speeds at which the rotor runs.
+#[derive(Clone, Debug, Inputs)]
+pub struct SpeedRange {
     /// Lowest speed.
     #[input("ω_a", "rad/s", nonnegative)]
-    pub lowest_speed: f64,
+    pub lowest: f64,
     /// Highest speed.
     #[input("ω_b", "rad/s", positive)]
-    pub highest_speed: f64,
+    pub highest: f64,
     /// Margin on the speeds.
     /// Taken off the lowest speed and added to the highest.
     #[input("s", "%", nonnegative, below = 100)]
     pub margin: Option<f64>,
-    /// Damping.
-    pub damping: Damping,
-    /// Shaft.
-    pub shaft: Shaft,
-    /// Smallest diameter available.
-    #[input("d_min", "m", positive)]
-    pub smallest_diameter: Option<f64>,
-    /// Largest diameter available.
-    #[input("d_max", "m", positive)]
-    pub largest_diameter: Option<f64>,
-    /// A diameter to be judged.
-    #[input("d", "m", positive)]
-    pub diameter: Option<f64>,
 }
 
 /// What damps the whirl.
@@ -62,14 +120,14 @@ pub enum Damping {
     /// Undamped
     Undamped,
     /// Damping ratio given
-    /// The same for every diameter, so that the coefficient follows the stiffness.
+    /// The same for every shaft, so that the coefficient follows the stiffness.
     Ratio {
         /// Damping ratio.
         #[input("ζ", "1", nonnegative)]
         ratio: f64,
     },
     /// Damping coefficient given
-    /// The same for every diameter.
+    /// The same for every shaft.
     Coefficient {
         /// Damping coefficient.
         #[input("c", "N*s/m", nonnegative)]
@@ -91,80 +149,27 @@ pub struct Shaft {
     pub young: f64,
 }
 
-/// How the shaft is held, and where the rotor is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Mounting {
-    /// Cantilever, rotor at its end
-    Cantilever,
-    /// Simply supported, rotor at the middle
-    SimplySupported,
-    /// Clamped at both ends, rotor at the middle
-    Clamped,
-    /// Clamped and pinned, rotor at the middle
-    ClampedPinned,
-}
-
 register!(ShaftClearance);
 
 impl Analysis for ShaftClearance {
     const ABOUT: About = About {
         id: "vibration/shaft-clearance",
         title: "Shaft for a rotor with clearance",
-        summary: "All shaft diameters with which an unbalanced rotor stays clear of its stator at every speed of a range.",
-        keywords: "whirl critical speed Francis turbine rotor stator jeffcott turbina eixo diâmetro folga \
-                   velocidade crítica 08/3",
+        summary: "All diameters or stiffnesses of the shaft, eccentricities or speeds with which an unbalanced rotor stays clear of its stator.",
+        keywords: "whirl critical speed Francis turbine rotor stator jeffcott eccentricity stiffness turbina eixo \
+                   diâmetro rigidez excentricidade folga velocidade crítica 08/3",
         sources: &[&RAO, &BEER, &SHIGLEY, &LISTS],
         cases: include_str!("../cases/shaft_clearance.toml"),
     };
 
     fn solve<W: Worksheet>(&self, given: &ShaftClearanceGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let speeds = self.range(given, sheet)?;
-        let eccentricity = sheet.step(
-            "e",
-            "µm",
-            given.unbalance / given.mass,
-            ("Distance of the mass centre from the axis", RAO.at("§9.5")),
-        );
-        let largest = self.largest_amplitude(given, eccentricity, sheet);
-        let permitted = self.permitted([speeds[0].value(), speeds[1].value()])?;
-        let (soft, stiff) = match &given.damping {
-            DampingGiven::Coefficient { coefficient } => {
-                limits::found_limits(given, *coefficient, &permitted, sheet)
-            }
-            DampingGiven::Ratio { ratio } if ratio.value() > 0.0 => {
-                limits::ratio_limits(given, *ratio, speeds, &permitted, sheet)
-            }
-            _ => limits::undamped_limits(given, speeds, &permitted, sheet),
-        };
-        let thin = soft.map(|k| self.diameter_of(k, given, Branch::Soft, sheet));
-        let thick = stiff.map(|k| self.diameter_of(k, given, Branch::Stiff, sheet));
-
-        let (set, limits) =
-            self.permitted_diameters(&permitted, thin.map(Real::value), thick.map(Real::value));
-        sheet.answer_set("diameters", "Permitted diameters", "mm", &set, limits);
-        if let (Some(k), Some(d)) = (soft, thin) {
-            sheet.answer("soft_stiffness", "Largest stiffness of the soft branch", k);
-            sheet.answer("soft_limit", "Largest diameter of the soft branch", d);
-        }
-        if let (Some(k), Some(d)) = (stiff, thick) {
-            sheet.answer("stiff_stiffness", "Smallest stiffness of the stiff branch", k);
-            sheet.answer("stiff_limit", "Smallest diameter of the stiff branch", d);
-        }
-        if let Some(largest) = largest {
-            sheet.answer("largest_amplitude", "Largest amplitude of any shaft at any speed", largest);
-        }
-        say_what_limits(&permitted, &set, sheet);
-        if let Some(diameter) = given.diameter {
-            self.judge(given, diameter, speeds, sheet)?;
-        }
-        let range = [speeds[0].value(), speeds[1].value()];
-        sheet.show(|| {
-            Exhibit::Plot(self.amplitude_over_diameter(
-                range,
-                &set,
-                [thin, thick].map(|d| d.map(Real::value)),
-            ))
-        });
+        match (&self.sought, &given.sought) {
+            (Sought::Diameter { .. }, SoughtGiven::Diameter { .. }) => self.diameters(given, sheet),
+            (Sought::Stiffness { .. }, SoughtGiven::Stiffness { .. }) => self.stiffnesses(given, sheet),
+            (Sought::Eccentricity { .. }, _) => self.eccentricities(given, sheet),
+            (Sought::Speed { .. }, _) => self.speeds(given, sheet),
+            _ => unreachable!("what is given is made from what is sought"),
+        }?;
         sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())
     }
@@ -179,25 +184,84 @@ enum Branch {
     Stiff,
 }
 
-impl ShaftClearance {
+/// The rotor in its stator, as numbers of the worksheet.
+#[derive(Clone, Copy)]
+struct Rotor<N> {
+    mass: N,
+    unbalance: N,
+    clearance: N,
+}
+
+/// The permitted stiffnesses: the kernel's account of them, and their limits as numbers of the worksheet.
+struct Branches<N> {
+    speeds: [N; 2],
+    permitted: PermittedStiffness,
+    soft: Option<N>,
+    stiff: Option<N>,
+}
+
+impl<N: Real> Branches<N> {
+    fn range(&self) -> [f64; 2] {
+        self.speeds.map(Real::value)
+    }
+}
+
+impl SpeedRange {
     /// The range of speeds with its margins.
-    fn range<W: Worksheet>(&self, given: &ShaftClearanceGiven<W>, sheet: W) -> Result<[W::Num; 2], Refusal> {
-        if self.lowest_speed > self.highest_speed {
+    fn widened<W: Worksheet>(&self, given: &SpeedRangeGiven<W>, sheet: W) -> Result<[W::Num; 2], Refusal> {
+        if self.lowest > self.highest {
             return Err(Refusal::because(
                 "the lowest speed is above the highest one: write the smaller speed as the lowest",
             ));
         }
-        let Some(margin) = given.margin else { return Ok([given.lowest_speed, given.highest_speed]) };
+        let Some(margin) = given.margin else { return Ok([given.lowest, given.highest]) };
         let one = W::Num::from(1.0);
         Ok([
-            sheet.step("ω₁", "rpm", given.lowest_speed * (one - margin), "Lowest speed, with its margin"),
-            sheet.step("ω₂", "rpm", given.highest_speed * (one + margin), "Highest speed, with its margin"),
+            sheet.step("ω₁", "rpm", given.lowest * (one - margin), "Lowest speed, with its margin"),
+            sheet.step("ω₂", "rpm", given.highest * (one + margin), "Highest speed, with its margin"),
         ])
+    }
+}
+
+impl ShaftClearance {
+    /// Which stiffnesses are permitted; answers the limits of the two branches.
+    fn branches<W: Worksheet>(
+        &self,
+        given: &ShaftClearanceGiven<W>,
+        unbalance: W::Num,
+        speeds: [W::Num; 2],
+        sheet: W,
+    ) -> Result<Branches<W::Num>, Refusal> {
+        let rotor = Rotor { mass: given.mass, unbalance, clearance: given.clearance };
+        let eccentricity = sheet.step(
+            "e",
+            "µm",
+            unbalance / given.mass,
+            ("Distance of the mass centre from the axis", RAO.at("§9.5")),
+        );
+        self.largest_amplitude(given, eccentricity, sheet);
+        let permitted = self.permitted(unbalance.value(), speeds.map(Real::value))?;
+        let (soft, stiff) = match &given.damping {
+            DampingGiven::Coefficient { coefficient } => {
+                limits::found_limits(&rotor, *coefficient, &permitted, sheet)
+            }
+            DampingGiven::Ratio { ratio } if ratio.value() > 0.0 => {
+                limits::ratio_limits(&rotor, *ratio, speeds, &permitted, sheet)
+            }
+            _ => limits::undamped_limits(&rotor, speeds, &permitted, sheet),
+        };
+        if let Some(k) = soft {
+            sheet.answer("soft_stiffness", "Largest stiffness of the soft branch", k);
+        }
+        if let Some(k) = stiff {
+            sheet.answer("stiff_stiffness", "Smallest stiffness of the stiff branch", k);
+        }
+        Ok(Branches { speeds, permitted, soft, stiff })
     }
 
     /// The kernel: which stiffnesses are permitted.
-    fn permitted(&self, speeds: [f64; 2]) -> Result<PermittedStiffness, Refusal> {
-        let (m, u, r) = (self.mass, self.unbalance, self.clearance);
+    fn permitted(&self, unbalance: f64, speeds: [f64; 2]) -> Result<PermittedStiffness, Refusal> {
+        let (m, u, r) = (self.mass, unbalance, self.clearance);
         let permitted = match self.damping {
             Damping::Undamped => whirl::permitted_stiffness(m, u, r, speeds, 0.0),
             Damping::Ratio { ratio } => whirl::permitted_stiffness(m, u, r, speeds, ratio),
@@ -216,9 +280,9 @@ impl ShaftClearance {
         given: &ShaftClearanceGiven<W>,
         eccentricity: W::Num,
         sheet: W,
-    ) -> Option<W::Num> {
+    ) {
         if matches!(self.damping, Damping::Coefficient { .. }) {
-            return None;
+            return;
         }
         let room = sheet.step(
             "Λ",
@@ -240,8 +304,8 @@ impl ShaftClearance {
             );
             sheet.answer("harmless_damping_ratio", "Damping ratio from which no shaft touches", enough);
         }
-        let DampingGiven::Ratio { ratio } = &given.damping else { return None };
-        (ratio.value() > 0.0 && ratio.value() < FRAC_1_SQRT_2).then(|| {
+        let DampingGiven::Ratio { ratio } = &given.damping else { return };
+        if ratio.value() > 0.0 && ratio.value() < FRAC_1_SQRT_2 {
             let largest = sheet.step(
                 "Xₘₐₓ",
                 "mm",
@@ -253,108 +317,8 @@ impl ShaftClearance {
                 whirl::whirl_amplitude(eccentricity, sdof::unbalance_peak_ratio(*ratio), *ratio),
                 largest,
             );
-            largest
-        })
-    }
-
-    /// The diameter with a stiffness.
-    fn diameter_of<W: Worksheet>(
-        &self,
-        stiffness: W::Num,
-        given: &ShaftClearanceGiven<W>,
-        branch: Branch,
-        sheet: W,
-    ) -> W::Num {
-        let (length, young) = (given.shaft.length, given.shaft.young);
-        let (moment_symbol, symbol) = match branch {
-            Branch::Soft => ("Iₛ", "dₛ"),
-            Branch::Stiff => ("Iₕ", "dₕ"),
-        };
-        let (moment, why) = match self.shaft.mounting {
-            Mounting::Cantilever => (
-                stiffness * length.powi(3) / (young * 3.0),
-                ("Second moment of area, from k = 3EI/L³ of a cantilever", RAO.at("§1.7")),
-            ),
-            Mounting::SimplySupported => (
-                stiffness * length.powi(3) / (young * 48.0),
-                ("Second moment of area, from k = 48EI/L³ of a simply supported shaft", RAO.at("§1.7")),
-            ),
-            Mounting::Clamped => (
-                stiffness * length.powi(3) / (young * 192.0),
-                ("Second moment of area, from k = 192EI/L³ of a shaft clamped at both ends", RAO.at("§1.7")),
-            ),
-            Mounting::ClampedPinned => (
-                stiffness * length.powi(3) * 7.0 / (young * 768.0),
-                (
-                    "Second moment of area, from k = 768EI/(7L³) of a clamped and pinned shaft",
-                    SHIGLEY.at("table A-9"),
-                ),
-            ),
-        };
-        let moment = sheet.step(moment_symbol, "cm^4", moment, why);
-        let diameter = sheet.step(
-            symbol,
-            "mm",
-            section::round_diameter(moment),
-            ("Diameter of the solid round shaft with I = πd⁴/64", BEER.at("app. A")),
-        );
-        sheet.check(
-            "the shaft of that diameter has the stiffness of the limit",
-            self.shaft.mounting.stiffness(young, section::round_second_moment(diameter), length),
-            stiffness,
-        );
-        diameter
-    }
-
-    /// The permitted diameters, and what limits each end of the set.
-    fn permitted_diameters(
-        &self,
-        permitted: &PermittedStiffness,
-        thin: Option<f64>,
-        thick: Option<f64>,
-    ) -> (IntervalSet, Vec<Text>) {
-        use std::ops::Bound::{Excluded, Included, Unbounded};
-        let finite = |d: Option<f64>| d.filter(|d| d.is_finite());
-        let available = IntervalSet::interval(
-            finite(self.smallest_diameter).map_or(Included(0.0), Included),
-            finite(self.largest_diameter).map_or(Unbounded, Included),
-        );
-        let forbidden = match finite(thick) {
-            Some(thick) => {
-                IntervalSet::interval(finite(thin).map_or(Included(0.0), Excluded), Excluded(thick))
-            }
-            None => IntervalSet::none(),
-        };
-        let set = available.intersection(&forbidden.complement());
-        let ends = set.intervals().flat_map(|interval| [interval.lower, interval.upper]);
-        let limits = ends.filter_map(|end| match end {
-            Included(d) | Excluded(d) if d > 0.0 => Some(self.why_it_ends(d, permitted, thin, thick)),
-            _ => None,
-        });
-        let limits = limits.collect();
-        (set, limits)
-    }
-
-    fn why_it_ends(
-        &self,
-        diameter: f64,
-        permitted: &PermittedStiffness,
-        thin: Option<f64>,
-        thick: Option<f64>,
-    ) -> Text {
-        let limit = match Some(diameter) {
-            d if d == thin => permitted.soft,
-            d if d == thick => permitted.stiff,
-            d if d == self.smallest_diameter => return Text::new("smallest diameter available"),
-            _ => return Text::new("largest diameter available"),
-        };
-        let Some(limit) = limit else { return Text::new("largest diameter available") };
-        let text = match limit.by {
-            LimitedBy::LowestSpeed => Text::new("the clearance is reached at the lowest speed, {speed}"),
-            LimitedBy::HighestSpeed => Text::new("the clearance is reached at the highest speed, {speed}"),
-            LimitedBy::Peak => Text::new("the clearance is reached at the peak of the response, at {speed}"),
-        };
-        text.with_quantity("speed", limit.speed, "rpm")
+            sheet.answer("largest_amplitude", "Largest amplitude of any shaft at any speed", largest);
+        }
     }
 
     /// The rotor on its shaft, inside the stator.
@@ -370,44 +334,99 @@ impl ShaftClearance {
                 DrawnShape::Label((x + 0.1, 0.2), Text::from("e")),
             ]
         };
-        let left_clamp = DrawnShape::Ground((-2.5, 0.6), (-2.5, -0.6));
-        let right_clamp = DrawnShape::Ground((2.5, -0.6), (2.5, 0.6));
-        let pins = |x: f64| DrawnShape::Pin((x, 0.0));
-        let shaft = |to: f64| DrawnShape::Polyline(vec![(-2.5, 0.0), (to, 0.0)], Ink::Result);
-        let mut shapes = match self.shaft.mounting {
-            Mounting::Cantilever => vec![left_clamp, shaft(1.5)],
-            Mounting::SimplySupported => vec![pins(-2.5), pins(2.5), shaft(2.5)],
-            Mounting::Clamped => vec![left_clamp, right_clamp, shaft(2.5)],
-            Mounting::ClampedPinned => vec![left_clamp, pins(2.5), shaft(2.5)],
+        let mounting = match &self.sought {
+            Sought::Diameter { shaft, .. } => shaft.mounting,
+            Sought::Eccentricity { shaft: RotorShaft::Round { mounting, .. }, .. }
+            | Sought::Speed { shaft: RotorShaft::Round { mounting, .. }, .. } => *mounting,
+            _ => Mounting::SimplySupported,
         };
-        let x = if self.shaft.mounting == Mounting::Cantilever { 1.5 } else { 0.0 };
+        let (mut shapes, x) = mounting.sketch();
         shapes.extend(rotor(x));
-        shapes.push(DrawnShape::Label((-1.4, 0.25), Text::from("d")));
+        if matches!(self.sought, Sought::Diameter { .. }) {
+            shapes.push(DrawnShape::Label((-1.4, 0.25), Text::from("d")));
+        }
         Drawing { title: "The rotor in its stator".into(), shapes }
     }
 }
 
-impl Mounting {
-    /// Stiffness of the shaft at the rotor.
-    fn stiffness<N: Real>(self, young: N, second_moment: N, length: N) -> N {
-        match self {
-            Mounting::Cantilever => beam::cantilever(young, second_moment, length),
-            Mounting::SimplySupported => beam::simply_supported_middle(young, second_moment, length),
-            Mounting::Clamped => beam::clamped_clamped_middle(young, second_moment, length),
-            Mounting::ClampedPinned => beam::clamped_pinned_middle(young, second_moment, length),
-        }
-    }
+/// The damping ratio of a rotor on a known shaft; `None` without damping.
+fn damping_ratio<W: Worksheet>(
+    damping: &DampingGiven<W>,
+    stiffness: W::Num,
+    mass: W::Num,
+    sheet: W,
+) -> Option<W::Num> {
+    let ratio = match damping {
+        DampingGiven::Undamped {} => return None,
+        DampingGiven::Ratio { ratio } => *ratio,
+        DampingGiven::Coefficient { coefficient } if coefficient.value() == 0.0 => return None,
+        DampingGiven::Coefficient { coefficient } => sheet.step(
+            "ζ",
+            "1",
+            sdof::damping_ratio(*coefficient, stiffness, mass),
+            ("Damping ratio: damping over critical damping", RAO.at("§2.6")),
+        ),
+    };
+    (ratio.value() > 0.0).then_some(ratio)
+}
+
+/// The values that are both available and permitted, and what limits each end: `available` are the smallest and
+/// the largest, `[thin, thick]` the ends of the forbidden gap.
+fn available_set(
+    available: [(Option<f64>, &'static str); 2],
+    [thin, thick]: [Option<f64>; 2],
+    permitted: &PermittedStiffness,
+) -> (IntervalSet, Vec<Text>) {
+    use std::ops::Bound::{Excluded, Included, Unbounded};
+    let finite = |d: Option<f64>| d.filter(|d| d.is_finite());
+    let [(smallest, smallest_words), (largest, largest_words)] = available;
+    let within = IntervalSet::interval(
+        finite(smallest).map_or(Included(0.0), Included),
+        finite(largest).map_or(Unbounded, Included),
+    );
+    let forbidden = match finite(thick) {
+        Some(thick) => IntervalSet::interval(finite(thin).map_or(Included(0.0), Excluded), Excluded(thick)),
+        None => IntervalSet::none(),
+    };
+    let set = within.intersection(&forbidden.complement());
+    let why_it_ends = |at: f64| {
+        let limit = match Some(at) {
+            d if d == thin => permitted.soft,
+            d if d == thick => permitted.stiff,
+            d if d == smallest => return Text::new(smallest_words),
+            _ => None,
+        };
+        let Some(limit) = limit else { return Text::new(largest_words) };
+        reached(limit.by, limit.speed)
+    };
+    let ends = set.intervals().flat_map(|interval| [interval.lower, interval.upper]);
+    let limits = ends.filter_map(|end| match end {
+        Included(d) | Excluded(d) if d > 0.0 => Some(why_it_ends(d)),
+        _ => None,
+    });
+    let limits = limits.collect();
+    (set, limits)
+}
+
+/// Where the clearance is reached.
+fn reached(by: LimitedBy, speed: f64) -> Text {
+    let text = match by {
+        LimitedBy::LowestSpeed => Text::new("the clearance is reached at the lowest speed, {speed}"),
+        LimitedBy::HighestSpeed => Text::new("the clearance is reached at the highest speed, {speed}"),
+        LimitedBy::Peak => Text::new("the clearance is reached at the peak of the response, at {speed}"),
+    };
+    text.with_quantity("speed", speed, "rpm")
 }
 
 /// Says plainly when the clearance decides nothing, or everything.
-fn say_what_limits<W: Worksheet>(permitted: &PermittedStiffness, set: &IntervalSet, sheet: W) {
+fn say_what_limits<W: Worksheet>(
+    permitted: &PermittedStiffness,
+    set: &IntervalSet,
+    [never, nothing]: [&'static str; 2],
+    sheet: W,
+) {
     if permitted.stiff.is_none() {
-        sheet.warn(|| {
-            Text::new(
-                "the limit is never active: with this damping the rotor stays clear of the stator with every \
-                 diameter, so clearance and speeds do not decide the diameter; strength and bearings do",
-            )
-        });
+        sheet.warn(|| Text::new(never));
     } else if permitted.soft.is_some() {
         sheet.warn(|| {
             Text::new(
@@ -417,11 +436,7 @@ fn say_what_limits<W: Worksheet>(permitted: &PermittedStiffness, set: &IntervalS
         });
     }
     if set.is_none() {
-        sheet.warn(|| {
-            Text::new(
-                "no available diameter keeps the rotor clear: change clearance, unbalance, damping or speeds",
-            )
-        });
+        sheet.warn(|| Text::new(nothing));
     }
 }
 
@@ -431,21 +446,27 @@ mod tests {
 
     use dalembert_core::{AnswerValue, Inputs, Lift, Sheet, Stop, Trail};
 
+    use dalembert_mechanics::section;
+
     use super::*;
+
+    const SPEEDS: [f64; 2] = [600.0 * TAU / 60.0, 6000.0 * TAU / 60.0];
+    const LENGTH: f64 = 2.0;
+    const YOUNG: f64 = 207e9;
 
     fn turbine(damping: Damping, unbalance: f64) -> ShaftClearance {
         ShaftClearance {
             mass: 250.0,
-            unbalance,
             clearance: 5e-3,
-            lowest_speed: 600.0 * TAU / 60.0,
-            highest_speed: 6000.0 * TAU / 60.0,
-            margin: None,
             damping,
-            shaft: Shaft { mounting: Mounting::Clamped, length: 2.0, young: 207e9 },
-            smallest_diameter: None,
-            largest_diameter: None,
-            diameter: None,
+            sought: Sought::Diameter {
+                unbalance,
+                speeds: SpeedRange { lowest: SPEEDS[0], highest: SPEEDS[1], margin: None },
+                shaft: Shaft { mounting: Mounting::Clamped, length: LENGTH, young: YOUNG },
+                smallest_diameter: None,
+                largest_diameter: None,
+                diameter: None,
+            },
         }
     }
 
@@ -463,9 +484,8 @@ mod tests {
     }
 
     /// The largest amplitude at any of many speeds of the range.
-    fn by_brute_force(problem: &ShaftClearance, diameter: f64) -> f64 {
-        let moment = section::round_second_moment(diameter);
-        let k = problem.shaft.mounting.stiffness(problem.shaft.young, moment, problem.shaft.length);
+    fn by_brute_force(problem: &ShaftClearance, unbalance: f64, diameter: f64) -> f64 {
+        let k = Mounting::Clamped.stiffness(YOUNG, section::round_second_moment(diameter), LENGTH);
         let c = match problem.damping {
             Damping::Undamped => 0.0,
             Damping::Ratio { ratio } => sdof::damping_from_ratio(ratio, k, problem.mass),
@@ -473,8 +493,8 @@ mod tests {
         };
         let amplitude = |n: u16| {
             let share = f64::from(n) / 4000.0;
-            let speed = problem.lowest_speed + share * (problem.highest_speed - problem.lowest_speed);
-            sdof::unbalance_amplitude(problem.unbalance, k, problem.mass, c, speed)
+            let speed = SPEEDS[0] + share * (SPEEDS[1] - SPEEDS[0]);
+            sdof::unbalance_amplitude(unbalance, k, problem.mass, c, speed)
         };
         (0..=4000).map(amplitude).fold(0.0, f64::max)
     }
@@ -498,7 +518,7 @@ mod tests {
                 let set = permitted_diameters(&problem);
                 for n in 0..60 {
                     let diameter = 0.01 * 1.08f64.powi(n);
-                    let worst = by_brute_force(&problem, diameter) / problem.clearance;
+                    let worst = by_brute_force(&problem, unbalance, diameter) / problem.clearance;
                     // So near to the clearance the speeds tried are not dense enough to tell.
                     if (worst - 1.0).abs() > 2e-3 {
                         assert_eq!(

@@ -59,3 +59,6 @@ pub(crate) static DEN_HARTOG: Source = Source {
     short: "Den Hartog",
     full: "J. P. Den Hartog, Mechanical Vibrations, 4th ed., McGraw-Hill, 1956; Dover, 1985",
 };
+/// B. K. Sarkar, Theory of Machines.
+pub(crate) static SARKAR: Source =
+    Source { short: "Sarkar", full: "B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, 2002" };

@@ -7,33 +7,25 @@ use dalembert_mechanics::{
     sdof,
 };
 
-use super::{MeasuredPoint, Peak, System, comparison, hold_at_peak};
+use super::{Peak, System, comparison, hold_at_peak};
 use crate::sources::{EWINS, RAO};
 
 /// The fewest points that a least-squares fit is worth the name with.
 const FEWEST: usize = 5;
 
 /// The system of the least squares over all points, beside the other readings.
-pub(super) fn identify<W: Worksheet>(points: &[MeasuredPoint], sheet: W) -> Result<System<W::Num>, Refusal> {
-    let mut points: Vec<(f64, f64)> =
-        points.iter().map(|point| (point.frequency, point.receptance)).collect();
-    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+pub(super) fn identify<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System<W::Num>, Refusal> {
     if points.len() < FEWEST {
         return Err(Refusal::because("the table has fewer than five points: measure more frequencies"));
     }
-    if points.windows(2).any(|pair| pair[0].0 >= pair[1].0) {
-        return Err(Refusal::because(
-            "a frequency stands in the table twice: keep one point, or their mean, for each frequency",
-        ));
-    }
-    let measured = identification::measured_peak(&points).ok_or_else(|| {
+    let measured = identification::measured_peak(points).ok_or_else(|| {
         Refusal::because(
             "the largest receptance is the first or the last of the table, so the peak was not measured: go on \
              beyond it",
         )
     })?;
 
-    let system = least_squares(&points, sheet)?;
+    let system = least_squares(points, sheet)?;
     let by_peak = from_peak(points[0], &measured, sheet);
     let mut rows = vec![("least squares", system), ("peak and lowest frequency", by_peak)];
     match measured.half_power {
@@ -156,7 +148,11 @@ fn fitted_peak<W: Worksheet>(
 }
 
 /// The reading of the peak and the point of lowest frequency.
-fn from_peak<W: Worksheet>(lowest: (f64, f64), measured: &MeasuredPeak, sheet: W) -> System<W::Num> {
+pub(super) fn from_peak<W: Worksheet>(
+    lowest: (f64, f64),
+    measured: &MeasuredPeak,
+    sheet: W,
+) -> System<W::Num> {
     let frequency = sheet.found(
         "ωₕ",
         "rad/s",
@@ -176,7 +172,7 @@ fn from_peak<W: Worksheet>(lowest: (f64, f64), measured: &MeasuredPeak, sheet: W
 }
 
 /// The reading of the half-power points.
-fn from_half_power<W: Worksheet>(
+pub(super) fn from_half_power<W: Worksheet>(
     lower: f64,
     upper: f64,
     measured: &MeasuredPeak,

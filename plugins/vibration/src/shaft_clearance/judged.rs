@@ -1,42 +1,31 @@
-//! A diameter that somebody has in mind: its largest amplitude in the range of speeds.
+//! A shaft that somebody has in mind: its largest amplitude in the range of speeds.
 
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{
-    Real, sdof, section,
+    Real, sdof,
     whirl::{self, LimitedBy},
 };
 
 use super::{DampingGiven, ShaftClearance, ShaftClearanceGiven};
-use crate::sources::{BEER, RAO};
+use crate::sources::RAO;
 
 impl ShaftClearance {
     /// Answers the critical speed and the largest amplitude of a shaft.
     pub(super) fn judge<W: Worksheet>(
         &self,
         given: &ShaftClearanceGiven<W>,
-        diameter: W::Num,
+        unbalance: W::Num,
+        k: W::Num,
         speeds: [W::Num; 2],
         sheet: W,
     ) -> Result<(), Refusal> {
-        let moment = sheet.step(
-            "I",
-            "cm^4",
-            section::round_second_moment(diameter),
-            ("Second moment of area of the shaft to be judged", BEER.at("app. A")),
-        );
-        let k = sheet.step(
-            "k",
-            "MN/m",
-            self.shaft.mounting.stiffness(given.shaft.young, moment, given.shaft.length),
-            ("Its stiffness at the rotor", RAO.at("§1.7")),
-        );
         let natural = sheet.step(
             "ωₙ",
             "rpm",
             sdof::natural_frequency(k, given.mass),
             ("Its critical speed", RAO.at("§9.5")),
         );
-        sheet.answer("critical_speed", "Critical speed of the diameter to be judged", natural);
+        sheet.answer("critical_speed", "Critical speed of the shaft to be judged", natural);
         let damping = match &given.damping {
             DampingGiven::Undamped {} => None,
             DampingGiven::Ratio { ratio } if ratio.value() == 0.0 => None,
@@ -53,12 +42,12 @@ impl ShaftClearance {
         let range = [speeds[0].value(), speeds[1].value()];
         let c = damping.map_or(0.0, Real::value);
         let (worst, by) = whirl::worst_speed(k.value(), self.mass, c, range)
-            .map_err(|_| Refusal::because("the diameter to be judged leads beyond the range of numbers"))?;
+            .map_err(|_| Refusal::because("the shaft to be judged leads beyond the range of numbers"))?;
         let meets_resonance = natural.value() >= range[0] && natural.value() <= range[1];
         if damping.is_none() && meets_resonance {
             sheet.warn(|| {
                 Text::new(
-                    "the diameter to be judged has its critical speed, {speed}, within the range: without damping \
+                    "the shaft to be judged has its critical speed, {speed}, within the range: without damping \
                      the amplitude grows there without bound",
                 )
                 .with_quantity("speed", natural.value(), "rpm")
@@ -72,15 +61,15 @@ impl ShaftClearance {
         };
         let speed = sheet.found("ω_w", "rpm", worst, how);
         let amplitude = match damping {
-            Some(c) => sdof::unbalance_amplitude(given.unbalance, k, given.mass, c, speed),
-            None => given.unbalance * speed.powi(2) / (k - given.mass * speed.powi(2)).abs(),
+            Some(c) => sdof::unbalance_amplitude(unbalance, k, given.mass, c, speed),
+            None => unbalance * speed.powi(2) / (k - given.mass * speed.powi(2)).abs(),
         };
         let amplitude = sheet.step("X_w", "mm", amplitude, ("Its largest amplitude", RAO.at("§3.7")));
-        sheet.answer("worst_speed", "Worst speed of the diameter to be judged", speed);
-        sheet.answer("worst_amplitude", "Largest amplitude of the diameter to be judged", amplitude);
+        sheet.answer("worst_speed", "Worst speed of the shaft to be judged", speed);
+        sheet.answer("worst_amplitude", "Largest amplitude of the shaft to be judged", amplitude);
         if amplitude.value() > self.clearance {
             sheet.warn(|| {
-                Text::new("the diameter to be judged lets the rotor touch: {amplitude} at {speed}")
+                Text::new("the shaft to be judged lets the rotor touch: {amplitude} at {speed}")
                     .with_quantity("amplitude", amplitude.value(), "mm")
                     .with_quantity("speed", worst, "rpm")
             });

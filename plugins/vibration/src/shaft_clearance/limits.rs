@@ -6,7 +6,7 @@ use dalembert_mechanics::{
     whirl::{self, PermittedStiffness},
 };
 
-use super::ShaftClearanceGiven;
+use super::Rotor;
 use crate::sources::RAO;
 
 /// The limits of the two branches, N/m; `None` for a branch without one.
@@ -14,12 +14,12 @@ pub(super) type Limits<N> = (Option<N>, Option<N>);
 
 /// Without damping: the amplitude is `m₀eω²/|k − mω²|`.
 pub(super) fn undamped_limits<W: Worksheet>(
-    given: &ShaftClearanceGiven<W>,
+    rotor: &Rotor<W::Num>,
     speeds: [W::Num; 2],
     permitted: &PermittedStiffness,
     sheet: W,
 ) -> Limits<W::Num> {
-    let (m, u, r) = (given.mass, given.unbalance, given.clearance);
+    let (m, u, r) = (rotor.mass, rotor.unbalance, rotor.clearance);
     let hold = |k: W::Num, speed: W::Num, kernel: f64| {
         sheet.check(
             "the amplitude with that stiffness is the clearance",
@@ -52,13 +52,13 @@ pub(super) fn undamped_limits<W: Worksheet>(
 
 /// With a damping ratio: the roots of a quadratic equation in `k/(mω²)`.
 pub(super) fn ratio_limits<W: Worksheet>(
-    given: &ShaftClearanceGiven<W>,
+    rotor: &Rotor<W::Num>,
     ratio: W::Num,
     speeds: [W::Num; 2],
     permitted: &PermittedStiffness,
     sheet: W,
 ) -> Limits<W::Num> {
-    let (m, u, r) = (given.mass, given.unbalance, given.clearance);
+    let (m, u, r) = (rotor.mass, rotor.unbalance, rotor.clearance);
     let hold = |k: W::Num, speed: W::Num, kernel: f64| {
         sheet.check(
             "the amplitude with that stiffness is the clearance",
@@ -97,7 +97,7 @@ pub(super) fn ratio_limits<W: Worksheet>(
 
 /// With a fixed coefficient the worst speed of the soft branch may lie inside the range, so it is searched.
 pub(super) fn found_limits<W: Worksheet>(
-    given: &ShaftClearanceGiven<W>,
+    rotor: &Rotor<W::Num>,
     coefficient: W::Num,
     permitted: &PermittedStiffness,
     sheet: W,
@@ -108,10 +108,10 @@ pub(super) fn found_limits<W: Worksheet>(
         let amplitude = sheet.step(
             amplitude,
             "mm",
-            sdof::unbalance_amplitude(given.unbalance, k, given.mass, coefficient, speed),
+            sdof::unbalance_amplitude(rotor.unbalance, k, rotor.mass, coefficient, speed),
             ("Amplitude at that speed", RAO.at("§3.7")),
         );
-        sheet.check("the amplitude with that stiffness is the clearance", amplitude, given.clearance);
+        sheet.check("the amplitude with that stiffness is the clearance", amplitude, rotor.clearance);
         k
     };
     let soft = permitted.soft.as_ref().map(|limit| {

@@ -1,73 +1,70 @@
-//! The largest amplitude over the range of speeds against the diameter.
-
-use std::ops::Bound::{Excluded, Included, Unbounded};
+//! The largest amplitude over the range of speeds against what is sought of the shaft.
 
 use dalembert_core::{Axis, Plot, Series};
-use dalembert_mechanics::{intervals::IntervalSet, sdof, section, whirl};
+use dalembert_mechanics::{intervals::IntervalSet, sdof, whirl};
 
 use super::{Damping, ShaftClearance};
+use crate::jeffcott::pairs;
+
+/// The curve of a plot that is still without words.
+pub(super) struct Curve {
+    points: Vec<(f64, f64)>,
+    clearance: f64,
+}
 
 impl ShaftClearance {
-    /// The largest amplitude in the range against the diameter, with the clearance and the permitted bands.
-    pub(super) fn amplitude_over_diameter(
+    /// The largest amplitude in the range of speeds, between two values of the variable whose stiffness is given.
+    pub(super) fn amplitude_over(
         &self,
+        [first, last]: [f64; 2],
+        unbalance: f64,
         speeds: [f64; 2],
-        set: &IntervalSet,
-        limits: [Option<f64>; 2],
-    ) -> Plot {
-        let critical = |speed: f64| {
-            let stiffness = self.mass * speed.powi(2);
-            section::round_diameter(
-                stiffness / self.shaft.mounting.stiffness(self.shaft.young, 1.0, self.shaft.length),
-            )
-        };
-        // From well below to well above the diameters whose critical speed lies in the range.
-        let first = 0.4 * critical(speeds[0].max(0.02 * speeds[1]));
-        let last = 1.6 * critical(speeds[1]);
+        stiffness: impl Fn(f64) -> f64,
+    ) -> Curve {
         let at = |n: u16| {
-            let d = first * (last / first).powf(f64::from(n) / 600.0);
-            (d, self.worst_amplitude(d, speeds))
+            let x = first * (last / first).powf(f64::from(n) / 480.0);
+            (x, self.worst_amplitude(stiffness(x), unbalance, speeds))
         };
-        let mut plot = Plot::new(
-            "Largest amplitude in the range of speeds against diameter",
-            Axis::log("diameter", "mm"),
-            Axis::log("amplitude", "mm"),
-            vec![Series::line("X", (0..=600).map(at).collect())],
-        )
-        .level("clearance", self.clearance);
-        for (limit, label) in limits.into_iter().zip(["end of the soft branch", "start of the stiff branch"])
-        {
-            if let Some(d) = limit.filter(|d| d.is_finite()) {
-                plot = plot.mark(label, (d, self.clearance));
-            }
-        }
-        for interval in set.intervals() {
-            let from = match interval.lower {
-                Included(d) | Excluded(d) => d,
-                Unbounded => 0.0,
-            };
-            let to = match interval.upper {
-                Included(d) | Excluded(d) => d,
-                Unbounded => f64::INFINITY,
-            };
-            plot = plot.band("permitted", from, to, true);
-        }
-        plot
+        Curve { points: (0..=480).map(at).collect(), clearance: self.clearance }
     }
 
     /// Infinite where an undamped rotor meets its critical speed.
-    fn worst_amplitude(&self, diameter: f64, speeds: [f64; 2]) -> f64 {
-        let k = self.shaft.mounting.stiffness(
-            self.shaft.young,
-            section::round_second_moment(diameter),
-            self.shaft.length,
-        );
+    fn worst_amplitude(&self, k: f64, unbalance: f64, speeds: [f64; 2]) -> f64 {
         let c = match self.damping {
             Damping::Undamped => 0.0,
             Damping::Ratio { ratio } => sdof::damping_from_ratio(ratio, k, self.mass),
             Damping::Coefficient { coefficient } => coefficient,
         };
         whirl::worst_speed(k, self.mass, c, speeds)
-            .map_or(f64::NAN, |(speed, _)| sdof::unbalance_amplitude(self.unbalance, k, self.mass, c, speed))
+            .map_or(f64::NAN, |(speed, _)| sdof::unbalance_amplitude(unbalance, k, self.mass, c, speed))
+    }
+}
+
+impl Curve {
+    /// The plot with the clearance and the permitted bands.
+    pub(super) fn permitted(
+        self,
+        title: &'static str,
+        (label, unit): (&'static str, &'static str),
+        set: &IntervalSet,
+        limits: [Option<f64>; 2],
+    ) -> Plot {
+        let mut plot = Plot::new(
+            title,
+            Axis::log(label, unit),
+            Axis::log("amplitude", "mm"),
+            vec![Series::line("X", self.points)],
+        )
+        .level("clearance", self.clearance);
+        for (limit, label) in limits.into_iter().zip(["end of the soft branch", "start of the stiff branch"])
+        {
+            if let Some(x) = limit.filter(|x| x.is_finite()) {
+                plot = plot.mark(label, (x, self.clearance));
+            }
+        }
+        for (from, to) in pairs(set) {
+            plot = plot.band("permitted", from, to, true);
+        }
+        plot
     }
 }

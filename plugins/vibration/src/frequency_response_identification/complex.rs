@@ -1,0 +1,559 @@
+//! A mode from a table of the complex frequency response.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use dalembert_core::{Cell, Column, Exhibit, Inputs, Refusal, TableExhibit, Text, Worksheet};
+use dalembert_mechanics::{
+    Real,
+    identification::{
+        self,
+        modal::{self, Complex, DampingModel, Point, Residuals, Response},
+    },
+    sdof,
+};
+
+use super::{circle, plots, points::ordered};
+use crate::sources::{EWINS, RAO};
+
+/// The fewest points whose fit has something left to judge it by.
+const FEW: usize = 6;
+
+/// What was measured, and how it is written.
+#[derive(Clone, Debug, Inputs)]
+pub enum ResponseTable {
+    /// Receptance, real and imaginary part
+    ReceptanceParts {
+        /// Points.
+        /// Three at least, in any order, about one resonance.
+        #[input(table)]
+        points: Vec<ReceptancePart>,
+    },
+    /// Receptance, amplitude and phase
+    ReceptancePolar {
+        /// Points.
+        /// Three at least, in any order, about one resonance.
+        #[input(table)]
+        points: Vec<ReceptancePolar>,
+    },
+    /// Mobility, real and imaginary part
+    MobilityParts {
+        /// Points.
+        /// Three at least, in any order, about one resonance.
+        #[input(table)]
+        points: Vec<MobilityPart>,
+    },
+    /// Mobility, amplitude and phase
+    MobilityPolar {
+        /// Points.
+        /// Three at least, in any order, about one resonance.
+        #[input(table)]
+        points: Vec<MobilityPolar>,
+    },
+    /// Accelerance, real and imaginary part
+    AcceleranceParts {
+        /// Points.
+        /// Three at least, in any order, about one resonance.
+        #[input(table)]
+        points: Vec<AccelerancePart>,
+    },
+    /// Accelerance, amplitude and phase
+    AccelerancePolar {
+        /// Points.
+        /// Three at least, in any order, about one resonance.
+        #[input(table)]
+        points: Vec<AccelerancePolar>,
+    },
+}
+
+/// A point of a measured receptance, by its parts.
+#[derive(Clone, Debug, Inputs)]
+pub struct ReceptancePart {
+    /// Frequency.
+    #[input("ω", "Hz", nonnegative)]
+    pub frequency: f64,
+    /// Real part.
+    #[input("Re H", "m/N")]
+    pub real: f64,
+    /// Imaginary part.
+    #[input("Im H", "m/N")]
+    pub imaginary: f64,
+}
+
+/// A point of a measured receptance, by amplitude and phase.
+#[derive(Clone, Debug, Inputs)]
+pub struct ReceptancePolar {
+    /// Frequency.
+    #[input("ω", "Hz", nonnegative)]
+    pub frequency: f64,
+    /// Amplitude.
+    #[input("|H|", "m/N", nonnegative)]
+    pub amplitude: f64,
+    /// Phase.
+    /// Negative where the motion lags the force.
+    #[input("φ", "deg")]
+    pub phase: f64,
+}
+
+/// A point of a measured mobility, by its parts.
+#[derive(Clone, Debug, Inputs)]
+pub struct MobilityPart {
+    /// Frequency.
+    #[input("ω", "Hz", nonnegative)]
+    pub frequency: f64,
+    /// Real part.
+    #[input("Re Y", "m/(N*s)")]
+    pub real: f64,
+    /// Imaginary part.
+    #[input("Im Y", "m/(N*s)")]
+    pub imaginary: f64,
+}
+
+/// A point of a measured mobility, by amplitude and phase.
+#[derive(Clone, Debug, Inputs)]
+pub struct MobilityPolar {
+    /// Frequency.
+    #[input("ω", "Hz", nonnegative)]
+    pub frequency: f64,
+    /// Amplitude.
+    #[input("|Y|", "m/(N*s)", nonnegative)]
+    pub amplitude: f64,
+    /// Phase.
+    /// Negative where the motion lags the force.
+    #[input("φ", "deg")]
+    pub phase: f64,
+}
+
+/// A point of a measured accelerance, by its parts.
+#[derive(Clone, Debug, Inputs)]
+pub struct AccelerancePart {
+    /// Frequency.
+    #[input("ω", "Hz", nonnegative)]
+    pub frequency: f64,
+    /// Real part.
+    #[input("Re A", "1/kg")]
+    pub real: f64,
+    /// Imaginary part.
+    #[input("Im A", "1/kg")]
+    pub imaginary: f64,
+}
+
+/// A point of a measured accelerance, by amplitude and phase.
+#[derive(Clone, Debug, Inputs)]
+pub struct AccelerancePolar {
+    /// Frequency.
+    #[input("ω", "Hz", nonnegative)]
+    pub frequency: f64,
+    /// Amplitude.
+    #[input("|A|", "1/kg", nonnegative)]
+    pub amplitude: f64,
+    /// Phase.
+    /// Negative where the motion lags the force.
+    #[input("φ", "deg")]
+    pub phase: f64,
+}
+
+/// How the mode is damped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum DampingKind {
+    /// Viscous: the circle is that of the mobility
+    Viscous,
+    /// Hysteretic: the circle is that of the receptance
+    Hysteretic,
+}
+
+/// What stands for the modes outside the range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum ResidualKind {
+    /// One mode alone
+    None,
+    /// Modes above: a constant receptance
+    Stiffness,
+    /// Modes above and below: a constant receptance and a mass line
+    StiffnessAndMass,
+}
+
+/// A mode as one method reads it.
+#[derive(Clone, Copy)]
+pub(super) struct Mode<N> {
+    pub(super) natural: N,
+    pub(super) damping_ratio: N,
+    pub(super) constant: N,
+}
+
+impl DampingKind {
+    pub(super) fn model(self) -> DampingModel {
+        match self {
+            DampingKind::Viscous => DampingModel::Viscous,
+            DampingKind::Hysteretic => DampingModel::Hysteretic,
+        }
+    }
+}
+
+impl ResponseTable {
+    /// What was measured, and its points.
+    fn read(&self) -> (Response, Vec<Point>) {
+        let polar = Complex::from_polar;
+        match self {
+            ResponseTable::ReceptanceParts { points } => (
+                Response::Receptance,
+                points.iter().map(|p| (p.frequency, Complex::new(p.real, p.imaginary))).collect(),
+            ),
+            ResponseTable::ReceptancePolar { points } => (
+                Response::Receptance,
+                points.iter().map(|p| (p.frequency, polar(p.amplitude, p.phase))).collect(),
+            ),
+            ResponseTable::MobilityParts { points } => (
+                Response::Mobility,
+                points.iter().map(|p| (p.frequency, Complex::new(p.real, p.imaginary))).collect(),
+            ),
+            ResponseTable::MobilityPolar { points } => (
+                Response::Mobility,
+                points.iter().map(|p| (p.frequency, polar(p.amplitude, p.phase))).collect(),
+            ),
+            ResponseTable::AcceleranceParts { points } => (
+                Response::Accelerance,
+                points.iter().map(|p| (p.frequency, Complex::new(p.real, p.imaginary))).collect(),
+            ),
+            ResponseTable::AccelerancePolar { points } => (
+                Response::Accelerance,
+                points.iter().map(|p| (p.frequency, polar(p.amplitude, p.phase))).collect(),
+            ),
+        }
+    }
+}
+
+/// Reads a mode in every way and answers that of the complex least squares.
+pub(super) fn identify<W: Worksheet>(
+    table: &ResponseTable,
+    damping: DampingKind,
+    residuals: ResidualKind,
+    range: [Option<f64>; 2],
+    force: Option<W::Num>,
+    sheet: W,
+) -> Result<(), Refusal> {
+    let (response, all) = table.read();
+    let all = ordered(all, sheet)?;
+    let points = within(all, range, sheet)?;
+    let receptances: Vec<Point> = points.iter().map(|point| (point.0, response.receptance(*point))).collect();
+
+    let mut modes: Vec<(&'static str, Mode<W::Num>)> = Vec::new();
+    if let Some(mode) = by_amplitude(&receptances, sheet) {
+        modes.push(("peak and half-power points", mode));
+    }
+    let (mode, circle) = circle::circle(&points, response, damping, sheet)?;
+    modes.push(("circle fit", mode));
+    let (mode, fit) = least_squares(&points, response, damping, residuals, sheet)?;
+    modes.push(("complex least squares", mode));
+
+    answers(&mode, damping, force, sheet);
+    spread(&modes, sheet);
+    let numbers: Vec<(&'static str, [f64; 3])> = modes
+        .iter()
+        .map(|(method, mode)| (*method, [mode.natural, mode.damping_ratio, mode.constant].map(Real::value)))
+        .collect();
+    caution(points.len(), mode.damping_ratio.value(), sheet);
+    let model = damping.model();
+    sheet.show(|| Exhibit::Plot(plots::nyquist(&receptances, &circle, &fit, model)));
+    for which in [0, 1] {
+        sheet.show(|| {
+            let [amplitude, phase] = plots::bode(&receptances, &fit, model);
+            Exhibit::Plot(if which == 0 { amplitude } else { phase })
+        });
+    }
+    sheet.show(|| Exhibit::Table(side_by_side(numbers)));
+    Ok(())
+}
+
+/// The points above zero and within the range that is read.
+fn within<W: Worksheet>(
+    mut points: Vec<Point>,
+    [lowest, highest]: [Option<f64>; 2],
+    sheet: W,
+) -> Result<Vec<Point>, Refusal> {
+    if let (Some(lowest), Some(highest)) = (lowest, highest)
+        && lowest >= highest
+    {
+        return Err(Refusal::because(
+            "the lowest frequency that is read is not below the highest one: exchange them",
+        ));
+    }
+    let inside = |frequency: f64| {
+        lowest.is_none_or(|lowest| frequency >= lowest) && highest.is_none_or(|highest| frequency <= highest)
+    };
+    points.retain(|point| inside(point.0));
+    if points.first().is_some_and(|point| point.0 == 0.0) {
+        points.remove(0);
+        sheet.warn(|| Text::new("the point at frequency zero is left out: phase and circle begin above it"));
+    }
+    if points.len() < 3 {
+        return Err(Refusal::because(
+            "there are fewer than three frequencies above zero in the range that is read: measure more, or widen it",
+        ));
+    }
+    Ok(points)
+}
+
+/// The reading of the amplitude alone: peak and half-power points of the receptance.
+fn by_amplitude<W: Worksheet>(receptances: &[Point], sheet: W) -> Option<Mode<W::Num>> {
+    let amplitudes: Vec<(f64, f64)> = receptances.iter().map(|(w, a)| (*w, a.norm())).collect();
+    let Some(peak) = identification::measured_peak(&amplitudes) else {
+        sheet.warn(|| {
+            Text::new(
+                "the largest amplitude is the first or the last of the range, so the peak was not measured: there is no \
+                 reading of peak and half-power points, and the others reach beyond what was measured",
+            )
+        });
+        return None;
+    };
+    let ([Some(lower), Some(upper)], true) = (peak.half_power, peak.receptance.is_normal()) else {
+        sheet.warn(|| {
+            Text::new(
+                "the table does not reach down to 1/√2 of the peak on both sides: there is no half-power reading",
+            )
+        });
+        return None;
+    };
+    let height = sheet.found(
+        "Hₕ",
+        "mm/N",
+        peak.receptance,
+        "Height of the measured peak: vertex of the parabola of 1/H² over ω² through the highest point and its neighbours",
+    );
+    let why = "Half-power frequency below the peak: the receptance is 1/√2 of its height";
+    let lower = sheet.found("ω_a", "Hz", lower, (why, RAO.at("§3.4")));
+    let upper = sheet.found("ω_b", "Hz", upper, "Half-power frequency above the peak");
+    let zeta = sheet.step(
+        "ζₕ",
+        "1",
+        sdof::damping_ratio_from_half_power(lower, upper),
+        "Damping ratio from the half-power frequencies, exact for one mode with viscous damping",
+    );
+    if zeta.value() >= FRAC_1_SQRT_2 {
+        return None;
+    }
+    let natural = sheet.step(
+        "ωₕ",
+        "Hz",
+        sdof::natural_frequency_from_force_peak(identification::peak_between_half_power(lower, upper), zeta),
+        ("Natural frequency: the peak lies at ωₙ√(1 − 2ζ²)", RAO.at("§3.4")),
+    );
+    let constant = sheet.step(
+        "Aₕ",
+        "1/kg",
+        height * natural.powi(2) / sdof::peak_magnification(zeta),
+        ("Modal constant: the peak is A/(2ζωₙ²√(1 − ζ²))", RAO.at("§3.4")),
+    );
+    sheet.check(
+        "modal constant from the half-power frequencies alone",
+        W::Num::from(1.0) / identification::mass_from_half_power(height, lower, upper),
+        constant,
+    );
+    sheet.answer("half_power_damping_ratio", "Damping ratio, half-power points", zeta);
+    Some(Mode { natural, damping_ratio: zeta, constant })
+}
+
+/// The mode nearest to all points.
+fn least_squares<W: Worksheet>(
+    points: &[Point],
+    response: Response,
+    damping: DampingKind,
+    residuals: ResidualKind,
+    sheet: W,
+) -> Result<(Mode<W::Num>, modal::ModalFit), Refusal> {
+    let model = damping.model();
+    let with = match residuals {
+        ResidualKind::None => Residuals::None,
+        ResidualKind::Stiffness => Residuals::Stiffness,
+        ResidualKind::StiffnessAndMass => Residuals::StiffnessAndMass,
+    };
+    let fit = modal::modal_fit(points, response, model, with).map_err(|err| circle::refused(&err))?;
+    let how = match model {
+        DampingModel::Viscous => {
+            "Natural frequency by least squares of the complex differences from A/(ωₙ² − ω² + 2iζωₙω) + R − S/ω²"
+        }
+        DampingModel::Hysteretic => {
+            "Natural frequency by least squares of the complex differences from A/(ωₙ² − ω² + iηωₙ²) + R − S/ω²"
+        }
+    };
+    let natural = sheet.found("ωₙ", "Hz", fit.natural_frequency, (how, EWINS.at("§4.4")));
+    let zeta = match model {
+        DampingModel::Viscous => {
+            sheet.found("ζ", "1", fit.damping, "Damping ratio by the same least squares")
+        }
+        DampingModel::Hysteretic => {
+            let eta = sheet.found("η", "1", fit.damping, "Loss factor by the same least squares");
+            sheet.answer("loss_factor", "Loss factor", eta);
+            sheet.step(
+                "ζ",
+                "1",
+                eta / 2.0,
+                "Viscous damping ratio with the same loss at the natural frequency",
+            )
+        }
+    };
+    let constant = sheet.found("A", "1/kg", fit.modal_constant, "Modal constant by the same least squares");
+    for slope in fit.slopes {
+        sheet.check_zero("the least squares meet their normal equations", slope.into(), 1.0);
+    }
+    let misfit = sheet.found(
+        "ε",
+        "%",
+        fit.misfit,
+        "Root mean square of the differences between fitted and measured response, over the largest measured one",
+    );
+    sheet.answer("natural_frequency", "Natural frequency", natural);
+    sheet.answer("damping_ratio", "Damping ratio", zeta);
+    sheet.answer("modal_constant", "Modal constant", constant);
+    if residuals != ResidualKind::None {
+        let residual =
+            sheet.found("R", "mm/N", fit.stiffness_residual, "Stiffness residual, for the modes above");
+        sheet.answer("stiffness_residual", "Stiffness residual", residual);
+    }
+    if residuals == ResidualKind::StiffnessAndMass {
+        let residual = sheet.found("S", "1/kg", fit.mass_residual, "Mass residual, for the modes below");
+        sheet.answer("mass_residual", "Mass residual", residual);
+    }
+    sheet.answer("misfit", "Scatter of the points about the fit", misfit);
+    if fit.misfit > 0.05 {
+        sheet.warn(|| {
+            Text::new(
+                "the points scatter by more than 5 % of the peak about the fit: noise, or more than one mode in this range",
+            )
+        });
+    }
+    Ok((Mode { natural, damping_ratio: zeta, constant }, fit))
+}
+
+/// Mass, stiffness and damping, where force and motion are those of one mass, and the response at resonance.
+fn answers<W: Worksheet>(mode: &Mode<W::Num>, damping: DampingKind, force: Option<W::Num>, sheet: W) {
+    let Mode { natural, damping_ratio, constant } = *mode;
+    let resonant = sheet.step(
+        "Hₙ",
+        "mm/N",
+        constant.abs() / (damping_ratio * natural.powi(2) * 2.0),
+        ("Receptance of the mode at its natural frequency, A/(2ζωₙ²)", RAO.at("§3.4")),
+    );
+    sheet.answer("resonant_receptance", "Amplitude at resonance for each unit of force", resonant);
+    if let Some(force) = force {
+        let amplitude = sheet.step(
+            "Xₙ",
+            "mm",
+            resonant * force,
+            ("Amplitude at the natural frequency under this force", RAO.at("§3.4")),
+        );
+        sheet.answer("natural_amplitude", "Amplitude at the natural frequency", amplitude);
+    }
+    if constant.value() < 0.0 {
+        sheet.warn(|| {
+            Text::new(
+                "the modal constant is negative: force and motion are not those of one point, and no mass is read from it",
+            )
+        });
+        return;
+    }
+    let mass = sheet.step(
+        "m",
+        "kg",
+        W::Num::from(1.0) / constant,
+        (
+            "Modal mass: one over the modal constant, where the motion is that of the point of the force",
+            EWINS.at("§4.3"),
+        ),
+    );
+    let stiffness = sheet.step(
+        "k",
+        "N/m",
+        sdof::stiffness_from_natural_frequency(mass, natural),
+        ("Stiffness that gives the natural frequency", RAO.at("§2.2")),
+    );
+    let coefficient = match damping {
+        DampingKind::Viscous => sheet.step(
+            "c",
+            "N*s/m",
+            sdof::damping_from_ratio(damping_ratio, stiffness, mass),
+            ("Damping coefficient", RAO.at("§2.6")),
+        ),
+        DampingKind::Hysteretic => sheet.step(
+            "c",
+            "N*s/m",
+            stiffness * damping_ratio * 2.0 / natural,
+            ("Viscous damping with the same loss at the natural frequency, ηk/ωₙ", RAO.at("§2.10")),
+        ),
+    };
+    sheet.check(
+        "at the natural frequency the damper alone holds the force: 1/(c ωₙ)",
+        sdof::damping_from_resonant_receptance(coefficient, natural),
+        resonant,
+    );
+    sheet.answer("mass", "Mass", mass);
+    sheet.answer("stiffness", "Stiffness", stiffness);
+    sheet.answer("damping", "Damping coefficient", coefficient);
+}
+
+/// How far the methods lie apart.
+fn spread<W: Worksheet>(modes: &[(&'static str, Mode<W::Num>)], sheet: W) {
+    let of = |which: fn(&Mode<W::Num>) -> W::Num| {
+        let by_size = |a: &W::Num, b: &W::Num| a.value().total_cmp(&b.value());
+        let all = || modes.iter().map(|(_, mode)| which(mode));
+        all().min_by(by_size).zip(all().max_by(by_size))
+    };
+    let (Some((slow, fast)), Some((least, most))) = (of(|mode| mode.natural), of(|mode| mode.damping_ratio))
+    else {
+        return;
+    };
+    let frequencies =
+        sheet.step("Δω", "%", (fast - slow) / fast, "How far the methods lie apart in the natural frequency");
+    let dampings =
+        sheet.step("Δζ", "%", (most - least) / most, "How far the methods lie apart in the damping ratio");
+    sheet.answer("frequency_spread", "Spread of the natural frequency", frequencies);
+    sheet.answer("damping_spread", "Spread of the damping ratio", dampings);
+    if dampings.value() > 0.1 {
+        sheet.warn(|| {
+            Text::new(
+                "the readings of the damping ratio differ by {spread}: the points about the peak are too few or too \
+                 noisy, or this is not one mass on one spring",
+            )
+            .with_quantity("spread", dampings.value(), "%")
+        });
+    }
+}
+
+/// Where the methods are at their limits.
+fn caution<W: Worksheet>(count: usize, damping_ratio: f64, sheet: W) {
+    if count < FEW {
+        sheet.warn(|| {
+            Text::new(
+                "{count} points are few: the circle and the fit pass through them whatever their errors; measure more \
+                 frequencies about the resonance",
+            )
+            .with("count", count)
+        });
+    }
+    if damping_ratio > 0.1 {
+        sheet.warn(|| {
+            Text::new(
+                "the damping ratio is above 0.1: half-power points are far from the peak, and other modes reach into \
+                 the range between them",
+            )
+        });
+    }
+}
+
+/// The methods in rows.
+fn side_by_side(rows: Vec<(&'static str, [f64; 3])>) -> TableExhibit {
+    let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+    let row = |(method, numbers): (&'static str, [f64; 3])| {
+        std::iter::once(Cell::Text(Text::new(method))).chain(numbers.map(Cell::Number)).collect()
+    };
+    TableExhibit {
+        title: "The methods side by side".into(),
+        columns: vec![
+            column("method", ""),
+            column("natural frequency", "Hz"),
+            column("damping ratio", "1"),
+            column("modal constant", "1/kg"),
+        ],
+        rows: rows.into_iter().map(row).collect(),
+        foot: Vec::new(),
+    }
+}

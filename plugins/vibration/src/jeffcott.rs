@@ -1,0 +1,128 @@
+//! What two analyses of an unbalanced rotor share: how its shaft is held, and how stiff it is there.
+
+use dalembert_core::{DrawnShape, Ink, Inputs, Worksheet};
+use dalembert_mechanics::{Real, beam, section};
+
+mod speeds;
+
+pub(crate) use self::speeds::{Whirl, pairs, permitted_speeds};
+use crate::sources::{BEER, RAO};
+
+/// How the shaft is held, and where the rotor is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Mounting {
+    /// Cantilever, rotor at its end
+    Cantilever,
+    /// Simply supported, rotor at the middle
+    SimplySupported,
+    /// Clamped at both ends, rotor at the middle
+    Clamped,
+    /// Clamped and pinned, rotor at the middle
+    ClampedPinned,
+}
+
+/// The elastic shaft that a rotor sits on.
+#[derive(Clone, Debug, Inputs)]
+pub enum RotorShaft {
+    /// Stiffness given
+    Stiffness {
+        /// Stiffness of the shaft at the rotor.
+        #[input("k", "N/m", positive)]
+        stiffness: f64,
+    },
+    /// Solid round shaft
+    Round {
+        /// Mounting.
+        mounting: Mounting,
+        /// Length.
+        /// Of the overhang where the rotor is at its end, of the span otherwise.
+        #[input("L", "m", positive)]
+        length: f64,
+        /// Diameter.
+        #[input("d", "m", positive)]
+        diameter: f64,
+        /// Young's modulus.
+        #[input("E", "Pa", positive, default = "207 GPa")]
+        young: f64,
+    },
+}
+
+/// The stiffness `k` of a shaft at its rotor, with the steps that lead to it.
+pub(crate) fn stiffness<W: Worksheet>(shaft: &RotorShaft, given: &RotorShaftGiven<W>, sheet: W) -> W::Num {
+    match (shaft, given) {
+        (RotorShaft::Round { mounting, .. }, RotorShaftGiven::Round { length, diameter, young, .. }) => {
+            let moment = sheet.step(
+                "I",
+                "cm^4",
+                section::round_second_moment(*diameter),
+                ("Second moment of area of the shaft", BEER.at("app. A")),
+            );
+            sheet.step(
+                "k",
+                "MN/m",
+                mounting.stiffness(*young, moment, *length),
+                ("Stiffness of the shaft at the rotor", RAO.at("§1.7")),
+            )
+        }
+        (_, RotorShaftGiven::Stiffness { stiffness }) => *stiffness,
+        (RotorShaft::Stiffness { .. }, RotorShaftGiven::Round { .. }) => {
+            unreachable!("what is given is made from the shaft")
+        }
+    }
+}
+
+impl Mounting {
+    /// Stiffness of the shaft at the rotor.
+    pub(crate) fn stiffness<N: Real>(self, young: N, second_moment: N, length: N) -> N {
+        match self {
+            Mounting::Cantilever => beam::cantilever(young, second_moment, length),
+            Mounting::SimplySupported => beam::simply_supported_middle(young, second_moment, length),
+            Mounting::Clamped => beam::clamped_clamped_middle(young, second_moment, length),
+            Mounting::ClampedPinned => beam::clamped_pinned_middle(young, second_moment, length),
+        }
+    }
+
+    /// The largest bending moment of a force on the rotor.
+    pub(crate) fn largest_moment<N: Real>(self, force: N, length: N) -> N {
+        match self {
+            Mounting::Cantilever => force * length,
+            Mounting::SimplySupported => force * length / 4.0,
+            Mounting::Clamped => force * length / 8.0,
+            Mounting::ClampedPinned => force * length * 3.0 / 16.0,
+        }
+    }
+
+    /// The largest bending stress over the deflection of the rotor: `stress_factor · E d/L²`.
+    pub(crate) fn stress_factor(self) -> f64 {
+        match self {
+            Mounting::Cantilever => 1.5,
+            Mounting::SimplySupported => 6.0,
+            Mounting::Clamped => 12.0,
+            Mounting::ClampedPinned => 72.0 / 7.0,
+        }
+    }
+
+    /// The force of the more heavily loaded bearing.
+    pub(crate) fn largest_reaction<N: Real>(self, force: N) -> N {
+        match self {
+            Mounting::Cantilever => force,
+            Mounting::SimplySupported | Mounting::Clamped => force / 2.0,
+            Mounting::ClampedPinned => force * 11.0 / 16.0,
+        }
+    }
+
+    /// The shaft and what holds it, and the place of the rotor.
+    pub(crate) fn sketch(self) -> (Vec<DrawnShape>, f64) {
+        let left_clamp = DrawnShape::Ground((-2.5, 0.6), (-2.5, -0.6));
+        let right_clamp = DrawnShape::Ground((2.5, -0.6), (2.5, 0.6));
+        let pins = |x: f64| DrawnShape::Pin((x, 0.0));
+        let shaft = |to: f64| DrawnShape::Polyline(vec![(-2.5, 0.0), (to, 0.0)], Ink::Result);
+        let shapes = match self {
+            Mounting::Cantilever => vec![left_clamp, shaft(1.5)],
+            Mounting::SimplySupported => vec![pins(-2.5), pins(2.5), shaft(2.5)],
+            Mounting::Clamped => vec![left_clamp, right_clamp, shaft(2.5)],
+            Mounting::ClampedPinned => vec![left_clamp, pins(2.5), shaft(2.5)],
+        };
+        (shapes, if self == Mounting::Cantilever { 1.5 } else { 0.0 })
+    }
+}

@@ -1,0 +1,139 @@
+//! The speeds that keep the whirl of a known rotor within an amplitude.
+
+use std::ops::Bound::{Excluded, Included, Unbounded};
+
+use dalembert_core::{Refusal, Text, Worksheet};
+use dalembert_mechanics::{
+    Real,
+    intervals::{Interval, IntervalSet},
+    whirl::{self, PermittedSpeeds},
+};
+
+use crate::sources::RAO;
+
+/// What the whirl of a rotor follows from.
+#[derive(Clone, Copy)]
+pub(crate) struct Whirl<N> {
+    /// Critical speed.
+    pub(crate) natural: N,
+    /// Distance of the mass centre from the axis.
+    pub(crate) eccentricity: N,
+    /// Damping ratio; `None` without damping.
+    pub(crate) damping_ratio: Option<N>,
+}
+
+/// Answers the speeds whose whirl amplitude is at most `amplitude`, and gives them as pairs of their ends.
+pub(crate) fn permitted_speeds<W: Worksheet>(
+    whirl: &Whirl<W::Num>,
+    amplitude: W::Num,
+    sheet: W,
+) -> Result<Vec<(f64, f64)>, Refusal> {
+    let zeta = whirl.damping_ratio.map_or(0.0, Real::value);
+    let [natural, eccentricity] = [whirl.natural, whirl.eccentricity].map(Real::value);
+    let permitted = whirl::permitted_speeds(natural, eccentricity, amplitude.value(), zeta)
+        .map_err(|_| Refusal::because("the limit leads beyond the range of numbers"))?;
+    let limits = ends(whirl, amplitude, &permitted, sheet);
+    sheet.answer_set("speeds", "Permitted speeds", "rpm", &permitted.set, limits);
+    if permitted.below.is_none() {
+        sheet.warn(|| {
+            Text::new("the limit is never active: with this damping the whirl stays within it at every speed")
+        });
+    } else if permitted.above.is_none() {
+        sheet.warn(|| {
+            Text::new(
+                "the rotor never comes back within the limit above its critical speed: there the amplitude falls \
+                 towards the eccentricity, which is not below the limit",
+            )
+        });
+    } else {
+        sheet.warn(|| {
+            Text::new(
+                "above the forbidden band the rotor has passed its critical speed: run through the band quickly",
+            )
+        });
+    }
+    Ok(pairs(&permitted.set))
+}
+
+/// The intervals of a set as pairs of their ends: zero and infinity where they are unbounded.
+pub(crate) fn pairs(set: &IntervalSet) -> Vec<(f64, f64)> {
+    let pair = |interval: Interval| {
+        let from = match interval.lower {
+            Included(x) | Excluded(x) => x,
+            Unbounded => 0.0,
+        };
+        let to = match interval.upper {
+            Included(x) | Excluded(x) => x,
+            Unbounded => f64::INFINITY,
+        };
+        (from, to)
+    };
+    set.intervals().map(pair).collect()
+}
+
+/// The ends of the forbidden band, with what limits each end of the permitted set.
+fn ends<W: Worksheet>(
+    whirl: &Whirl<W::Num>,
+    amplitude: W::Num,
+    permitted: &PermittedSpeeds,
+    sheet: W,
+) -> Vec<Text> {
+    let Some(lower) = permitted.below else { return Vec::new() };
+    let Whirl { eccentricity, natural, damping_ratio } = *whirl;
+    let share = damping_ratio.map(|_| {
+        sheet.step("µ", "1", eccentricity / amplitude, "Eccentricity as a share of the permitted amplitude")
+    });
+    let hold = |speed: W::Num, kernel: f64| {
+        sheet.check(
+            "the whirl at that speed has the permitted amplitude",
+            match damping_ratio {
+                Some(zeta) => whirl::whirl_amplitude(eccentricity, speed / natural, zeta),
+                None => {
+                    let ratio = (speed / natural).powi(2);
+                    eccentricity * ratio / (W::Num::from(1.0) - ratio).abs()
+                }
+            },
+            amplitude,
+        );
+        sheet.check("the end of the band by its other formula is the same", speed, kernel.into());
+    };
+    let below = match (damping_ratio, share) {
+        (Some(zeta), Some(share)) => whirl::speed_below(natural, share, zeta),
+        _ => whirl::speed_below_undamped(natural, eccentricity, amplitude),
+    };
+    let below = sheet.step(
+        "ω₁",
+        "rpm",
+        below,
+        ("Begin of the forbidden band: the whirl reaches the permitted amplitude", RAO.at("§9.5")),
+    );
+    hold(below, lower);
+    sheet.answer("band_begin", "Begin of the forbidden band", below);
+    let mut limits = vec![Text::new("the limit is reached below the critical speed, {speed}").with_quantity(
+        "speed",
+        natural.value(),
+        "rpm",
+    )];
+    if let Some(upper) = permitted.above {
+        let above = match (damping_ratio, share) {
+            (Some(zeta), Some(share)) => whirl::speed_above(natural, share, zeta),
+            _ => whirl::speed_above_undamped(natural, eccentricity, amplitude),
+        };
+        let above = sheet.step(
+            "ω₂",
+            "rpm",
+            above,
+            ("End of the forbidden band: the whirl is back at the permitted amplitude", RAO.at("§9.5")),
+        );
+        hold(above, upper);
+        sheet.answer("band_end", "End of the forbidden band", above);
+        limits.push(
+            Text::new("the whirl is back within the limit above the critical speed, {speed}").with_quantity(
+                "speed",
+                natural.value(),
+                "rpm",
+            ),
+        );
+    }
+    limits
+}

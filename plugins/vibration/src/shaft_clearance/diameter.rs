@@ -1,0 +1,177 @@
+//! The permitted diameters, and the permitted stiffnesses.
+
+use dalembert_core::{Exhibit, Refusal, Worksheet};
+use dalembert_mechanics::{Real, section};
+
+use super::{
+    Branch, Mounting, Shaft, ShaftClearance, ShaftClearanceGiven, ShaftGiven, Sought, SoughtGiven,
+    available_set, say_what_limits,
+};
+use crate::sources::{BEER, RAO, SHIGLEY};
+
+impl ShaftClearance {
+    pub(super) fn diameters<W: Worksheet>(
+        &self,
+        given: &ShaftClearanceGiven<W>,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let (
+            Sought::Diameter { speeds: range, shaft, smallest_diameter, largest_diameter, .. },
+            SoughtGiven::Diameter { unbalance, speeds, shaft: shaft_given, diameter, .. },
+        ) = (&self.sought, &given.sought)
+        else {
+            return Ok(());
+        };
+        let speeds = range.widened(speeds, sheet)?;
+        let branches = self.branches(given, *unbalance, speeds, sheet)?;
+        let thin = branches.soft.map(|k| diameter_of(k, shaft, shaft_given, Branch::Soft, sheet));
+        let thick = branches.stiff.map(|k| diameter_of(k, shaft, shaft_given, Branch::Stiff, sheet));
+        let ends = [thin, thick].map(|d| d.map(Real::value));
+        let available = [
+            (*smallest_diameter, "smallest diameter available"),
+            (*largest_diameter, "largest diameter available"),
+        ];
+        let (set, limits) = available_set(available, ends, &branches.permitted);
+        sheet.answer_set("diameters", "Permitted diameters", "mm", &set, limits);
+        if let Some(d) = thin {
+            sheet.answer("soft_limit", "Largest diameter of the soft branch", d);
+        }
+        if let Some(d) = thick {
+            sheet.answer("stiff_limit", "Smallest diameter of the stiff branch", d);
+        }
+        let words = [
+            "the limit is never active: with this damping the rotor stays clear of the stator with every diameter, so \
+             clearance and speeds do not decide the diameter; strength and bearings do",
+            "no available diameter keeps the rotor clear: change clearance, unbalance, damping or speeds",
+        ];
+        say_what_limits(&branches.permitted, &set, words, sheet);
+        if let Some(diameter) = *diameter {
+            let moment = sheet.step(
+                "I",
+                "cm^4",
+                section::round_second_moment(diameter),
+                ("Second moment of area of the shaft to be judged", BEER.at("app. A")),
+            );
+            let k = sheet.step(
+                "k",
+                "MN/m",
+                shaft.mounting.stiffness(shaft_given.young, moment, shaft_given.length),
+                ("Its stiffness at the rotor", RAO.at("§1.7")),
+            );
+            self.judge(given, *unbalance, k, speeds, sheet)?;
+        }
+        let (range, unbalance) = (branches.range(), unbalance.value());
+        sheet.show(|| {
+            let stiffness =
+                |d: f64| shaft.mounting.stiffness(shaft.young, section::round_second_moment(d), shaft.length);
+            let critical = |speed: f64| {
+                let moment =
+                    self.mass * speed.powi(2) / shaft.mounting.stiffness(shaft.young, 1.0, shaft.length);
+                section::round_diameter(moment)
+            };
+            // From well below to well above the diameters whose critical speed lies in the range.
+            let ends_shown = [0.4 * critical(range[0].max(0.02 * range[1])), 1.6 * critical(range[1])];
+            let plot = self.amplitude_over(ends_shown, unbalance, range, stiffness);
+            Exhibit::Plot(plot.permitted(
+                "Largest amplitude in the range of speeds against diameter",
+                ("diameter", "mm"),
+                &set,
+                ends,
+            ))
+        });
+        Ok(())
+    }
+
+    pub(super) fn stiffnesses<W: Worksheet>(
+        &self,
+        given: &ShaftClearanceGiven<W>,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let (
+            Sought::Stiffness { speeds: range, smallest_stiffness, largest_stiffness, .. },
+            SoughtGiven::Stiffness { unbalance, speeds, stiffness, .. },
+        ) = (&self.sought, &given.sought)
+        else {
+            return Ok(());
+        };
+        let speeds = range.widened(speeds, sheet)?;
+        let branches = self.branches(given, *unbalance, speeds, sheet)?;
+        let ends = [branches.soft, branches.stiff].map(|k| k.map(Real::value));
+        let available = [
+            (*smallest_stiffness, "smallest stiffness available"),
+            (*largest_stiffness, "largest stiffness available"),
+        ];
+        let (set, limits) = available_set(available, ends, &branches.permitted);
+        sheet.answer_set("stiffnesses", "Permitted stiffnesses", "MN/m", &set, limits);
+        let words = [
+            "the limit is never active: with this damping the rotor stays clear of the stator with every stiffness",
+            "no available stiffness keeps the rotor clear: change clearance, unbalance, damping or speeds",
+        ];
+        say_what_limits(&branches.permitted, &set, words, sheet);
+        if let Some(k) = *stiffness {
+            self.judge(given, *unbalance, k, speeds, sheet)?;
+        }
+        let (range, unbalance) = (branches.range(), unbalance.value());
+        sheet.show(|| {
+            let critical = |speed: f64| self.mass * speed.powi(2);
+            let ends_shown = [0.03 * critical(range[0].max(0.02 * range[1])), 6.0 * critical(range[1])];
+            let plot = self.amplitude_over(ends_shown, unbalance, range, |k| k);
+            Exhibit::Plot(plot.permitted(
+                "Largest amplitude in the range of speeds against stiffness",
+                ("stiffness", "MN/m"),
+                &set,
+                ends,
+            ))
+        });
+        Ok(())
+    }
+}
+
+/// The diameter with a stiffness.
+fn diameter_of<W: Worksheet>(
+    stiffness: W::Num,
+    shaft: &Shaft,
+    given: &ShaftGiven<W>,
+    branch: Branch,
+    sheet: W,
+) -> W::Num {
+    let (length, young) = (given.length, given.young);
+    let (moment_symbol, symbol) = match branch {
+        Branch::Soft => ("Iₛ", "dₛ"),
+        Branch::Stiff => ("Iₕ", "dₕ"),
+    };
+    let (moment, why) = match shaft.mounting {
+        Mounting::Cantilever => (
+            stiffness * length.powi(3) / (young * 3.0),
+            ("Second moment of area, from k = 3EI/L³ of a cantilever", RAO.at("§1.7")),
+        ),
+        Mounting::SimplySupported => (
+            stiffness * length.powi(3) / (young * 48.0),
+            ("Second moment of area, from k = 48EI/L³ of a simply supported shaft", RAO.at("§1.7")),
+        ),
+        Mounting::Clamped => (
+            stiffness * length.powi(3) / (young * 192.0),
+            ("Second moment of area, from k = 192EI/L³ of a shaft clamped at both ends", RAO.at("§1.7")),
+        ),
+        Mounting::ClampedPinned => (
+            stiffness * length.powi(3) * 7.0 / (young * 768.0),
+            (
+                "Second moment of area, from k = 768EI/(7L³) of a clamped and pinned shaft",
+                SHIGLEY.at("table A-9"),
+            ),
+        ),
+    };
+    let moment = sheet.step(moment_symbol, "cm^4", moment, why);
+    let diameter = sheet.step(
+        symbol,
+        "mm",
+        section::round_diameter(moment),
+        ("Diameter of the solid round shaft with I = πd⁴/64", BEER.at("app. A")),
+    );
+    sheet.check(
+        "the shaft of that diameter has the stiffness of the limit",
+        shaft.mounting.stiffness(young, section::round_second_moment(diameter), length),
+        stiffness,
+    );
+    diameter
+}
