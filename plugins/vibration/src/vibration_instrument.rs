@@ -11,6 +11,8 @@ use dalembert_mechanics::{
     vibration::instrument::{self, usable_ratios},
 };
 
+mod record;
+
 use crate::{
     oscillator::{is_one, plots},
     sources::{RAO, THOMSON},
@@ -38,6 +40,22 @@ pub struct VibrationInstrument {
     /// Reading.
     /// The true motion at that frequency is answered.
     pub reading: Option<Reading>,
+    /// Tones of a motion.
+    /// How each of them is recorded, and whether the record keeps their shape.
+    #[input(table)]
+    pub tones: Option<Vec<Tone>>,
+}
+
+/// One tone of a motion.
+#[derive(Clone, Debug, Inputs)]
+pub struct Tone {
+    /// Frequency.
+    #[input("ω", "Hz", positive)]
+    pub frequency: f64,
+    /// True amplitude.
+    /// In any one measure: only the shape matters.
+    #[input("Y", "1", nonnegative)]
+    pub amplitude: f64,
 }
 
 /// What the instrument reads.
@@ -107,9 +125,9 @@ impl Analysis for VibrationInstrument {
         let zeta = damping_ratio(given, sheet)?;
         sheet.answer("natural_frequency", "Natural frequency", given.natural_frequency);
         sheet.answer("damping_ratio", "Damping ratio", zeta);
-        if given.allowed_error.is_none() && given.frequency.is_none() {
+        if given.allowed_error.is_none() && given.frequency.is_none() && self.tones.is_none() {
             return Err(Refusal::because(
-                "nothing is asked: write an allowed error, or the frequency of the motion, or both",
+                "nothing is asked: write an allowed error, the frequency of the motion, or its tones",
             ));
         }
         if given.frequency.is_none() && given.reading.is_some() {
@@ -126,6 +144,9 @@ impl Analysis for VibrationInstrument {
             None => None,
         };
         self.peak(zeta, given.natural_frequency, sheet);
+        if let Some(tones) = &self.tones {
+            record::solve(self, tones, given.natural_frequency, zeta, sheet)?;
+        }
         let (wn, zeta) = (given.natural_frequency.value(), zeta.value());
         let ratio = ratio.map(Real::value);
         sheet.show(|| Exhibit::Plot(self.reading_over_frequency(wn, zeta, ratio, band.as_ref())));
