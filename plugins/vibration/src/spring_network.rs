@@ -1,9 +1,6 @@
 //! A network of springs and dampers as a graph: what it gives under a load, at rest, shaken and by itself.
 
-use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Reference, Refusal, Series, TableExhibit,
-    Text, Why, Worksheet, register,
-};
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Reference, Refusal, Text, Why, Worksheet, register};
 use dalembert_mechanics::{
     Real, sdof,
     vibration::network::{Link, Network, NetworkError},
@@ -11,6 +8,7 @@ use dalembert_mechanics::{
 use nalgebra::Complex;
 
 mod drawing;
+mod exhibits;
 
 use crate::{
     sources::RAO,
@@ -106,8 +104,8 @@ impl Analysis for SpringNetwork {
     };
 
     fn solve<W: Worksheet>(&self, given: &SpringNetworkGiven<W>, sheet: W) -> Result<(), Refusal> {
-        if self.nodes.len() > 100 {
-            return Err(Refusal::because("there are more than 100 nodes: join some of them"));
+        if self.nodes.len() > 50 {
+            return Err(Refusal::because("there are more than 50 nodes: join some of them"));
         }
         let elements = self.elements(given, sheet)?;
         let system = self.system(&elements);
@@ -407,7 +405,7 @@ impl SpringNetwork {
                 Text::new("the dampers are so strong that nothing oscillates: every motion creeps back")
             });
         }
-        sheet.show(|| Exhibit::Table(roots_table(&roots)));
+        sheet.show(|| Exhibit::Table(exhibits::roots_table(&roots)));
         Ok(())
     }
 
@@ -422,89 +420,6 @@ impl SpringNetwork {
                  that hardly give and join their nodes",
             ),
         }
-    }
-
-    fn name(&self, end: Option<usize>) -> Cell {
-        end.map_or("ground".into(), |node| Text::new("{x}").with("x", &self.nodes[node].name).into())
-    }
-
-    fn table_at_rest<N: Real>(&self, displacements: &[f64], forces: &[(usize, N)]) -> TableExhibit {
-        let at = |end: Option<usize>| end.map_or(0.0, |node| displacements[node]);
-        let row = |(n, force): &(usize, N)| {
-            let [from, to] = self.ends(*n);
-            vec![
-                Cell::Text(Text::new((n + 1).to_string())),
-                self.name(from),
-                self.name(to),
-                Cell::Number(force.value()),
-                Cell::Number(at(from) - at(to)),
-                Cell::Number(0.5 * force.value() * (at(from) - at(to))),
-            ]
-        };
-        TableExhibit {
-            title: "What each spring carries".into(),
-            columns: vec![
-                column("element", ""),
-                column("from", ""),
-                column("to", ""),
-                column("force", "N"),
-                column("deflection", "mm"),
-                column("elastic energy", "J"),
-            ],
-            rows: forces.iter().map(row).collect(),
-            foot: Vec::new(),
-        }
-    }
-
-    fn table_shaken(&self, system: &Network, omega: f64, moved: &[Complex<f64>]) -> TableExhibit {
-        let at = |end: Option<usize>| end.map_or(Complex::ZERO, |node| moved[node]);
-        let row = |(n, link): (usize, &Link)| {
-            let deflection = at(link.ends[0]) - at(link.ends[1]);
-            let force = deflection * Complex::new(link.stiffness, link.damping * omega);
-            vec![
-                Cell::Text(Text::new((n + 1).to_string())),
-                self.name(link.ends[0]),
-                self.name(link.ends[1]),
-                Cell::Number(force.norm()),
-                Cell::Number(-force.arg()),
-                Cell::Number(deflection.norm()),
-            ]
-        };
-        TableExhibit {
-            title: "What each element carries under the harmonic force".into(),
-            columns: vec![
-                column("element", ""),
-                column("from", ""),
-                column("to", ""),
-                column("amplitude of the force", "N"),
-                column("phase lag", "deg"),
-                column("amplitude of the deflection", "mm"),
-            ],
-            rows: system.links.iter().enumerate().map(row).collect(),
-            foot: Vec::new(),
-        }
-    }
-
-    /// Amplitude for each unit of force against frequency.
-    fn receptance(&self, system: &Network) -> Plot {
-        let stiffness: f64 = system.links.iter().map(|link| link.stiffness).sum();
-        let damping: f64 = system.links.iter().map(|link| link.damping).sum();
-        let mass: f64 = system.masses.iter().sum();
-        let own = if mass > 0.0 { (stiffness / mass).sqrt() } else { stiffness / damping };
-        let usual = if own.is_finite() && own > 0.0 { own } else { 1.0 };
-        let last = 2.5 * usual.max(self.frequency.map_or(0.0, |frequency| 0.6 * frequency));
-        let forces = self.forces();
-        let at = |n: u16| {
-            let frequency = last * f64::from(n) / 150.0;
-            let amplitude = system.shaken(&forces, frequency).map_or(f64::NAN, |x| x[self.loaded.0].norm());
-            (frequency, amplitude / self.force)
-        };
-        Plot::new(
-            "Receptance at the loaded node",
-            Axis::linear("frequency", "rad/s"),
-            Axis::log("receptance", "m/N"),
-            vec![Series::line("X/F", (1..=150).map(at).collect())],
-        )
     }
 }
 
@@ -569,30 +484,4 @@ fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W)
             )
         });
     }
-}
-
-fn roots_table(roots: &[Complex<f64>]) -> TableExhibit {
-    let row = |root: &Complex<f64>| {
-        vec![
-            Cell::Number(root.re),
-            Cell::Number(root.im),
-            Cell::Number(root.norm()),
-            Cell::Number(-root.re / root.norm()),
-        ]
-    };
-    TableExhibit {
-        title: "Exact roots s of the free motion".into(),
-        columns: vec![
-            column("real part", "1/s"),
-            column("imaginary part", "rad/s"),
-            column("|s|", "rad/s"),
-            column("ζ", "1"),
-        ],
-        rows: roots.iter().map(row).collect(),
-        foot: Vec::new(),
-    }
-}
-
-fn column(heading: &'static str, unit: &'static str) -> Column {
-    Column { heading: heading.into(), unit }
 }

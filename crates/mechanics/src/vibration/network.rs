@@ -115,10 +115,10 @@ impl Network {
         let masses = DMatrix::from_diagonal(&DVector::from_column_slice(&self.masses));
         let shift = self.scale();
         let shifted = &stiffness + &damping * shift + &masses * shift.powi(2);
-        let inverse_times = |right: &DMatrix<f64>| -> Result<DMatrix<f64>, NetworkError> {
-            let columns =
-                right.column_iter().map(|column| Ok(linalg::solve(&shifted, &column.into_owned())?.x));
-            Ok(DMatrix::from_columns(&columns.collect::<Result<Vec<_>, NetworkError>>()?))
+        let complex = |matrix: &DMatrix<f64>| matrix.map(Complex::from);
+        let factors = linalg::ComplexLu::new(&complex(&shifted))?;
+        let inverse_times = |right: &DMatrix<f64>| -> Result<DMatrix<f64>, LinalgError> {
+            Ok(factors.solve(&complex(right))?.map(|entry| entry.re))
         };
         // µ in units of 1/σ: both blocks of the companion are pure numbers.
         let first = inverse_times(&((&damping + &masses * (2.0 * shift)) * shift))?;
