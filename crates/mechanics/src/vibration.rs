@@ -1,5 +1,5 @@
 //! Vibration beyond the closed formulas of [`crate::sdof`]: free motion and motion from rest, friction, bands of
-//! frequencies, instruments, periodic forces, networks, torsional trains.
+//! frequencies, instruments, periodic forces, networks, torsional trains, modes of many degrees of freedom.
 
 pub mod decay_fit;
 pub mod dry_forced;
@@ -9,7 +9,11 @@ pub mod from_rest;
 pub mod instrument;
 pub mod isolation;
 pub mod jenkins;
+pub mod modes;
 pub mod network;
 pub mod periodic;
+pub mod poles;
 pub mod quadrature;
+pub mod receptance;
+pub mod response;
 pub mod torsional;
