@@ -1,0 +1,426 @@
+//! Steady response of systems with many degrees of freedom to harmonic forces.
+
+use dalembert_core::{
+    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, TableExhibit, Text,
+    Worksheet, register,
+};
+use dalembert_mechanics::{
+    Real,
+    linalg::{ComplexLu, LinalgError},
+    vibration::{poles::Poles, receptance},
+};
+use nalgebra::{Complex, DMatrix, DVector};
+
+use crate::{
+    sources::{EWINS, RAO},
+    system::{
+        Assembled, System, assemble,
+        damping::{Damping, ModalDamping, in_modes},
+        modes::{Found, find},
+        picture,
+    },
+};
+
+/// Points of a curve.
+const POINTS: usize = 480;
+
+/// The system, the forces on it, and where and when it is looked at.
+#[derive(Clone, Debug, Inputs)]
+pub struct FrequencyResponseMatrix {
+    /// System.
+    pub system: System,
+    /// Damping.
+    pub damping: Damping,
+    /// Forces.
+    /// All of the same frequency. A single force of 1 N gives a column of the frequency response matrix.
+    #[input(min = 1)]
+    pub forces: Vec<HarmonicForce>,
+    /// Frequencies.
+    /// At which the response is asked for.
+    #[input(table)]
+    pub frequencies: Vec<AskedFrequency>,
+    /// Observed coordinates.
+    #[input(min = 1)]
+    pub observed: Vec<Observed>,
+    /// Quantity.
+    pub quantity: Quantity,
+    /// Highest frequency of the curves.
+    /// Without it, a little above the highest natural frequency.
+    #[input("ω_e", "rad/s", positive)]
+    pub highest: Option<f64>,
+}
+
+/// A harmonic force F cos(ωt + φ).
+#[derive(Clone, Debug, Inputs)]
+pub struct HarmonicForce {
+    /// Coordinate.
+    #[input(min = 1, max = 500)]
+    pub coordinate: usize,
+    /// Amplitude.
+    #[input("F", "N", nonnegative)]
+    pub amplitude: f64,
+    /// Phase.
+    #[input("φ", "rad", default = "0 deg")]
+    pub phase: f64,
+}
+
+/// A frequency that is asked for.
+#[derive(Clone, Debug, Inputs)]
+pub struct AskedFrequency {
+    /// Frequency.
+    #[input("ω", "rad/s", nonnegative)]
+    pub frequency: f64,
+}
+
+/// A coordinate that is looked at.
+#[derive(Clone, Debug, Inputs)]
+pub struct Observed {
+    /// Coordinate.
+    #[input(min = 1, max = 500)]
+    pub coordinate: usize,
+}
+
+/// What is answered of the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Quantity {
+    /// Displacement (receptance for 1 N)
+    Displacement,
+    /// Velocity (mobility for 1 N)
+    Velocity,
+    /// Acceleration (accelerance for 1 N)
+    Acceleration,
+}
+
+impl Quantity {
+    fn unit(self) -> &'static str {
+        match self {
+            Quantity::Displacement => "m",
+            Quantity::Velocity => "m/s",
+            Quantity::Acceleration => "m/s^2",
+        }
+    }
+
+    fn label(self) -> &'static str {
+        match self {
+            Quantity::Displacement => "displacement",
+            Quantity::Velocity => "velocity",
+            Quantity::Acceleration => "acceleration",
+        }
+    }
+
+    /// (iω)ⁿ
+    fn factor(self, frequency: f64) -> Complex<f64> {
+        match self {
+            Quantity::Displacement => Complex::ONE,
+            Quantity::Velocity => Complex::new(0.0, frequency),
+            Quantity::Acceleration => Complex::new(-frequency * frequency, 0.0),
+        }
+    }
+}
+
+register!(FrequencyResponseMatrix);
+
+impl Analysis for FrequencyResponseMatrix {
+    const ABOUT: About = About {
+        id: "vibration/frequency-response-matrix",
+        title: "Frequency response of many degrees of freedom",
+        summary: "Receptance, mobility or accelerance of a chain or of given matrices: steady amplitudes and phases under harmonic forces on any masses.",
+        keywords: "frf receptance mobility accelerance harmonic forced steady state mdof matrix reciprocity Nyquist \
+                   receptância mobilidade acelerância resposta em frequência harmônica regime permanente vários \
+                   graus de liberdade matriz",
+        sources: &[&RAO, &EWINS],
+        cases: include_str!("../cases/frequency_response_matrix.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &FrequencyResponseMatrixGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let system = assemble(&self.system, &given.system, sheet)?;
+        let n = system.size();
+        let all = self.forces.iter().map(|force| force.coordinate);
+        if let Some(wrong) = all.chain(self.observed.iter().map(|row| row.coordinate)).find(|&at| at > n) {
+            let why = Text::new("there is no coordinate {at}: the system has {n}");
+            return Err(Refusal::because(why.with("at", wrong).with("n", n)));
+        }
+        if self.frequencies.len() > 50 || self.observed.len() > 50 {
+            return Err(Refusal::because("at most 50 frequencies and 50 coordinates are answered at a time"));
+        }
+        let found = find(&system, sheet)?;
+        let damped =
+            in_modes(&self.damping, &given.damping, &system.damping, &system.mass, &found.modes, sheet)?;
+        for (mode, frequency) in found.frequencies.iter().enumerate() {
+            sheet.answer(("frequency", mode + 1), "Natural frequency", *frequency);
+        }
+        let force = self.force(n);
+        let mut table = Vec::new();
+        for (place, asked) in self.frequencies.iter().enumerate() {
+            sheet.keep_going()?;
+            let motion = Self::at(asked.frequency, &system, &damped, &force, &found)?;
+            self.write(place, asked.frequency, &motion, sheet);
+            Self::check(asked.frequency, &damped, &force, &found, &motion, sheet);
+            table.push((asked.frequency, motion));
+        }
+        self.exhibits(&system, &damped, &force, &found, &table, sheet);
+        Ok(())
+    }
+}
+
+impl FrequencyResponseMatrix {
+    fn force(&self, n: usize) -> DVector<Complex<f64>> {
+        let mut force = DVector::from_element(n, Complex::ZERO);
+        for one in &self.forces {
+            force[one.coordinate - 1] += Complex::from_polar(one.amplitude, one.phase);
+        }
+        force
+    }
+
+    /// The displacements by the dynamic stiffness.
+    fn at<N>(
+        frequency: f64,
+        system: &Assembled<N>,
+        damped: &ModalDamping,
+        force: &DVector<Complex<f64>>,
+        found: &Found<N>,
+    ) -> Result<DVector<Complex<f64>>, Refusal> {
+        let square = frequency * frequency;
+        let largest = found.modes.squares.last().copied().unwrap_or(0.0);
+        let resonant = (0..found.modes.squares.len()).find(|&mode| {
+            (found.modes.squares[mode] - square).abs() <= 1e-12 * largest.max(square)
+                && damped.matrix.column(mode).amax() * frequency <= 1e-14 * square
+        });
+        if let Some(mode) = resonant {
+            let why = if frequency == 0.0 {
+                Text::new(
+                    "nothing holds the rigid body mode {mode}: under a constant force the motion is unbounded, it grows with t²",
+                )
+            } else {
+                Text::new(
+                    "at the natural frequency {mode}, without damping, the motion is unbounded: it grows with t and \
+                     there is no steady state",
+                )
+            };
+            return Err(Refusal::because(why.with("mode", mode + 1)));
+        }
+        receptance::direct(&system.mass, &damped.physical, &system.stiffness, force, frequency).map_err(
+            |error| match error {
+                LinalgError::Singular { .. } => Refusal::because(
+                    "so near to a resonance without damping the response has no digits: it is unbounded",
+                ),
+                _ => Refusal::because(
+                    "masses, springs and dampers differ so much in size that numbers overflow",
+                ),
+            },
+        )
+    }
+
+    fn write<W: Worksheet>(&self, place: usize, frequency: f64, motion: &DVector<Complex<f64>>, sheet: W) {
+        let unit = self.quantity.unit();
+        for row in &self.observed {
+            let at = row.coordinate;
+            // A part that is −0 would turn the phase by a whole turn.
+            let value = motion[at - 1] * self.quantity.factor(frequency) + Complex::ZERO;
+            let key = |name: &'static str| (name, place + 1, at);
+            let symbol = |base: &'static str| dalembert_core::Symbol::from(base).row(place + 1).row(at);
+            let why = Text::new(
+                "(K − ω²M + iωC) X = F at frequency {place}, coordinate {at}: the part in phase with cos ωt",
+            );
+            let why = why.with("place", place + 1).with("at", at);
+            let real = sheet.found(symbol("Re"), unit, value.re, (why, RAO.at("§6.15")));
+            let imaginary = sheet.found(
+                symbol("Im"),
+                unit,
+                value.im,
+                "The part a quarter of a turn ahead of it; lag is negative",
+            );
+            let size = sheet.step(symbol("X"), unit, (real.powi(2) + imaginary.powi(2)).sqrt(), "Amplitude");
+            sheet.answer(key("amplitude"), "Amplitude", size);
+            if size.value() > 0.0 {
+                let phase = sheet.step(symbol("φ"), "deg", imaginary.atan2(real), "Phase, ahead of cos ωt");
+                sheet.answer(key("phase"), "Phase", phase);
+            }
+            sheet.answer(key("real"), "Real part", real);
+            sheet.answer(key("imaginary"), "Imaginary part", imaginary);
+        }
+    }
+
+    /// The sum over modes or poles against the dynamic stiffness.
+    fn check<W: Worksheet>(
+        frequency: f64,
+        damped: &ModalDamping,
+        force: &DVector<Complex<f64>>,
+        found: &Found<W::Num>,
+        motion: &DVector<Complex<f64>>,
+        sheet: W,
+    ) {
+        sheet.verify(|| {
+            let Some(sum) = by_modes(damped, force, found, frequency) else { return };
+            let off = (motion - &sum).iter().map(|x| x.norm()).fold(0.0, f64::max);
+            // What is left between two resonances is held to the size of the terms that cancel there.
+            let terms = found.modes.shapes.column_iter().zip(&found.modes.squares).enumerate();
+            let size = terms
+                .map(|(mode, (shape, square))| {
+                    let pull: Complex<f64> = shape.iter().zip(force.iter()).map(|(phi, f)| f * *phi).sum();
+                    let stiffness =
+                        Complex::new(square - frequency * frequency, damped.decay(mode) * frequency);
+                    pull.norm() * shape.amax() / stiffness.norm()
+                })
+                .fold(0.0, f64::max);
+            sheet.check_zero("the response as a sum over the modes", off.into(), size);
+        });
+    }
+
+    fn exhibits<W: Worksheet>(
+        &self,
+        system: &Assembled<W::Num>,
+        damped: &ModalDamping,
+        force: &DVector<Complex<f64>>,
+        found: &Found<W::Num>,
+        table: &[(f64, DVector<Complex<f64>>)],
+        sheet: W,
+    ) {
+        sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
+        let asked = self.frequencies.iter().map(|asked| asked.frequency).fold(0.0, f64::max);
+        let natural = found.modes.squares.last().map_or(0.0, |square| square.sqrt());
+        let last = self.highest.unwrap_or_else(|| 1.3 * asked.max(natural));
+        if !(last > 0.0 && last.is_finite()) {
+            return;
+        }
+        let grid: Vec<f64> = (1..=POINTS).map(|point| last * point as f64 / POINTS as f64).collect();
+        let mut curves = Vec::new();
+        for row in self.observed.iter().take(4) {
+            let Some(curve) = curve(damped, force, found, row.coordinate - 1, &grid) else { return };
+            let curve: Vec<Complex<f64>> =
+                curve.into_iter().zip(&grid).map(|(x, w)| x * self.quantity.factor(*w)).collect();
+            curves.push((Text::new("coordinate {at}").with("at", row.coordinate), curve));
+        }
+        let line = |of: fn(&Complex<f64>) -> f64| {
+            let series = curves.iter().map(|(label, curve)| {
+                Series::line(label.clone(), grid.iter().copied().zip(curve.iter().map(of)).collect())
+            });
+            series.collect::<Vec<_>>()
+        };
+        let (label, unit) = (self.quantity.label(), self.quantity.unit());
+        sheet.show(|| {
+            let mut plot = Plot::new(
+                "Amplitude against frequency",
+                Axis::linear("frequency", "Hz"),
+                Axis::log(label, unit),
+                line(|x| x.norm()),
+            );
+            for (frequency, motion) in table {
+                let row = self.observed[0].coordinate;
+                let size = (motion[row - 1] * self.quantity.factor(*frequency)).norm();
+                plot = plot.mark("at this frequency", (*frequency, size));
+            }
+            Exhibit::Plot(plot)
+        });
+        sheet.show(|| {
+            Exhibit::Plot(Plot::new(
+                "Phase against frequency",
+                Axis::linear("frequency", "Hz"),
+                Axis::linear("phase", "deg"),
+                line(|x| x.arg()),
+            ))
+        });
+        if damped.any() {
+            sheet.show(|| {
+                let series = curves.iter().map(|(label, curve)| {
+                    Series::line(label.clone(), curve.iter().map(|x| (x.re, x.im)).collect())
+                });
+                Exhibit::Plot(Plot::new(
+                    "Nyquist plot",
+                    Axis::linear("real part", unit),
+                    Axis::linear("imaginary part", unit),
+                    series.collect(),
+                ))
+            });
+        }
+        if let (Some((frequency, _)), true) = (table.first(), system.size() <= 8)
+            && let Some(matrix) = matrix(system, damped, *frequency)
+        {
+            sheet.verify(|| {
+                let off = (&matrix - matrix.transpose()).iter().map(|x| x.norm()).fold(0.0, f64::max);
+                let size = matrix.iter().map(|x| x.norm()).fold(0.0, f64::max);
+                sheet.check_zero("reciprocity: Hᵢⱼ = Hⱼᵢ", off.into(), size);
+            });
+            sheet.show(|| {
+                Exhibit::Table(TableExhibit {
+                    title: "Receptances |Hᵢⱼ| at the first frequency".into(),
+                    columns: (1..=matrix.ncols())
+                        .map(|column| Column { heading: Text::new(column.to_string()), unit: "m/N" })
+                        .collect(),
+                    rows: matrix
+                        .row_iter()
+                        .map(|row| row.iter().map(|entry| Cell::Number(entry.norm())).collect())
+                        .collect(),
+                    foot: Vec::new(),
+                })
+            });
+        }
+    }
+}
+
+/// The whole frequency response matrix.
+fn matrix<N>(system: &Assembled<N>, damped: &ModalDamping, frequency: f64) -> Option<DMatrix<Complex<f64>>> {
+    let n = system.size();
+    let dynamic = DMatrix::from_fn(n, n, |i, j| {
+        let inertia = frequency * frequency * system.mass[(i, j)];
+        Complex::new(system.stiffness[(i, j)] - inertia, frequency * damped.physical[(i, j)])
+    });
+    ComplexLu::new(&dynamic).and_then(|lu| lu.solve(&DMatrix::identity(n, n))).ok()
+}
+
+/// The displacements as sums over modes, or over poles where the damping couples the modes.
+fn by_modes<N>(
+    damped: &ModalDamping,
+    force: &DVector<Complex<f64>>,
+    found: &Found<N>,
+    frequency: f64,
+) -> Option<DVector<Complex<f64>>> {
+    let rows = (0..force.len()).map(|row| Some(curve(damped, force, found, row, &[frequency])?[0]));
+    Some(DVector::from_vec(rows.collect::<Option<Vec<_>>>()?))
+}
+
+/// The displacement of a mass at each frequency.
+fn curve<N>(
+    damped: &ModalDamping,
+    force: &DVector<Complex<f64>>,
+    found: &Found<N>,
+    row: usize,
+    grid: &[f64],
+) -> Option<Vec<Complex<f64>>> {
+    let modes = &found.modes;
+    let mut total = vec![Complex::ZERO; grid.len()];
+    let parts: [(DVector<f64>, Complex<f64>); 2] =
+        [(force.map(|f| f.re), Complex::ONE), (force.map(|f| f.im), Complex::I)];
+    let (mut real, mut imaginary) = (vec![0.0; grid.len()], vec![0.0; grid.len()]);
+    let poles = if damped.proportional { None } else { Some(Poles::new(modes, &damped.matrix, 0.0).ok()?) };
+    for (force, turn) in parts {
+        if force.amax() == 0.0 {
+            continue;
+        }
+        match &poles {
+            None => {
+                let modal = modes.shapes.transpose() * &force;
+                let residues: Vec<f64> =
+                    modes.shapes.row(row).iter().zip(modal.iter()).map(|(phi, pull)| phi * pull).collect();
+                receptance::sum_of_modes(
+                    &residues,
+                    &modes.squares,
+                    &damped.decays(),
+                    grid,
+                    &mut real,
+                    &mut imaginary,
+                );
+            }
+            Some(poles) => {
+                let input = poles.input(&force);
+                let residues: Vec<Complex<f64>> =
+                    poles.shapes.row(row).iter().zip(&input).map(|(s, b)| s * b).collect();
+                receptance::sum_of_poles(&residues, &poles.roots, grid, &mut real, &mut imaginary);
+            }
+        }
+        for ((sum, re), im) in total.iter_mut().zip(&real).zip(&imaginary) {
+            *sum += turn * Complex::new(*re, *im);
+        }
+    }
+    Some(total)
+}

@@ -1,0 +1,379 @@
+//! Natural frequencies, modes and damping of systems with many degrees of freedom.
+
+use dalembert_core::{
+    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, TableExhibit, Text,
+    Worksheet, register,
+};
+use dalembert_mechanics::{
+    Real,
+    vibration::modes::{ComplexMode, complex_modes},
+};
+use nalgebra::{Complex, DMatrix, DVector};
+
+use crate::{
+    sources::{EWINS, RAO},
+    system::{
+        Assembled, System, assemble,
+        damping::{Damping, ModalDamping, in_modes},
+        modes::{self, Found, SHOWN, find, largest_one},
+        picture,
+    },
+};
+
+/// So many modes are filmed.
+const FILMED: usize = 4;
+
+/// The system, its damping, and how its modes are to be written.
+#[derive(Clone, Debug, Inputs)]
+pub struct ModalAnalysis {
+    /// System.
+    pub system: System,
+    /// Damping.
+    pub damping: Damping,
+    /// Size of the modes.
+    pub normalisation: Normalisation,
+}
+
+/// What fixes the size of a mode shape.
+#[derive(Clone, Copy, Debug, Inputs)]
+pub enum Normalisation {
+    /// Largest entry is 1
+    Largest,
+    /// First entry is 1
+    First,
+    /// Last entry is 1
+    Last,
+    /// Modal mass is 1 kg
+    UnitMass,
+}
+
+register!(ModalAnalysis);
+
+impl Analysis for ModalAnalysis {
+    const ABOUT: About = About {
+        id: "vibration/modal-analysis",
+        title: "Modal analysis",
+        summary: "Natural frequencies, mode shapes, modal masses, participation and damping ratios of a chain, of masses on a string, or of given matrices.",
+        keywords: "mdof eigenvalue eigenvector natural frequencies modes chain string matrices complex modes Rayleigh \
+                   proportional damping autovalor autovetor frequências naturais modos de vibração cadeia massas \
+                   molas corda matrizes amortecimento vários graus de liberdade",
+        sources: &[&RAO, &EWINS],
+        cases: include_str!("../cases/modal_analysis.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &ModalAnalysisGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let system = assemble(&self.system, &given.system, sheet)?;
+        let found = find(&system, sheet)?;
+        sheet.keep_going()?;
+        let damped =
+            in_modes(&self.damping, &given.damping, &system.damping, &system.mass, &found.modes, sheet)?;
+        let shapes = self.normalised(&found.modes.shapes)?;
+        for (mode, frequency) in found.frequencies.iter().enumerate() {
+            sheet.answer(("frequency", mode + 1), "Natural frequency", *frequency);
+            sheet.answer(("eigenvalue", mode + 1), "Square of the natural frequency", found.squares[mode]);
+            sheet.answer_list(("mode", mode + 1), "Mode shape", "1", &shapes[mode]);
+        }
+        masses(&system, &found, &shapes, sheet);
+        if damped.any() && damped.proportional {
+            ratios(&found, &damped, sheet);
+        } else if damped.any() {
+            complex(&found, &damped, sheet)?;
+        }
+        self.exhibits(&system, &found, &damped, &shapes, sheet);
+        Ok(())
+    }
+}
+
+/// Modal masses and, where the coordinates are parallel, the share of each mode in a motion of the ground.
+pub(crate) fn masses<W: Worksheet>(
+    system: &Assembled<W::Num>,
+    found: &Found<W::Num>,
+    shapes: &[Vec<f64>],
+    sheet: W,
+) {
+    let unit = DVector::from_element(system.size(), 1.0);
+    let total = unit.dot(&(&system.mass * &unit));
+    let mut effective_sum = 0.0;
+    for (mode, frequency) in found.frequencies.iter().enumerate() {
+        let shape = DVector::from_column_slice(&shapes[mode]);
+        let momenta = &system.mass * &shape;
+        let mass = sheet.found(
+            ("μ", mode + 1),
+            "kg",
+            shape.dot(&momenta),
+            ("Modal mass φᵀMφ, for the size of the mode that was chosen", RAO.at("§6.11")),
+        );
+        sheet.answer(("modal_mass", mode + 1), "Modal mass", mass);
+        if frequency.value() > 0.0 {
+            let stiffness = sheet.step(
+                ("κ", mode + 1),
+                "N/m",
+                frequency.powi(2) * mass,
+                ("Modal stiffness φᵀKφ = ω²φᵀMφ", RAO.at("§6.11")),
+            );
+            sheet.answer(("modal_stiffness", mode + 1), "Modal stiffness", stiffness);
+        }
+        if system.parallel {
+            let excitation = unit.dot(&momenta);
+            let nothing = excitation.abs() <= 1e-12 * momenta.lp_norm(1);
+            let excited = sheet.found(
+                ("L", mode + 1),
+                "kg",
+                if nothing { 0.0 } else { excitation },
+                "Excitation by a ground that moves all springs' feet alike: φᵀM1",
+            );
+            let effective = sheet.step(
+                ("m_e", mode + 1),
+                "kg",
+                excited.powi(2) / mass,
+                "Effective mass: what of the total mass moves with the ground in this mode",
+            );
+            effective_sum += effective.value();
+            sheet.answer(("effective_mass", mode + 1), "Effective mass", effective);
+        }
+    }
+    if system.parallel && found.frequencies.len() == system.size() {
+        sheet.check("the effective masses add up to the total mass", effective_sum.into(), total.into());
+    }
+}
+
+/// Damping ratios where the damping leaves the modes alone.
+pub(crate) fn ratios<W: Worksheet>(found: &Found<W::Num>, damped: &ModalDamping, sheet: W) {
+    for (mode, frequency) in found.frequencies.iter().enumerate() {
+        if frequency.value() == 0.0 {
+            continue;
+        }
+        let decay = sheet.found(
+            ("γ", mode + 1),
+            "1/s",
+            damped.decay(mode),
+            ("Damping of the mode φᵀCφ/φᵀMφ: it couples no modes, so they remain", RAO.at("§6.15")),
+        );
+        let ratio = sheet.step(
+            ("ζ", mode + 1),
+            "1",
+            decay / *frequency / 2.0,
+            ("Damping ratio of the mode", RAO.at("§6.15")),
+        );
+        sheet.answer(("damping_ratio", mode + 1), "Damping ratio", ratio);
+        if ratio.value() < 1.0 {
+            let one = W::Num::from(1.0);
+            let frequency = sheet.step(
+                ("ω_d", mode + 1),
+                "rad/s",
+                *frequency * (one - ratio.powi(2)).sqrt(),
+                ("Frequency of the free damped motion", RAO.at("§2.6")),
+            );
+            sheet.answer(("damped_frequency", mode + 1), "Damped frequency", frequency);
+        } else {
+            sheet.warn(|| {
+                Text::new("mode {mode} is overdamped: it returns without oscillating").with("mode", mode + 1)
+            });
+        }
+    }
+    sheet.verify(|| {
+        // The roots of the whole damped system, one after another.
+        if let Ok(all) = complex_modes(&found.modes, &damped.physical)
+            && found.modes.squares[0] > 0.0
+        {
+            let lowest =
+                all.iter().filter(|mode| mode.root.im > 0.0).map(ComplexMode::natural).reduce(f64::min);
+            if let (Some(lowest), true) = (lowest, damped.decay(0) < 1.99 * found.modes.squares[0].sqrt()) {
+                sheet.check_zero(
+                    "the lowest root of det(λ²M + λC + K) = 0 lies at the lowest natural frequency",
+                    (lowest - found.modes.squares[0].sqrt()).into(),
+                    found.modes.squares[found.modes.squares.len() - 1].sqrt(),
+                );
+            }
+        }
+    });
+}
+
+/// Complex modes, for damping that couples the modes.
+pub(crate) fn complex<W: Worksheet>(
+    found: &Found<W::Num>,
+    damped: &ModalDamping,
+    sheet: W,
+) -> Result<(), Refusal> {
+    sheet.warn(|| {
+        Text::new(
+            "the damping couples the modes without damping: the masses no longer pass through rest together, and the \
+             damped modes are complex",
+        )
+    });
+    let all = complex_modes(&found.modes, &damped.physical).map_err(modes::refusal)?;
+    let mut oscillations = 0;
+    for (at, mode) in all.iter().take(SHOWN).enumerate() {
+        let size = mode.natural();
+        if size <= 1e-9 * all[all.len() - 1].natural() {
+            continue;
+        }
+        let place = at + 1;
+        let real = sheet.found(
+            ("Re λ", place),
+            "1/s",
+            mode.root.re,
+            ("Root of det(λ²M + λC + K) = 0, of the first-order equations of the state", EWINS.at("ch. 2")),
+        );
+        if mode.root.im <= 0.0 {
+            sheet.answer(("decay_rate", place), "Root without oscillation", real);
+            continue;
+        }
+        oscillations += 1;
+        let damped = sheet.found(
+            ("ω_d", place),
+            "rad/s",
+            mode.root.im,
+            "Its imaginary part: frequency of the damped motion",
+        );
+        let natural = sheet.step(
+            ("|λ|", place),
+            "rad/s",
+            (real.powi(2) + damped.powi(2)).sqrt(),
+            "Its modulus: natural frequency of the damped mode",
+        );
+        let ratio = sheet.step(("ζ", place), "1", -real / natural, "Damping ratio of the damped mode");
+        sheet.answer(("complex_frequency", place), "Natural frequency of the damped mode", natural);
+        sheet.answer(("damped_frequency", place), "Damped frequency", damped);
+        sheet.answer(("damping_ratio", place), "Damping ratio", ratio);
+        let lead = mode
+            .shape
+            .iter()
+            .copied()
+            .fold(None, |best: Option<Complex<f64>>, x| match best {
+                Some(best) if x.norm() <= best.norm() * (1.0 + 1e-9) => Some(best),
+                _ => Some(x),
+            })
+            .unwrap_or(Complex::ONE);
+        let sizes: Vec<f64> = mode.shape.iter().map(|x| (x / lead).norm()).collect();
+        let phases: Vec<f64> =
+            mode.shape.iter().map(|x| if x.norm() > 0.0 { (x / lead).arg() } else { 0.0 }).collect();
+        sheet.answer_list(("amplitudes", place), "Amplitudes of the damped mode", "1", &sizes);
+        sheet.answer_list(("phases", place), "Phases of the damped mode", "deg", &phases);
+    }
+    // The roots of a polynomial sum up to its second coefficient: −tr M⁻¹C.
+    sheet.verify(|| {
+        let sum: f64 =
+            all.iter().map(|mode| if mode.root.im > 0.0 { 2.0 * mode.root.re } else { mode.root.re }).sum();
+        let trace = damped.matrix.trace();
+        sheet.check("the sum of all roots is −tr(M⁻¹C)", (-sum).into(), trace.into());
+    });
+    if oscillations == 0 {
+        sheet.warn(|| Text::new("every mode is overdamped: the system returns without oscillating"));
+    }
+    Ok(())
+}
+
+impl ModalAnalysis {
+    /// The mode shapes in the chosen size.
+    fn normalised(&self, shapes: &DMatrix<f64>) -> Result<Vec<Vec<f64>>, Refusal> {
+        let zero = |at: &'static str| {
+            let why = Text::new(
+                "the {at} coordinate is a node of mode {mode}: it cannot be made 1; choose another size of the modes",
+            );
+            move |mode: usize| Refusal::because(why.clone().with_text("at", at).with("mode", mode + 1))
+        };
+        (0..shapes.ncols().min(SHOWN))
+            .map(|mode| {
+                let shape = shapes.column(mode);
+                let shape = shape.as_slice();
+                let largest = shape.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+                let over = |entry: f64, at: &'static str| {
+                    if entry.abs() <= 1e-9 * largest {
+                        return Err(zero(at)(mode));
+                    }
+                    Ok(shape.iter().map(|x| x / entry).collect())
+                };
+                match self.normalisation {
+                    Normalisation::Largest => Ok(largest_one(shape)),
+                    Normalisation::First => over(shape[0], "first"),
+                    Normalisation::Last => over(shape[shape.len() - 1], "last"),
+                    Normalisation::UnitMass => {
+                        let lead = largest_one(shape);
+                        let sign = if (lead[0] * shape[0]) < 0.0 { -1.0 } else { 1.0 };
+                        Ok(shape.iter().map(|x| sign * x).collect())
+                    }
+                }
+            })
+            .collect()
+    }
+
+    fn exhibits<W: Worksheet>(
+        &self,
+        system: &Assembled<W::Num>,
+        found: &Found<W::Num>,
+        damped: &ModalDamping,
+        shapes: &[Vec<f64>],
+        sheet: W,
+    ) {
+        let n = system.size();
+        sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
+        sheet.show(|| {
+            let points = |shape: &Vec<f64>| {
+                let largest = largest_one(shape);
+                largest.iter().enumerate().map(|(row, x)| ((row + 1) as f64, *x)).collect()
+            };
+            let series = shapes.iter().take(FILMED).enumerate();
+            Exhibit::Plot(Plot::new(
+                "Mode shapes, the largest entry as 1",
+                Axis::linear("coordinate", "1"),
+                Axis::linear("amplitude over the largest", "1"),
+                series
+                    .map(|(mode, shape)| {
+                        Series::line(Text::new("mode {mode}").with("mode", mode + 1), points(shape))
+                    })
+                    .collect(),
+            ))
+        });
+        for (mode, shape) in shapes.iter().enumerate().take(FILMED) {
+            sheet.show(|| Exhibit::Film(picture::mode(&self.system, mode + 1, &largest_one(shape))));
+        }
+        sheet.show(|| {
+            let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+            let mut columns = vec![column("mode", "1"), column("ω", "rad/s"), column("f", "Hz")];
+            let ratios = damped.any() && damped.proportional;
+            if ratios {
+                columns.push(column("ζ", "1"));
+            }
+            let rows = (0..n.min(100)).map(|mode| {
+                let frequency = found.modes.squares[mode].sqrt();
+                let mut row = vec![Cell::Number((mode + 1) as f64), frequency.into(), frequency.into()];
+                if ratios {
+                    row.push(if frequency > 0.0 {
+                        (damped.decay(mode) / frequency / 2.0).into()
+                    } else {
+                        Cell::Empty
+                    });
+                }
+                row
+            });
+            Exhibit::Table(TableExhibit {
+                title: "Natural frequencies".into(),
+                columns,
+                rows: rows.collect(),
+                foot: Vec::new(),
+            })
+        });
+        if n <= 12 {
+            for (title, unit, matrix) in [
+                ("Mass matrix M", "kg", &system.mass),
+                ("Damping matrix C", "N*s/m", &damped.physical),
+                ("Stiffness matrix K", "N/m", &system.stiffness),
+            ] {
+                if matrix.iter().any(|entry| *entry != 0.0) {
+                    sheet.show(|| Exhibit::Table(table(title, unit, matrix)));
+                }
+            }
+        }
+    }
+}
+
+fn table(title: &'static str, unit: &'static str, matrix: &DMatrix<f64>) -> TableExhibit {
+    let number = |n: usize| Text::new(n.to_string());
+    TableExhibit {
+        title: title.into(),
+        columns: (1..=matrix.ncols()).map(|n| Column { heading: number(n), unit }).collect(),
+        rows: matrix.row_iter().map(|row| row.iter().map(|entry| Cell::Number(*entry)).collect()).collect(),
+        foot: Vec::new(),
+    }
+}

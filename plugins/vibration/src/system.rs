@@ -1,0 +1,330 @@
+//! Systems of many degrees of freedom: how they are given, their matrices, their pictures.
+
+use dalembert_core::{Inputs, Refusal, Symbol, Text, Worksheet};
+use dalembert_mechanics::{Real, linalg::MOST_DENSE};
+use nalgebra::DMatrix;
+
+pub(crate) mod damping;
+pub(crate) mod modes;
+pub(crate) mod picture;
+pub(crate) mod two_degrees;
+
+use crate::sources::RAO;
+
+/// Up to so many degrees of freedom the entries of the matrices are written out.
+const WRITTEN: usize = 3;
+
+/// The most degrees of freedom of these analyses, which solve again at every keystroke.
+pub(crate) const MOST: usize = 500;
+
+/// What vibrates.
+#[derive(Clone, Debug, Inputs)]
+pub enum System {
+    /// Chain of masses, springs and dampers
+    Chain {
+        /// Masses.
+        /// From left to right. The spring and the damper of a mass join it to the one before it, those of the first
+        /// mass to the wall on the left.
+        #[input(min = 1)]
+        masses: Vec<ChainMass>,
+        /// Wall on the right.
+        wall: Option<Wall>,
+    },
+    /// Masses on a stretched string
+    String {
+        /// Tension.
+        #[input("T", "N", positive)]
+        tension: f64,
+        /// Masses.
+        /// From left to right, each with the length of string before it.
+        #[input(min = 1)]
+        masses: Vec<StringMass>,
+        /// Length after the last mass.
+        #[input("l_e", "m", positive)]
+        last: f64,
+    },
+    /// Mass, damping and stiffness matrices
+    Matrices {
+        /// Entries.
+        /// Row, column, mass, damping, stiffness. What is not listed is zero; an entry beside the diagonal stands for
+        /// its mirror image too. Angles are written in SI as if they were lengths.
+        #[input(table)]
+        entries: Vec<Entry>,
+    },
+}
+
+/// A mass of a chain, with what holds it.
+#[derive(Clone, Debug, Inputs)]
+pub struct ChainMass {
+    /// Mass.
+    #[input("m", "kg", positive)]
+    pub mass: f64,
+    /// Spring to the one before.
+    /// To the wall, for the first one.
+    #[input("k", "N/m", nonnegative)]
+    pub spring: Option<f64>,
+    /// Damper to the one before.
+    #[input("c", "N*s/m", nonnegative)]
+    pub damper: Option<f64>,
+    /// Spring to the ground.
+    #[input("k_g", "N/m", nonnegative)]
+    pub ground_spring: Option<f64>,
+    /// Damper to the ground.
+    #[input("c_g", "N*s/m", nonnegative)]
+    pub ground_damper: Option<f64>,
+}
+
+/// What joins the last mass to a wall.
+#[derive(Clone, Debug, Inputs)]
+pub struct Wall {
+    /// Spring to the wall on the right.
+    #[input("k_w", "N/m", nonnegative)]
+    pub spring: Option<f64>,
+    /// Damper to the wall on the right.
+    #[input("c_w", "N*s/m", nonnegative)]
+    pub damper: Option<f64>,
+}
+
+/// A mass on a string.
+#[derive(Clone, Debug, Inputs)]
+pub struct StringMass {
+    /// Mass.
+    #[input("m", "kg", positive)]
+    pub mass: f64,
+    /// Length of string before it.
+    #[input("l", "m", positive)]
+    pub length: f64,
+}
+
+/// An entry of the three matrices.
+#[derive(Clone, Debug, Inputs)]
+pub struct Entry {
+    /// Row.
+    #[input("i", "1", min = 1)]
+    pub row: f64,
+    /// Column.
+    #[input("j", "1", min = 1)]
+    pub column: f64,
+    /// Mass.
+    #[input("m", "kg")]
+    pub mass: f64,
+    /// Damping.
+    #[input("c", "N*s/m")]
+    pub damping: f64,
+    /// Stiffness.
+    #[input("k", "N/m")]
+    pub stiffness: f64,
+}
+
+/// The matrices of a system and, where they are written out, the numbers of their entries.
+pub(crate) struct Assembled<N> {
+    pub(crate) mass: DMatrix<f64>,
+    pub(crate) damping: DMatrix<f64>,
+    pub(crate) stiffness: DMatrix<f64>,
+    /// Two masses and the entries K₁₁, K₁₂, K₂₂, for a system of two masses without a common inertia.
+    pub(crate) two: Option<([N; 2], [N; 3])>,
+    /// Whether all coordinates are parallel displacements: a motion of the ground moves all alike.
+    pub(crate) parallel: bool,
+}
+
+impl<N> Assembled<N> {
+    pub(crate) fn size(&self) -> usize {
+        self.mass.nrows()
+    }
+}
+
+/// What joins neighbours: to the one before, and to the ground.
+#[derive(Clone, Copy)]
+struct Link<N> {
+    spring: Option<N>,
+    damper: Option<N>,
+    ground_spring: Option<N>,
+    ground_damper: Option<N>,
+}
+
+/// The matrices, with the steps that lead to their entries where they are few.
+pub(crate) fn assemble<W: Worksheet>(
+    system: &System,
+    given: &SystemGiven<W>,
+    sheet: W,
+) -> Result<Assembled<W::Num>, Refusal> {
+    match (system, given) {
+        (System::Matrices { entries }, _) => matrices(entries, sheet),
+        (_, SystemGiven::Chain { masses, wall }) => {
+            let links: Vec<Link<W::Num>> = masses
+                .iter()
+                .map(|mass| Link {
+                    spring: mass.spring,
+                    damper: mass.damper,
+                    ground_spring: mass.ground_spring,
+                    ground_damper: mass.ground_damper,
+                })
+                .chain([Link {
+                    spring: wall.as_ref().and_then(|wall| wall.spring),
+                    damper: wall.as_ref().and_then(|wall| wall.damper),
+                    ground_spring: None,
+                    ground_damper: None,
+                }])
+                .collect();
+            chain(&masses.iter().map(|mass| mass.mass).collect::<Vec<_>>(), &links, sheet)
+        }
+        (_, SystemGiven::String { tension, masses, last }) => {
+            let lengths = masses.iter().map(|mass| mass.length).chain([*last]);
+            let links: Vec<Link<W::Num>> = lengths
+                .enumerate()
+                .map(|(n, length)| Link {
+                    spring: Some(sheet.step(
+                        ("k", n + 1),
+                        "N/m",
+                        *tension / length,
+                        (
+                            "A string under tension resists a small sideways step between its ends by T/l",
+                            RAO.at("§8.2"),
+                        ),
+                    )),
+                    damper: None,
+                    ground_spring: None,
+                    ground_damper: None,
+                })
+                .collect();
+            chain(&masses.iter().map(|mass| mass.mass).collect::<Vec<_>>(), &links, sheet)
+        }
+        (_, SystemGiven::Matrices { .. }) => unreachable!("what is given is made from the system"),
+    }
+}
+
+/// The matrices of masses in a row; one link more than masses, the last one to the wall.
+fn chain<W: Worksheet>(
+    masses: &[W::Num],
+    links: &[Link<W::Num>],
+    sheet: W,
+) -> Result<Assembled<W::Num>, Refusal> {
+    let n = masses.len();
+    not_too_many(n)?;
+    let value = |number: Option<W::Num>| number.map_or(0.0, Real::value);
+    let fill = |own: fn(&Link<W::Num>) -> Option<W::Num>, ground: fn(&Link<W::Num>) -> Option<W::Num>| {
+        let mut matrix = DMatrix::zeros(n, n);
+        for (row, link) in links.iter().enumerate() {
+            let (own, ground) = (value(own(link)), value(ground(link)));
+            if row < n {
+                matrix[(row, row)] += own + ground;
+            }
+            if row > 0 {
+                matrix[(row - 1, row - 1)] += own;
+            }
+            if row > 0 && row < n {
+                matrix[(row - 1, row)] -= own;
+                matrix[(row, row - 1)] -= own;
+            }
+        }
+        matrix
+    };
+    let mass = DMatrix::from_fn(n, n, |i, j| if i == j { masses[i].value() } else { 0.0 });
+    let stiffness = fill(|link| link.spring, |link| link.ground_spring);
+    let damping = fill(|link| link.damper, |link| link.ground_damper);
+    let mut written = Vec::new();
+    if (2..=WRITTEN).contains(&n) {
+        for row in 0..n {
+            let springs = [links[row].spring, links[row].ground_spring, links[row + 1].spring];
+            written.push(sheet.step(
+                symbol("K", row, row),
+                "N/m",
+                sum(springs),
+                (
+                    "Entry of the stiffness matrix: the force on the mass for its own unit displacement",
+                    RAO.at("§6.4"),
+                ),
+            ));
+            if let (Some(spring), true) = (links[row + 1].spring, row + 1 < n) {
+                written.push(sheet.step(
+                    symbol("K", row, row + 1),
+                    "N/m",
+                    -spring,
+                    "The force on a mass for a unit displacement of its neighbour",
+                ));
+            }
+        }
+    }
+    let two = match (masses, &written[..]) {
+        ([first, second], [k11, k12, k22]) => Some(([*first, *second], [*k11, *k12, *k22])),
+        _ => None,
+    };
+    Ok(Assembled { mass, damping, stiffness, two, parallel: true })
+}
+
+/// The matrices from a table of entries.
+fn matrices<W: Worksheet>(entries: &[Entry], sheet: W) -> Result<Assembled<W::Num>, Refusal> {
+    let place = |number: f64| {
+        if number.fract() == 0.0 && number >= 1.0 && number <= MOST_DENSE as f64 {
+            Ok(number as usize - 1)
+        } else {
+            let why =
+                Text::new("{number} is no row or column of a matrix: write whole numbers from 1 to {most}");
+            Err(Refusal::because(why.with("number", number.to_string()).with("most", MOST)))
+        }
+    };
+    let mut n = 0;
+    for entry in entries {
+        n = n.max(place(entry.row)? + 1).max(place(entry.column)? + 1);
+    }
+    not_too_many(n)?;
+    let mut found: [DMatrix<f64>; 3] = std::array::from_fn(|_| DMatrix::zeros(n, n));
+    let mut listed = DMatrix::from_element(n, n, false);
+    for entry in entries {
+        let (row, column) = (place(entry.row)?, place(entry.column)?);
+        if listed[(row, column)] {
+            let why = Text::new("the entry ({row}, {column}) is listed twice: keep one line for it");
+            return Err(Refusal::because(why.with("row", row + 1).with("column", column + 1)));
+        }
+        listed[(row, column)] = true;
+        for (matrix, value) in found.iter_mut().zip([entry.mass, entry.damping, entry.stiffness]) {
+            let mirrored = listed[(column, row)] && row != column;
+            if mirrored && matrix[(row, column)] != value {
+                let why = Text::new(
+                    "the entries ({row}, {column}) and ({column}, {row}) differ: the matrices of masses, springs and \
+                     dampers are symmetric",
+                );
+                return Err(Refusal::because(why.with("row", row + 1).with("column", column + 1)));
+            }
+            matrix[(row, column)] = value;
+            matrix[(column, row)] = value;
+        }
+    }
+    let [mass, damping, stiffness] = found;
+    if let Some(row) = (0..n).find(|&row| mass[(row, row)] <= 0.0) {
+        let why =
+            Text::new("coordinate {row} has no mass: write a positive mass on the diagonal, or eliminate it");
+        return Err(Refusal::because(why.with("row", row + 1)));
+    }
+    let two = (n == 2 && mass[(0, 1)] == 0.0 && stiffness[(0, 1)] != 0.0).then(|| {
+        let listed = |base, row, column, unit, value| {
+            sheet.found(symbol(base, row, column), unit, value, "From the table of the matrices")
+        };
+        let masses = [0, 1].map(|row| listed("M", row, row, "kg", mass[(row, row)]));
+        let places = [(0, 0), (0, 1), (1, 1)];
+        (masses, places.map(|(row, column)| listed("K", row, column, "N/m", stiffness[(row, column)])))
+    });
+    Ok(Assembled { mass, damping, stiffness, two, parallel: false })
+}
+
+fn not_too_many(n: usize) -> Result<(), Refusal> {
+    if n <= MOST {
+        return Ok(());
+    }
+    let why =
+        Text::new("{have} degrees of freedom are more than the {most} that are solved at every keystroke");
+    Err(Refusal::because(why.with("have", n).with("most", MOST)))
+}
+
+/// The symbol of an entry of a matrix, counted from 0.
+pub(crate) fn symbol(base: &'static str, row: usize, column: usize) -> Symbol {
+    Symbol::from(base).row(row + 1).row(column + 1)
+}
+
+fn sum<N: Real>(numbers: [Option<N>; 3]) -> N {
+    let mut numbers = numbers.into_iter().flatten();
+    match numbers.next() {
+        Some(first) => numbers.fold(first, |sum, number| sum + number),
+        None => N::from(0.0),
+    }
+}

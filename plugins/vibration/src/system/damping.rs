@@ -1,0 +1,169 @@
+//! What damps a system, and the damping ratios of its modes.
+
+use dalembert_core::{Inputs, Refusal, Text, Worksheet};
+use dalembert_mechanics::{
+    Real,
+    vibration::modes::{NaturalModes, is_proportional},
+};
+use nalgebra::DMatrix;
+
+use crate::sources::RAO;
+
+/// What damps the system.
+#[derive(Clone, Debug, Inputs)]
+pub enum Damping {
+    /// The dampers of the system, if any
+    Dampers,
+    /// The same damping ratio in every mode
+    Ratio {
+        /// Damping ratio.
+        #[input("ζ", "1", nonnegative)]
+        ratio: f64,
+    },
+    /// A damping ratio for each mode
+    Ratios {
+        /// Damping ratios.
+        /// One a line, from the lowest mode up; the last one stands for all higher modes.
+        #[input(table)]
+        ratios: Vec<ModeRatio>,
+    },
+    /// Rayleigh damping C = αM + βK
+    Rayleigh {
+        /// Share of the masses.
+        #[input("α", "1/s", nonnegative)]
+        alpha: f64,
+        /// Share of the stiffness.
+        #[input("β", "s", nonnegative)]
+        beta: f64,
+    },
+    /// Rayleigh damping through two points
+    TwoPoints {
+        /// Damping ratio at the first frequency.
+        #[input("ζ_a", "1", nonnegative)]
+        first_ratio: f64,
+        /// First frequency.
+        #[input("ω_a", "rad/s", positive)]
+        first_frequency: f64,
+        /// Damping ratio at the second frequency.
+        #[input("ζ_b", "1", nonnegative)]
+        second_ratio: f64,
+        /// Second frequency.
+        #[input("ω_b", "rad/s", positive)]
+        second_frequency: f64,
+    },
+}
+
+/// The damping ratio of a mode.
+#[derive(Clone, Debug, Inputs)]
+pub struct ModeRatio {
+    /// Damping ratio.
+    #[input("ζ", "1", nonnegative)]
+    pub ratio: f64,
+}
+
+/// The damping of a system in its modes.
+pub(crate) struct ModalDamping {
+    /// `ΦᵀCΦ` for unit modal masses.
+    pub(crate) matrix: DMatrix<f64>,
+    /// The damping matrix itself.
+    pub(crate) physical: DMatrix<f64>,
+    /// Whether the modes without damping remain.
+    pub(crate) proportional: bool,
+}
+
+impl ModalDamping {
+    /// Whether anything is damped.
+    pub(crate) fn any(&self) -> bool {
+        self.matrix.iter().any(|entry| *entry != 0.0)
+    }
+
+    /// 2ζω of a mode, where the damping is proportional.
+    pub(crate) fn decay(&self, mode: usize) -> f64 {
+        self.matrix[(mode, mode)]
+    }
+
+    /// All 2ζω.
+    pub(crate) fn decays(&self) -> Vec<f64> {
+        self.matrix.diagonal().iter().copied().collect()
+    }
+}
+
+/// The damping in the modes; writes α and β where they follow from two points.
+pub(crate) fn in_modes<W: Worksheet>(
+    damping: &Damping,
+    given: &DampingGiven<W>,
+    dampers: &DMatrix<f64>,
+    mass: &DMatrix<f64>,
+    modes: &NaturalModes,
+    sheet: W,
+) -> Result<ModalDamping, Refusal> {
+    let n = modes.squares.len();
+    let from_diagonal = |decays: Vec<f64>| {
+        let matrix = DMatrix::from_fn(n, n, |i, j| if i == j { decays[i] } else { 0.0 });
+        let momenta = mass * &modes.shapes;
+        let physical = &momenta * &matrix * momenta.transpose();
+        ModalDamping { matrix, physical, proportional: true }
+    };
+    let rayleigh = |alpha: f64, beta: f64| {
+        from_diagonal(modes.squares.iter().map(|square| alpha + beta * square).collect())
+    };
+    let damped = match (damping, given) {
+        (Damping::Dampers, _) => {
+            let mut matrix = modes.damping(dampers);
+            let proportional = is_proportional(&matrix);
+            if proportional {
+                matrix = DMatrix::from_diagonal(&matrix.diagonal());
+            }
+            ModalDamping { matrix, physical: dampers.clone(), proportional }
+        }
+        (Damping::Ratio { ratio }, _) => {
+            from_diagonal(modes.squares.iter().map(|square| 2.0 * ratio * square.sqrt()).collect())
+        }
+        (Damping::Ratios { ratios }, _) => {
+            let ratio = |mode: usize| ratios[mode.min(ratios.len() - 1)].ratio;
+            from_diagonal(
+                modes
+                    .squares
+                    .iter()
+                    .enumerate()
+                    .map(|(mode, square)| 2.0 * ratio(mode) * square.sqrt())
+                    .collect(),
+            )
+        }
+        (Damping::Rayleigh { alpha, beta }, _) => rayleigh(*alpha, *beta),
+        (
+            Damping::TwoPoints { first_frequency: a, second_frequency: b, .. },
+            DampingGiven::TwoPoints { first_ratio, first_frequency, second_ratio, second_frequency },
+        ) => {
+            if a == b {
+                return Err(Refusal::because(
+                    "the two frequencies of the Rayleigh damping are the same: write two different ones",
+                ));
+            }
+            let (z1, w1, z2, w2) = (*first_ratio, *first_frequency, *second_ratio, *second_frequency);
+            let beta = sheet.step(
+                "β",
+                "s",
+                (z2 * w2 - z1 * w1) * 2.0 / (w2.powi(2) - w1.powi(2)),
+                ("Rayleigh damping has ζ = α/(2ω) + βω/2; from the two points", RAO.at("§6.15")),
+            );
+            let alpha =
+                sheet.step("α", "1/s", z1 * w1 * 2.0 - beta * w1.powi(2), "From the first of the two points");
+            if alpha.value() < 0.0 || beta.value() < 0.0 {
+                sheet.warn(|| {
+                    Text::new(
+                        "one of α and β is negative: between the two frequencies the damping fits, beyond them it \
+                         becomes negative and the motion grows",
+                    )
+                });
+            }
+            sheet.check("Rayleigh damping at the second point", alpha / w2 / 2.0 + beta * w2 / 2.0, z2);
+            rayleigh(alpha.value(), beta.value())
+        }
+        _ => unreachable!("what is given is made from the damping"),
+    };
+    if damped.physical.iter().all(|entry| entry.is_finite()) {
+        return Ok(damped);
+    }
+    Err(Refusal::because("these inputs lead to a damping that cannot be represented"))
+}

@@ -1,0 +1,149 @@
+//! The natural modes of a system as the analyses show them.
+
+use dalembert_core::{Refusal, Text, Worksheet};
+use dalembert_mechanics::{
+    Real,
+    linalg::LinalgError,
+    vibration::modes::{ModesError, NaturalModes, natural_modes},
+};
+use nalgebra::DMatrix;
+
+use super::{
+    Assembled,
+    two_degrees::{self, TwoModes},
+};
+use crate::sources::RAO;
+
+/// So many modes are written out.
+pub(crate) const SHOWN: usize = 8;
+
+/// Why there are no modes, for a person.
+pub(crate) fn refusal(error: ModesError) -> Refusal {
+    match error {
+        ModesError::Unstable { .. } => Refusal::because(
+            "the stiffness matrix is indefinite: the position of rest is unstable, not a vibration",
+        ),
+        ModesError::Linalg(LinalgError::NotPositiveDefinite { .. }) => Refusal::because(
+            "the mass matrix is not positive definite: some motion has no kinetic energy, so it has no frequency",
+        ),
+        ModesError::Linalg(LinalgError::NotSymmetric { row, column, .. }) => {
+            let why = Text::new(
+                "the entries ({row}, {column}) and ({column}, {row}) differ: the matrices of masses, springs and \
+                 dampers are symmetric",
+            );
+            Refusal::because(why.with("row", row).with("column", column))
+        }
+        ModesError::Linalg(LinalgError::NotFinite) => {
+            Refusal::because("masses, springs and dampers differ so much in size that numbers overflow")
+        }
+        ModesError::Linalg(_) => {
+            Refusal::because("the modes cannot be found to the digits that an answer needs")
+        }
+    }
+}
+
+/// Modes and frequencies, with the steps that lead to them.
+pub(crate) struct Found<N> {
+    pub(crate) modes: NaturalModes,
+    /// ω of the first modes, at most [`SHOWN`].
+    pub(crate) frequencies: Vec<N>,
+    /// Their squares.
+    pub(crate) squares: Vec<N>,
+}
+
+/// Finds the modes: two degrees of freedom in closed form, more numerically.
+pub(crate) fn find<W: Worksheet>(system: &Assembled<W::Num>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+    let modes = natural_modes(&system.mass, &system.stiffness).map_err(refusal)?;
+    let (squares, frequencies) = match system.two {
+        Some((masses, stiffness)) => {
+            let two = two_degrees::solve(masses, stiffness, "1", sheet)?;
+            sheet.verify(|| agreement(&two, &modes, sheet));
+            (two.squares.to_vec(), two.frequencies.to_vec())
+        }
+        None => (0..modes.squares.len().min(SHOWN))
+            .map(|mode| {
+                let square = modes.squares[mode];
+                let why = if square == 0.0 {
+                    Text::new("Rigid body mode: the system moves as a whole, no spring is stretched")
+                } else {
+                    Text::new("Eigenvalue, λ = ω²: root of det(K − λM) = 0, found numerically")
+                };
+                let square = sheet.found(("λ", mode + 1), "rad^2/s^2", square, (why, RAO.at("§6.10")));
+                (square, sheet.step(("ω", mode + 1), "rad/s", square.sqrt(), "Natural frequency"))
+            })
+            .unzip(),
+    };
+    sheet.verify(|| checks(system, &modes, sheet));
+    let same = (1..modes.squares.len()).find(|&mode| {
+        let (a, b) = (modes.squares[mode - 1], modes.squares[mode]);
+        b > 0.0 && (b - a) <= 1e-10 * b
+    });
+    if let Some(mode) = same {
+        sheet.warn(|| {
+            Text::new(
+                "modes {first} and {second} have the same frequency: any sum of their shapes is a mode too",
+            )
+            .with("first", mode)
+            .with("second", mode + 1)
+        });
+    }
+    Ok(Found { modes, frequencies, squares })
+}
+
+/// The closed form of two degrees of freedom against the eigenproblem.
+pub(crate) fn agreement<W: Worksheet>(two: &TwoModes<W::Num>, modes: &NaturalModes, sheet: W) {
+    for (mode, frequency) in two.frequencies.iter().enumerate() {
+        sheet.check(
+            Text::new("frequency {mode} from the eigenvalues of M⁻¹K").with("mode", mode + 1),
+            *frequency,
+            modes.squares[mode].sqrt().into(),
+        );
+    }
+    let Some(ratios) = two.ratios else { return };
+    for (mode, ratio) in ratios.iter().enumerate() {
+        let shape = modes.shapes.column(mode);
+        let second = ratio.value() * shape[0];
+        sheet.check_zero(
+            Text::new("shape {mode} from the eigenvectors of M⁻¹K").with("mode", mode + 1),
+            (second - shape[1]).into(),
+            second.abs().max(shape[1].abs()),
+        );
+    }
+}
+
+/// Orthogonality in M and in K, and the energy of each mode.
+fn checks<W: Worksheet>(system: &Assembled<W::Num>, modes: &NaturalModes, sheet: W) {
+    let n = modes.squares.len();
+    let off_diagonal = |a: &DMatrix<f64>| {
+        (0..n).flat_map(|j| (0..j).map(move |i| (i, j))).map(|at| a[at].abs()).fold(0.0, f64::max)
+    };
+    let shapes = &modes.shapes;
+    let mass = shapes.transpose() * &system.mass * shapes;
+    sheet.check_zero("the modes are orthogonal in the masses: φᵢᵀMφⱼ = 0", off_diagonal(&mass).into(), 1.0);
+    let stiffness = shapes.transpose() * &system.stiffness * shapes;
+    let largest = modes.squares.last().copied().unwrap_or(0.0);
+    if largest > 0.0 {
+        sheet.check_zero(
+            "the modes are orthogonal in the stiffness: φᵢᵀKφⱼ = 0",
+            off_diagonal(&stiffness).into(),
+            largest,
+        );
+    }
+    for (mode, square) in modes.squares.iter().enumerate().take(SHOWN) {
+        if *square > 1e-6 * largest {
+            sheet.check(
+                Text::new("mode {mode}: largest potential energy φᵀKφ/2 = largest kinetic energy ω²φᵀMφ/2")
+                    .with("mode", mode + 1),
+                stiffness[(mode, mode)].into(),
+                (square * mass[(mode, mode)]).into(),
+            );
+        }
+    }
+}
+
+/// A mode shape with its largest entry 1, the first one of those.
+pub(crate) fn largest_one(shape: &[f64]) -> Vec<f64> {
+    let largest = shape.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    let lead = shape.iter().copied().find(|x| x.abs() >= largest * (1.0 - 1e-9)).unwrap_or(1.0);
+    shape.iter().map(|x| x / lead).collect()
+}
