@@ -298,3 +298,58 @@ fn lifted<W: Worksheet>(given: &MachineGiven<W>) -> W::Num {
         },
     }
 }
+
+/// Fields may have the names that the derived code uses for itself.
+#[derive(Clone, Debug, PartialEq, Inputs)]
+struct Names {
+    /// First.
+    #[input("1")]
+    first: Pair,
+    /// Rest.
+    #[input("a", "m")]
+    rest: f64,
+    /// Path.
+    #[input("b", "m")]
+    path: f64,
+    /// Fields.
+    #[input("c", "m")]
+    fields: f64,
+}
+
+/// A pair.
+#[derive(Clone, Debug, PartialEq, Inputs)]
+struct Pair {
+    /// Value.
+    #[input("x", "m")]
+    value: f64,
+    /// Trail.
+    #[input("y", "m")]
+    trail: f64,
+    /// Errors.
+    #[input("z", "m")]
+    errors: Option<f64>,
+    /// Lift.
+    #[input("t", "m")]
+    lift: f64,
+}
+
+#[test]
+fn fields_may_have_any_name() {
+    let mut draft = Draft::blank(&Names::SHAPE);
+    let typed = [
+        ("first.value", "1 m"),
+        ("first.trail", "2 m"),
+        ("first.lift", "3 m"),
+        ("rest", "4 m"),
+        ("path", "5 m"),
+        ("fields", "6 m"),
+    ];
+    for (path, text) in typed {
+        draft.set(&Names::SHAPE, path, text).unwrap();
+    }
+    let mut names = Names::read_all(&Value::Group(draft.read(&Names::SHAPE).unwrap())).unwrap();
+    let pair = Pair { value: 1.0, trail: 2.0, errors: None, lift: 3.0 };
+    assert_eq!(names, Names { first: pair, rest: 4.0, path: 5.0, fields: 6.0 });
+    *names.slot(&[0, 3]).unwrap() = 7.0;
+    assert_eq!(names.first.lift, 7.0);
+}

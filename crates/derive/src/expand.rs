@@ -1,7 +1,7 @@
 //! The implementation of `Inputs` for a struct or an enum.
 
 use proc_macro2::{Literal, TokenStream as Tokens};
-use quote::{format_ident, quote};
+use quote::format_ident;
 use syn::{Data, DataEnum, DeriveInput, Error, Fields, FieldsNamed, Ident, Result, Visibility};
 
 use crate::field::{Arguments, Asks, documentation};
@@ -47,7 +47,7 @@ impl Group {
             let asks = Asks::of(&field.ty, &arguments)?;
             let (name, symbol) = (ident.to_string(), arguments.symbol());
             let (shape, default) = (asks.shape(&arguments)?, arguments.default_text());
-            described.push(quote! {
+            described.push(code! {
                 dalembert_core::Field {
                     name: #name, label: #label, help: #help, symbol: #symbol, default: #default, shape: #shape,
                 }
@@ -66,7 +66,7 @@ impl Group {
             .map(|(name, asks)| {
                 let ty = asks.given_type();
                 let doc = format!("`{name}` on the worksheet.");
-                quote! { #[doc = #doc] #visibility #name: #ty }
+                code! { #[doc = #doc] #visibility #name: #ty }
             })
             .collect()
     }
@@ -76,7 +76,7 @@ impl Group {
         let names = &self.names;
         let reads = self.names.iter().zip(&self.asks).enumerate().map(|(at, (name, asks))| {
             let (text, at, read) = (name.to_string(), Literal::usize_unsuffixed(at), asks.read());
-            quote! {
+            code! {
                 let #name = {
                     let value = support::field(value, #at);
                     let trail = &trail.field(#text);
@@ -84,7 +84,7 @@ impl Group {
                 };
             }
         });
-        quote! { #(#reads)* let (#(Some(#names),)*) = (#(#names,)*) else { return None; }; }
+        code! { #(#reads)* let (#(Some(#names),)*) = (#(#names,)*) else { return None; }; }
     }
 
     /// `name: lifted, …`, from `#name: &T` in scope, `fields` and `lift`.
@@ -94,7 +94,7 @@ impl Group {
             .map(|(at, (name, asks))| {
                 let of = if asks.is_nested() { &self.symbols[at] } else { "" };
                 let (text, at, given) = (name.to_string(), Literal::usize_unsuffixed(at), asks.given());
-                quote! {
+                code! {
                     #name: {
                         let this = #name;
                         let field = &fields[#at];
@@ -117,7 +117,7 @@ impl Group {
         let all = self.names.iter().zip(&self.asks).enumerate();
         all.map(|(at, (name, asks))| {
             let (at, slot) = (Literal::usize_unsuffixed(at), asks.slot());
-            quote! { #at => { let this = #name; #slot } }
+            code! { #at => { let this = #name; #slot } }
         })
         .collect()
     }
@@ -128,10 +128,10 @@ fn structure(item: &DeriveInput, fields: &FieldsNamed) -> Result<Tokens> {
     let given_name = format_ident!("{name}Given");
     let group = Group::of(fields)?;
     let (described, names) = (&group.described, &group.names);
-    let given_fields = group.given_fields(&quote! { pub });
+    let given_fields = group.given_fields(&code! { pub });
     let (read, given, slots) = (group.read(), group.given(), group.slots());
     let doc = format!("The inputs of [`{name}`] as numbers of a worksheet.");
-    Ok(quote! {
+    Ok(code! {
         #[doc = #doc]
         #visibility struct #given_name<W: dalembert_core::Worksheet> {
             #(#given_fields,)*
@@ -206,13 +206,13 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
         let (ident, key) = (&variant.ident, kebab(&variant.ident.to_string()));
         let (list, inner) = (format_ident!("FIELDS_{at}"), &group.described);
         let at = Literal::usize_unsuffixed(at);
-        statics.push(quote! { static #list: &[dalembert_core::Field] = &[#(#inner),*]; });
-        described.push(quote! {
+        statics.push(code! { static #list: &[dalembert_core::Field] = &[#(#inner),*]; });
+        described.push(code! {
             dalembert_core::Variant { name: #key, label: #label, help: #help, fields: || #list }
         });
         let (read, names, given, slot) = (group.read(), &group.names, group.given(), group.slots());
         let text = &key;
-        reads.push(quote! {
+        reads.push(code! {
             Some(#at) => {
                 let trail = &trail.field(#text);
                 #read
@@ -220,10 +220,10 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
             }
         });
         plain &= given.is_empty();
-        let fields = group.given_fields(&quote! {});
+        let fields = group.given_fields(&code! {});
         let doc = format!("{label}.");
-        given_variants.push(quote! { #[doc = #doc] #ident { #(#fields,)* } });
-        givens.push(quote! {
+        given_variants.push(code! { #[doc = #doc] #ident { #(#fields,)* } });
+        givens.push(code! {
             Self::#ident { #(#names),* } => {
                 let fields = #list;
                 let trail = lift.trail.field(#text);
@@ -232,23 +232,23 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
                 #given_name::#ident { #(#given,)* }
             }
         });
-        slots.push(quote! { (#at, Self::#ident { #(#names),* }) => {
+        slots.push(code! { (#at, Self::#ident { #(#names),* }) => {
             let (first, rest) = rest.split_first()?;
             let _ = (rest, #(&#names,)*);
             match first { #(#slot)* _ => None }
         } });
     }
     let (given_type, given_item, given_body) = if plain {
-        (quote! { () }, quote! {}, quote! { let _ = lift; })
+        (code! { () }, code! {}, code! { let _ = lift; })
     } else {
         let doc = format!("The inputs of [`{name}`] as numbers of a worksheet.");
-        let item = quote! {
+        let item = code! {
             #[doc = #doc]
             #visibility enum #given_name<W: dalembert_core::Worksheet> { #(#given_variants,)* }
         };
-        (quote! { #given_name<W> }, item, quote! { match self { #(#givens)* } })
+        (code! { #given_name<W> }, item, code! { match self { #(#givens)* } })
     };
-    Ok(quote! {
+    Ok(code! {
         #given_item
 
         const _: () = {

@@ -1,7 +1,6 @@
 //! One field: its type, its documentation and its `#[input(…)]`, as code that describes, reads and lifts it.
 
 use proc_macro2::TokenStream as Tokens;
-use quote::quote;
 use syn::{
     Attribute, Error, Expr, ExprLit, GenericArgument, Lit, Meta, PathArguments, Result, Type,
     punctuated::Punctuated, spanned::Spanned,
@@ -85,104 +84,104 @@ impl Asks {
         Ok(match self {
             Asks::Quantity => {
                 let measure = arguments.measure()?;
-                quote! { dalembert_core::Shape::Quantity(#measure) }
+                code! { dalembert_core::Shape::Quantity(#measure) }
             }
             Asks::Vector => {
                 let measure = arguments.measure()?;
                 let len: usize = if arguments.has("planar") { 2 } else { 3 };
-                quote! { dalembert_core::Shape::Vector(#measure, #len) }
+                code! { dalembert_core::Shape::Vector(#measure, #len) }
             }
-            Asks::Text => quote! { dalembert_core::Shape::Text },
-            Asks::Flag => quote! { dalembert_core::Shape::Flag },
+            Asks::Text => code! { dalembert_core::Shape::Text },
+            Asks::Flag => code! { dalembert_core::Shape::Flag },
             Asks::Count(_) => {
-                let min = arguments.value("min").map_or_else(|| quote! { 0 }, |min| quote! { #min });
-                let max = arguments.value("max").map_or_else(|| quote! { 1_000_000 }, |max| quote! { #max });
-                quote! { dalembert_core::Shape::Count { min: #min, max: #max } }
+                let min = arguments.value("min").map_or_else(|| code! { 0 }, |min| code! { #min });
+                let max = arguments.value("max").map_or_else(|| code! { 1_000_000 }, |max| code! { #max });
+                code! { dalembert_core::Shape::Count { min: #min, max: #max } }
             }
             Asks::Reference => {
                 let rows = arguments.value("rows").ok_or_else(|| {
                     arguments.error("a reference names the list it points into: #[input(rows = \"bodies\")]")
                 })?;
-                quote! { dalembert_core::Shape::Reference(#rows) }
+                code! { dalembert_core::Shape::Reference(#rows) }
             }
             Asks::Optional(inner) => {
                 let inner = inner.shape(arguments)?;
-                quote! { dalembert_core::Shape::Optional(|| { const SHAPE: &dalembert_core::Shape = &#inner; SHAPE }) }
+                code! { dalembert_core::Shape::Optional(|| { const SHAPE: &dalembert_core::Shape = &#inner; SHAPE }) }
             }
             Asks::Rows(inner) => {
-                let min = arguments.value("min").map_or_else(|| quote! { 0 }, |min| quote! { #min });
+                let min = arguments.value("min").map_or_else(|| code! { 0 }, |min| code! { #min });
                 let inner = inner.shape(arguments)?;
-                quote! {
+                code! {
                     dalembert_core::Shape::Rows {
                         item: || { const SHAPE: &dalembert_core::Shape = &#inner; SHAPE },
                         min: #min,
                     }
                 }
             }
-            Asks::Table(row) => quote! {
+            Asks::Table(row) => code! {
                 dalembert_core::Shape::Table(|| <#row as dalembert_core::Inputs>::SHAPE.fields(None))
             },
             // Behind a function, so that a type may contain itself.
-            Asks::Nested(ty) => quote! { <#ty as dalembert_core::Inputs>::SHAPE },
+            Asks::Nested(ty) => code! { <#ty as dalembert_core::Inputs>::SHAPE },
         })
     }
 
     /// An expression of `Option<Self>`, from `value: &Value` and `trail: &Trail`, noting faults in `errors`.
     pub(crate) fn read(&self) -> Tokens {
         match self {
-            Asks::Quantity => quote! { support::quantity(value, trail, errors) },
-            Asks::Vector => quote! { support::vector(value, trail, errors) },
-            Asks::Text => quote! { support::text(value, trail, errors) },
-            Asks::Flag => quote! { support::flag(value, trail, errors) },
-            Asks::Count(ty) => quote! {
+            Asks::Quantity => code! { support::quantity(value, trail, errors) },
+            Asks::Vector => code! { support::vector(value, trail, errors) },
+            Asks::Text => code! { support::text(value, trail, errors) },
+            Asks::Flag => code! { support::flag(value, trail, errors) },
+            Asks::Count(ty) => code! {
                 support::count(value, trail, errors).and_then(|count| <#ty>::try_from(count).ok())
             },
-            Asks::Reference => quote! { support::reference(value, trail, errors) },
+            Asks::Reference => code! { support::reference(value, trail, errors) },
             Asks::Optional(inner) => {
                 let inner = inner.read();
-                quote! { support::optional(value, errors, |value, errors| #inner) }
+                code! { support::optional(value, errors, |value, errors| #inner) }
             }
             Asks::Rows(inner) => {
                 let inner = inner.read();
-                quote! { support::rows(value, trail, errors, |value, trail, errors| #inner) }
+                code! { support::rows(value, trail, errors, |value, trail, errors| #inner) }
             }
-            Asks::Table(row) => quote! {
+            Asks::Table(row) => code! {
                 support::table(value, trail, errors, |numbers| support::table_row::<#row>(numbers))
             },
-            Asks::Nested(ty) => quote! { <#ty as dalembert_core::Inputs>::read(value, trail, errors) },
+            Asks::Nested(ty) => code! { <#ty as dalembert_core::Inputs>::read(value, trail, errors) },
         }
     }
 
     /// The type in `NameGiven<W>`.
     pub(crate) fn given_type(&self) -> Tokens {
         match self {
-            Asks::Quantity => quote! { W::Num },
-            Asks::Vector => quote! { W::Vec },
+            Asks::Quantity => code! { W::Num },
+            Asks::Vector => code! { W::Vec },
             Asks::Optional(inner) => {
                 let inner = inner.given_type();
-                quote! { ::std::option::Option<#inner> }
+                code! { ::std::option::Option<#inner> }
             }
             Asks::Rows(inner) => {
                 let inner = inner.given_type();
-                quote! { ::std::vec::Vec<#inner> }
+                code! { ::std::vec::Vec<#inner> }
             }
-            Asks::Nested(ty) => quote! { <#ty as dalembert_core::Inputs>::Given<W> },
-            _ => quote! { () },
+            Asks::Nested(ty) => code! { <#ty as dalembert_core::Inputs>::Given<W> },
+            _ => code! { () },
         }
     }
 
     /// An expression of the lifted value, from `this: &T`, `lift: Lift<W>` and `field: &'static Field`.
     pub(crate) fn given(&self) -> Tokens {
         match self {
-            Asks::Quantity => quote! { support::given(lift, field, *this) },
-            Asks::Vector => quote! { support::given_vector(lift, field, *this) },
+            Asks::Quantity => code! { support::given(lift, field, *this) },
+            Asks::Vector => code! { support::given_vector(lift, field, *this) },
             Asks::Optional(inner) => {
                 let inner = inner.given();
-                quote! { this.as_ref().map(|this| #inner) }
+                code! { this.as_ref().map(|this| #inner) }
             }
             Asks::Rows(inner) => {
                 let inner = inner.given();
-                quote! {
+                code! {
                     this.iter().enumerate().map(|(n, this)| {
                         let trail = lift.trail.row(n);
                         let lift = dalembert_core::Lift {
@@ -192,28 +191,28 @@ impl Asks {
                     }).collect()
                 }
             }
-            Asks::Nested(_) => quote! { dalembert_core::Inputs::given(this, lift) },
-            _ => quote! { () },
+            Asks::Nested(_) => code! { dalembert_core::Inputs::given(this, lift) },
+            _ => code! { () },
         }
     }
 
     /// An expression of `Option<&mut f64>`, from `this: &mut T` and `rest: &[usize]`.
     pub(crate) fn slot(&self) -> Tokens {
         match self {
-            Asks::Quantity => quote! { if rest.is_empty() { Some(this) } else { None } },
-            Asks::Vector => quote! { if let [axis] = rest { this.get_mut(*axis) } else { None } },
+            Asks::Quantity => code! { if rest.is_empty() { Some(this) } else { None } },
+            Asks::Vector => code! { if let [axis] = rest { this.get_mut(*axis) } else { None } },
             Asks::Optional(inner) => {
                 let inner = inner.slot();
-                quote! { this.as_mut().and_then(|this| #inner) }
+                code! { this.as_mut().and_then(|this| #inner) }
             }
             Asks::Rows(inner) => {
                 let inner = inner.slot();
-                quote! {
+                code! {
                     rest.split_first().and_then(|(row, rest)| this.get_mut(*row).and_then(|this| #inner))
                 }
             }
-            Asks::Nested(_) => quote! { dalembert_core::Inputs::slot(this, rest) },
-            _ => quote! { { let _ = (this, rest); None } },
+            Asks::Nested(_) => code! { dalembert_core::Inputs::slot(this, rest) },
+            _ => code! { { let _ = (this, rest); None } },
         }
     }
 }
@@ -276,7 +275,7 @@ impl Arguments {
 
     /// `Option<&'static str>`
     pub(crate) fn default_text(&self) -> Tokens {
-        self.value("default").map_or_else(|| quote! { None }, |text| quote! { Some(#text) })
+        self.value("default").map_or_else(|| code! { None }, |text| code! { Some(#text) })
     }
 
     fn error(&self, message: &str) -> Error {
@@ -290,34 +289,34 @@ impl Arguments {
         let kind = match self.value("kind") {
             Some(Expr::Lit(ExprLit { lit: Lit::Str(name), .. })) => {
                 let name = name.parse::<syn::Ident>()?;
-                quote! { Some(dalembert_core::derive_support::Kind::#name) }
+                code! { Some(dalembert_core::derive_support::Kind::#name) }
             }
             Some(other) => return Err(Error::new_spanned(other, "expected the name of a kind in quotes")),
-            None => quote! { None },
+            None => code! { None },
         };
         let limit = |including: &str, excluding: &str, word: Option<(&str, &str)>| {
-            let value = |value: &Expr| quote! { (#value) as f64 };
+            let value = |value: &Expr| code! { (#value) as f64 };
             if let Some(limit) = self.value(including) {
                 let limit = value(limit);
-                return quote! { dalembert_core::Limit::Including(#limit) };
+                return code! { dalembert_core::Limit::Including(#limit) };
             }
             if let Some(limit) = self.value(excluding) {
                 let limit = value(limit);
-                return quote! { dalembert_core::Limit::Excluding(#limit) };
+                return code! { dalembert_core::Limit::Excluding(#limit) };
             }
             match word {
                 Some((excluding, _)) if self.has(excluding) => {
-                    quote! { dalembert_core::Limit::Excluding(0.0) }
+                    code! { dalembert_core::Limit::Excluding(0.0) }
                 }
                 Some((_, including)) if self.has(including) => {
-                    quote! { dalembert_core::Limit::Including(0.0) }
+                    code! { dalembert_core::Limit::Including(0.0) }
                 }
-                _ => quote! { dalembert_core::Limit::None },
+                _ => code! { dalembert_core::Limit::None },
             }
         };
         let min = limit("min", "above", Some(("positive", "nonnegative")));
         let max = limit("max", "below", None);
-        Ok(quote! { dalembert_core::Measure { unit: #unit, kind: #kind, min: #min, max: #max } })
+        Ok(code! { dalembert_core::Measure { unit: #unit, kind: #kind, min: #min, max: #max } })
     }
 }
 

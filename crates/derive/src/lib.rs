@@ -1,5 +1,10 @@
 //! `#[derive(Inputs)]`: the inputs of a problem, from its struct.
 
+/// `quote!` whose local variables are its own: a field may be called `value` or `path`.
+macro_rules! code {
+    ($($tokens:tt)*) => { quote::quote_spanned!(proc_macro2::Span::mixed_site()=> $($tokens)*) };
+}
+
 mod expand;
 mod field;
 

@@ -3,6 +3,8 @@
 
 pub mod decay_fit;
 pub mod dry_forced;
+pub mod duffing;
+pub mod elliptic;
 pub mod free;
 pub mod friction;
 pub mod from_rest;
@@ -16,4 +18,7 @@ pub mod poles;
 pub mod quadrature;
 pub mod receptance;
 pub mod response;
+pub mod piecewise;
+pub mod quadrature;
+pub mod rayleigh;
 pub mod torsional;

@@ -62,3 +62,20 @@ pub(crate) static DEN_HARTOG: Source = Source {
 /// B. K. Sarkar, Theory of Machines.
 pub(crate) static SARKAR: Source =
     Source { short: "Sarkar", full: "B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, 2002" };
+/// M. Abramowitz and I. A. Stegun, Handbook of Mathematical Functions.
+pub(crate) static ABRAMOWITZ: Source = Source {
+    short: "Abramowitz & Stegun",
+    full: "M. Abramowitz and I. A. Stegun (eds.), Handbook of Mathematical Functions, National Bureau of Standards, 1964",
+};
+
+/// A. H. Nayfeh and D. T. Mook, Nonlinear Oscillations.
+pub(crate) static NAYFEH: Source = Source {
+    short: "Nayfeh & Mook",
+    full: "A. H. Nayfeh and D. T. Mook, Nonlinear Oscillations, Wiley, 1979",
+};
+
+/// R. W. Clough and J. Penzien, Dynamics of Structures.
+pub(crate) static CLOUGH: Source = Source {
+    short: "Clough & Penzien",
+    full: "R. W. Clough and J. Penzien, Dynamics of Structures, 2nd ed., McGraw-Hill, 1993",
+};

@@ -1,0 +1,313 @@
+//! Free vibration on a spring of two slopes: a gap, a stop, a spring that saturates.
+
+use dalembert_core::{
+    About, Analysis, Axis, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    register,
+};
+use dalembert_mechanics::{Real, sdof, vibration::piecewise::TwoSlopes};
+
+use crate::sources::{NAYFEH, THOMSON};
+
+/// A mass on a spring whose stiffness changes at a corner, the same on both sides.
+#[derive(Clone, Debug, Inputs)]
+pub struct PiecewiseSpring {
+    /// Mass.
+    #[input("m", "kg", positive)]
+    pub mass: f64,
+    /// Characteristic.
+    pub characteristic: Characteristic,
+    /// Displacement at the start.
+    #[input("x₀", "m", default = "0 mm")]
+    pub displacement: f64,
+    /// Velocity at the start.
+    #[input("v₀", "m/s", default = "0 m/s")]
+    pub velocity: f64,
+}
+
+/// How the force depends on the displacement.
+#[derive(Clone, Debug, Inputs)]
+pub enum Characteristic {
+    /// Saturating: linear, then a constant force
+    Saturating {
+        /// Stiffness up to the corner.
+        #[input("k₁", "N/m", positive)]
+        stiffness: f64,
+        /// Displacement at the corner.
+        #[input("y", "m", positive)]
+        corner: f64,
+    },
+    /// Two slopes: softer or stiffer beyond the corner
+    TwoSlopes {
+        /// Stiffness up to the corner.
+        #[input("k₁", "N/m", positive)]
+        stiffness: f64,
+        /// Displacement at the corner.
+        #[input("y", "m", positive)]
+        corner: f64,
+        /// Stiffness beyond the corner.
+        #[input("k₂", "N/m", positive)]
+        beyond: f64,
+    },
+    /// Gap: no force until the spring is met
+    Gap {
+        /// Free travel to each side.
+        #[input("y", "m", positive)]
+        corner: f64,
+        /// Stiffness of the spring that is met.
+        #[input("k₂", "N/m", positive)]
+        beyond: f64,
+    },
+}
+
+register!(PiecewiseSpring);
+
+impl Analysis for PiecewiseSpring {
+    const ABOUT: About = About {
+        id: "vibration/piecewise-spring",
+        title: "Spring of two slopes",
+        summary: "Exact free vibration of a mass on a spring with a gap, a stop or a limit of its force: largest displacement and period.",
+        keywords: "nonlinear gap clearance bilinear stop elastoplastic folga batente mola bilinear não linear",
+        sources: &[&THOMSON, &NAYFEH],
+        cases: include_str!("../cases/piecewise_spring.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &PiecewiseSpringGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let spring = self.characteristic.spring();
+        let start = self.mass / 2.0 * self.velocity.powi(2) + spring.energy(self.displacement);
+        if self.displacement == 0.0 && self.velocity == 0.0 {
+            return Err(Refusal::because(
+                "the mass starts at rest where nothing pulls it: give it a displacement or a velocity",
+            ));
+        }
+        if start == 0.0 {
+            return Err(Refusal::because(
+                "the mass starts at rest inside the gap, where nothing pulls it: give it a velocity, or a displacement beyond the gap",
+            ));
+        }
+        let zero = W::Num::from(0.0);
+        let (first, corner, second) = match &given.characteristic {
+            CharacteristicGiven::Saturating { stiffness, corner } => (Some(*stiffness), *corner, None),
+            CharacteristicGiven::TwoSlopes { stiffness, corner, beyond } => {
+                (Some(*stiffness), *corner, Some(*beyond))
+            }
+            CharacteristicGiven::Gap { corner, beyond } => (None, *corner, Some(*beyond)),
+        };
+        // Energy up to the corner, then beyond it.
+        let at_corner = match first {
+            Some(stiffness) => sheet.step(
+                "V_y",
+                "J",
+                stiffness * corner.powi(2) / 2.0,
+                ("Energy that the spring holds at the corner", THOMSON.at("§2.4")),
+            ),
+            None => zero,
+        };
+        let kinetic = given.mass * given.velocity.powi(2) / 2.0;
+        let away = given.displacement.abs();
+        let stored = if away.value() <= spring.corner {
+            first.map_or(zero, |stiffness| stiffness * away.powi(2) / 2.0)
+        } else {
+            let more = away - corner;
+            let held = first.map_or(zero, |stiffness| stiffness * corner * more);
+            at_corner + held + second.map_or(zero, |stiffness| stiffness * more.powi(2) / 2.0)
+        };
+        let energy = sheet.step(
+            "E",
+            "J",
+            kinetic + stored,
+            ("Energy at the start, which is kept", THOMSON.at("§2.4")),
+        );
+        let amplitude = if energy.value() <= at_corner.value() && first.is_some() {
+            let stiffness = first.unwrap_or(zero);
+            sheet.step(
+                "A",
+                "mm",
+                (energy * 2.0 / stiffness).sqrt(),
+                "Largest displacement: the corner is not reached, the vibration is that of a linear spring",
+            )
+        } else {
+            let rest = sheet.step("W", "J", energy - at_corner, "Energy left at the corner");
+            let beyond = match (first, second) {
+                (Some(stiffness), None) => rest / (stiffness * corner),
+                (None, Some(second)) => (rest * 2.0 / second).sqrt(),
+                (Some(stiffness), Some(second)) => {
+                    let held = stiffness * corner;
+                    rest * 2.0 / (held + (held.powi(2) + second * rest * 2.0).sqrt())
+                }
+                (None, None) => zero,
+            };
+            let beyond = sheet.step("d", "mm", beyond, "Displacement beyond the corner that stores it");
+            sheet.step("A", "mm", corner + beyond, "Largest displacement")
+        };
+        let reach = amplitude.value();
+        let period = sheet.found(
+            "T",
+            "s",
+            spring.period(self.mass, reach),
+            ("Four quarters, each of a piece up to the corner and a piece beyond it", NAYFEH.at("§2.2")),
+        );
+        let speed =
+            sheet.step("V", "m/s", (energy * 2.0 / given.mass).sqrt(), "Largest speed, at the middle");
+        let frequency = sheet.step("f", "Hz", sdof::angular_frequency(period), "Frequency at this amplitude");
+        let force = spring.force(reach);
+        sheet.verify(|| {
+            sheet.check(
+                "energy stored at the largest displacement",
+                W::Num::from(spring.energy(reach)),
+                W::Num::from(start),
+            );
+            sheet.check(
+                "period by quadrature of dt = dx/v",
+                W::Num::from(quadrature(&spring, self.mass, reach)),
+                W::Num::from(period.value()),
+            );
+        });
+        sheet.answer("largest_displacement", "Largest displacement", amplitude);
+        sheet.answer("period", "Period", period);
+        sheet.answer("frequency", "Frequency", frequency);
+        sheet.answer("largest_speed", "Largest speed", speed);
+        let largest_force =
+            sheet.found("Fₘₐₓ", "N", force, "Force of the spring there, from its characteristic");
+        sheet.answer("largest_force", "Largest force of the spring", largest_force);
+        let period = period.value();
+        sheet.show(|| Exhibit::Plot(self.motion(&spring, reach, period)));
+        sheet.show(|| Exhibit::Plot(self.backbone(&spring, reach, period)));
+        sheet.show(|| Exhibit::Plot(characteristic(&spring, reach)));
+        sheet.show(|| Exhibit::Film(self.film(&spring, reach, period)));
+        Ok(())
+    }
+}
+
+impl Characteristic {
+    fn spring(&self) -> TwoSlopes {
+        match *self {
+            Self::Saturating { stiffness, corner } => TwoSlopes { first: stiffness, corner, second: 0.0 },
+            Self::TwoSlopes { stiffness, corner, beyond } => {
+                TwoSlopes { first: stiffness, corner, second: beyond }
+            }
+            Self::Gap { corner, beyond } => TwoSlopes { first: 0.0, corner, second: beyond },
+        }
+    }
+}
+
+/// `T = 4 ∫ dx/v`, in each piece with the substitution that takes away the singularity at its end.
+fn quadrature(spring: &TwoSlopes, mass: f64, amplitude: f64) -> f64 {
+    let energy = spring.energy(amplitude);
+    let corner = amplitude.min(spring.corner);
+    let speed = |x: f64| (2.0 * (energy - spring.energy(x)) / mass).max(0.0).sqrt();
+    // x = end − (end − from) s², so that dx/v is smooth at the turning point.
+    let piece = |from: f64, end: f64| -> f64 {
+        if end <= from {
+            return 0.0;
+        }
+        let integrand = |s: f64| {
+            let x = end - (end - from) * s * s;
+            if s == 0.0 {
+                let pull = spring.force(end) / mass;
+                return if end < amplitude { 0.0 } else { 2.0 * (end - from).sqrt() / (2.0 * pull).sqrt() };
+            }
+            2.0 * (end - from) * s / speed(x)
+        };
+        simpson(integrand)
+    };
+    4.0 * (piece(0.0, corner) + piece(corner, amplitude))
+}
+
+/// Simpson's rule over `0…1`, refined until it does not change.
+fn simpson(function: impl Fn(f64) -> f64) -> f64 {
+    let mut before = f64::INFINITY;
+    for power in 5..16 {
+        let count = 1u32 << power;
+        let weight = |n: u32| if n == 0 || n == count { 1.0 } else { f64::from(2 + 2 * (n % 2)) };
+        let sum: f64 = (0..=count).map(|n| weight(n) * function(f64::from(n) / f64::from(count))).sum();
+        let now = sum / (3.0 * f64::from(count));
+        if (now - before).abs() <= 1e-13 * now.abs() {
+            return now;
+        }
+        before = now;
+    }
+    before
+}
+
+impl PiecewiseSpring {
+    /// When the motion of this amplitude passes the start, counted from rest in the middle.
+    fn start(&self, spring: &TwoSlopes, amplitude: f64, period: f64) -> f64 {
+        // The displacement grows over the first quarter: the instant is bisected.
+        let away = self.displacement.abs().min(amplitude);
+        let (mut low, mut high) = (0.0, period / 4.0);
+        for _ in 0..60 {
+            let middle = f64::midpoint(low, high);
+            if spring.displacement(self.mass, amplitude, middle) < away {
+                low = middle
+            } else {
+                high = middle
+            }
+        }
+        let outward = self.velocity * self.displacement >= 0.0;
+        let instant = if outward { low } else { period / 2.0 - low };
+        let below = self.displacement < 0.0 || (self.displacement == 0.0 && self.velocity < 0.0);
+        if below { instant + period / 2.0 } else { instant }
+    }
+
+    fn motion(&self, spring: &TwoSlopes, amplitude: f64, period: f64) -> Plot {
+        let start = self.start(spring, amplitude, period);
+        let at = |n: u32| {
+            let time = 2.0 * period * f64::from(n) / 400.0;
+            (time, spring.displacement(self.mass, amplitude, start + time))
+        };
+        Plot::new(
+            "Displacement against time",
+            Axis::linear("time", "s"),
+            Axis::linear("displacement", "mm"),
+            vec![Series::line("x", (0..=400).map(at).collect())],
+        )
+        .level("corner", spring.corner)
+        .level("corner below", -spring.corner)
+    }
+
+    fn backbone(&self, spring: &TwoSlopes, amplitude: f64, period: f64) -> Plot {
+        let most = 2.0 * amplitude.max(spring.corner);
+        let at = |n: u32| {
+            let amplitude = most * f64::from(n) / 300.0;
+            (amplitude, std::f64::consts::TAU / spring.period(self.mass, amplitude))
+        };
+        Plot::new(
+            "Frequency against amplitude",
+            Axis::linear("amplitude", "mm"),
+            Axis::linear("frequency", "Hz"),
+            vec![Series::line("f", (1..=300).map(at).collect())],
+        )
+        .mark("at this amplitude", (amplitude, std::f64::consts::TAU / period))
+    }
+
+    fn film(&self, spring: &TwoSlopes, amplitude: f64, period: f64) -> Film {
+        const FRAMES: u32 = 24;
+        let corner = spring.corner / amplitude;
+        let frame = |n: u32| {
+            let x = spring.displacement(self.mass, amplitude, period * f64::from(n) / f64::from(FRAMES))
+                / amplitude;
+            let mut shapes = vec![DrawnShape::Ground((-1.6, -0.25), (1.6, -0.25))];
+            if corner < 1.0 {
+                for at in [-corner - 0.25, corner + 0.25] {
+                    shapes.push(DrawnShape::Polyline(vec![(at, -0.25), (at, 0.4)], Ink::Faint));
+                }
+            }
+            shapes.push(DrawnShape::Block((x - 0.25, -0.25), (x + 0.25, 0.25), Ink::Body));
+            shapes.push(DrawnShape::Label((-1.6, 0.6), Text::from("x")));
+            shapes
+        };
+        Film { title: "The motion of the mass".into(), frames: (0..FRAMES).map(frame).collect(), period: 2.0 }
+    }
+}
+
+fn characteristic(spring: &TwoSlopes, amplitude: f64) -> Plot {
+    let most = 1.3 * amplitude.max(spring.corner);
+    let corners = [-most, -spring.corner, spring.corner, most];
+    Plot::new(
+        "Force against displacement",
+        Axis::linear("displacement", "mm"),
+        Axis::linear("force", "N"),
+        vec![Series::line("F", corners.map(|x| (x, spring.force(x))).to_vec())],
+    )
+    .mark("largest displacement", (amplitude, spring.force(amplitude)))
+}
