@@ -7,6 +7,7 @@ mod beam;
 mod dimensions;
 mod eigen;
 mod forced;
+mod free_vibration;
 mod identification;
 mod intervals;
 mod linalg;
