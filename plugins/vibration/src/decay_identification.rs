@@ -94,7 +94,7 @@ impl Analysis for DecayIdentification {
     };
 
     fn solve<W: Worksheet>(&self, given: &DecayIdentificationGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let (points, half) = self.amplitudes()?;
+        let Amplitudes { points, half } = self.amplitudes()?;
         if points.len() < FEWEST {
             return Err(Refusal::because(
                 "there are fewer than four amplitudes: record more cycles, or use the logarithmic decrement",
@@ -111,7 +111,7 @@ impl Analysis for DecayIdentification {
         friction(&fits, sheet);
         both(&fits, sheet);
         let verdict = verdict(&fits, sheet);
-        self.forces(given, natural, &fits, sheet);
+        forces(given, natural, &fits, sheet);
         sheet.show(|| Exhibit::Table(side_by_side(&fits, verdict)));
         sheet.show(|| Exhibit::Plot(envelopes(&points, &fits)));
         if let DecayRecord::Samples { samples, noise } = &self.record {
@@ -121,16 +121,24 @@ impl Analysis for DecayIdentification {
     }
 }
 
+/// What a record says of the decay.
+struct Amplitudes {
+    /// Amplitudes over cycles.
+    points: Vec<(f64, f64)>,
+    /// Time of half a cycle, s, where the record has times.
+    half: Option<f64>,
+}
+
 impl DecayIdentification {
-    /// Amplitudes over cycles, and the time of half a cycle where the record has times.
-    fn amplitudes(&self) -> Result<(Vec<(f64, f64)>, Option<f64>), Refusal> {
+    fn amplitudes(&self) -> Result<Amplitudes, Refusal> {
         let (samples, noise) = match &self.record {
             DecayRecord::Amplitudes { amplitudes } => {
-                return Ok((amplitudes.iter().map(|peak| (peak.cycles, peak.amplitude)).collect(), None));
+                let points = amplitudes.iter().map(|peak| (peak.cycles, peak.amplitude)).collect();
+                return Ok(Amplitudes { points, half: None });
             }
             DecayRecord::Samples { samples, noise } => (samples, *noise),
         };
-        if samples.windows(2).any(|pair| !(pair[1].time > pair[0].time)) {
+        if samples.windows(2).any(|pair| pair[1].time <= pair[0].time) {
             return Err(Refusal::because(
                 "the times of the samples do not rise from row to row: put the rows in the order of time",
             ));
@@ -150,41 +158,40 @@ impl DecayIdentification {
         let points = turning.windows(2).enumerate().map(amplitude).collect();
         let first = turning.first().map_or(0.0, |point| point.time);
         let last = turning.last().map_or(0.0, |point| point.time);
-        Ok((points, Some((last - first) / (turning.len() - 1) as f64)))
+        Ok(Amplitudes { points, half: Some((last - first) / (turning.len() - 1) as f64) })
     }
+}
 
-    /// What the fit with both says in newtons, where stiffness and frequency are known.
-    fn forces<W: Worksheet>(
-        &self,
-        given: &DecayIdentificationGiven<W>,
-        natural: Option<W::Num>,
-        fits: &DecayFits,
-        sheet: W,
-    ) {
-        let natural = given.natural_frequency.or(natural);
-        let [zeta, offset] = of_both(fits, sheet);
-        if let Some(stiffness) = given.stiffness {
-            let force = sheet.step("F", "N", stiffness * offset, ("Friction force", RAO.at("§2.9")));
-            sheet.answer("friction", "Friction force", force);
-            if let Some(natural) = natural {
-                let damping = sheet.step(
-                    "c",
-                    "N*s/m",
-                    zeta * stiffness * 2.0 / natural,
-                    ("Damping coefficient: c = 2ζk/ωₙ", RAO.at("§2.6")),
-                );
-                sheet.answer("damping", "Damping coefficient", damping);
-            }
-        }
+/// What the fit with both says in newtons, where stiffness and frequency are known.
+fn forces<W: Worksheet>(
+    given: &DecayIdentificationGiven<W>,
+    natural: Option<W::Num>,
+    fits: &DecayFits,
+    sheet: W,
+) {
+    let natural = given.natural_frequency.or(natural);
+    let [zeta, offset] = of_both(fits, sheet);
+    if let Some(stiffness) = given.stiffness {
+        let force = sheet.step("F", "N", stiffness * offset, ("Friction force", RAO.at("§2.9")));
+        sheet.answer("friction", "Friction force", force);
         if let Some(natural) = natural {
-            let coefficient = sheet.step(
-                "µ",
-                "1",
-                offset * natural.powi(2) / given.gravity,
-                "Coefficient of friction on a level surface: F = µmg and F/k = f",
+            let damping = sheet.step(
+                "c",
+                "N*s/m",
+                zeta * stiffness * 2.0 / natural,
+                ("Damping coefficient: c = 2ζk/ωₙ", RAO.at("§2.6")),
             );
-            sheet.answer("friction_coefficient", "Coefficient of friction", coefficient);
+            sheet.answer("damping", "Damping coefficient", damping);
         }
+    }
+    if let Some(natural) = natural {
+        let coefficient = sheet.step(
+            "µ",
+            "1",
+            offset * natural.powi(2) / given.gravity,
+            "Coefficient of friction on a level surface: F = µmg and F/k = f",
+        );
+        sheet.answer("friction_coefficient", "Coefficient of friction", coefficient);
     }
 }
 

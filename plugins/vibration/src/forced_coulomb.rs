@@ -125,7 +125,7 @@ impl Analysis for ForcedCoulomb {
         let (force, amplitude) = match &given.excitation {
             ExcitationGiven::Force { force } => (force.value(), amplitude_of(&system, *force, sheet)?),
             ExcitationGiven::Amplitude { amplitude } => {
-                (force_of(&system, *amplitude, sheet)?, amplitude.value())
+                (force_of(&system, *amplitude, sheet), amplitude.value())
             }
         };
         let shaken =
@@ -266,7 +266,7 @@ fn stuck() -> Refusal {
 }
 
 /// The force for an amplitude. The result is the force by equivalent damping.
-fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) -> Result<f64, Refusal> {
+fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) -> f64 {
     let Shaken { stiffness, ratio, friction, offset, .. } = *system;
     let spring = sheet.step(
         "F_s",
@@ -293,7 +293,7 @@ fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) 
     equivalent_damping(system, amplitude, force, sheet);
     sheet.answer("force", "Force by equivalent damping", force);
     if ratio.value() == 1.0 {
-        return Ok(force.value());
+        return force.value();
     }
     // Den Hartog the other way about, where the motion has no stops.
     let damping = sheet.step(
@@ -328,7 +328,7 @@ fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) 
             )
         });
     }
-    Ok(force.value())
+    force.value()
 }
 
 /// Coefficient and ratio of the equivalent damping, held to the viscous oscillator.

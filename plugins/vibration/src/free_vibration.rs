@@ -149,7 +149,7 @@ impl Analysis for FreeVibration {
     };
 
     fn solve<W: Worksheet>(&self, given: &FreeVibrationGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let System { natural, zeta, x0, v0, elastic, units } = system(given, sheet)?;
+        let System { natural, zeta, x0, v0, elastic, units } = system(given, sheet);
         if x0.value() == 0.0 && v0.value() == 0.0 {
             return Err(Refusal::because(
                 "it starts at rest in its position of equilibrium, so it does not move: write a displacement or a \
@@ -207,8 +207,8 @@ struct System<N> {
     units: Units,
 }
 
-fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> Result<System<W::Num>, Refusal> {
-    Ok(match &given.oscillator {
+fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> System<W::Num> {
+    match &given.oscillator {
         OscillatorGiven::Translation { mass: body, stiffness, damping, displacement, velocity } => {
             let mass = mass(body, sheet);
             let natural = natural_frequency(*stiffness, mass, sheet);
@@ -290,7 +290,7 @@ fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> Result<Syste
             elastic: None,
             units: Units::TRANSLATION,
         },
-    })
+    }
 }
 
 fn natural_frequency<W: Worksheet>(stiffness: W::Num, mass: W::Num, sheet: W) -> W::Num {
@@ -344,14 +344,13 @@ fn events<W: Worksheet>(
     x0: W::Num,
     sheet: W,
 ) -> W::Num {
-    if let Some(zero) = motion.first_zero()
-        && let Some(time) = form.first_zero(sheet)
-    {
+    if let Some(zero) = motion.first_zero() {
+        let time = form.first_zero(sheet);
         sheet.check("the first passage through rest found from the motion itself", time, zero.into());
         sheet.answer("first_zero", "First passage through the position of rest", time);
     }
-    let turning = motion.first_turning().and_then(|turning| {
-        let time = form.first_turning(sheet)?;
+    let turning = motion.first_turning().map(|turning| {
+        let time = form.first_turning(sheet);
         sheet.check("the first turning point found from the motion itself", time, turning.into());
         sheet.answer("first_turning", "First turning point after the start", time);
         let displacement = sheet.step(
@@ -361,7 +360,7 @@ fn events<W: Worksheet>(
             "Displacement at the first turning point",
         );
         sheet.answer("turning_displacement", "Displacement at that turning point", displacement);
-        Some((time, displacement))
+        (time, displacement)
     });
     // Without damping, and while it grows, no turning point is the largest; the first one still says most.
     match turning {

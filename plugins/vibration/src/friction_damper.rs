@@ -100,7 +100,7 @@ impl Analysis for FrictionDamper {
         );
         let amplitude = sheet.found("Xₚ", "µm", peak.amplitude, "Amplitude there");
         let [stiffness, quadrature] =
-            self.balance(given, mass, slip, [frequency, amplitude], PEAK, &oscillator, sheet);
+            balance(given, [mass, slip, frequency, amplitude], PEAK, &oscillator, sheet);
         sheet.verify(|| {
             // d|D|²/dω = 0, in units of its terms.
             let left = mass * frequency * (stiffness - mass * frequency.powi(2)) * 2.0;
@@ -129,7 +129,7 @@ impl Analysis for FrictionDamper {
                 largest,
                 "Amplitude at the asked frequency, where amplitude and dynamic stiffness balance the force",
             );
-            self.balance(given, mass, slip, [given_frequency, found], ASKED, &oscillator, sheet);
+            balance(given, [mass, slip, given_frequency, found], ASKED, &oscillator, sheet);
             sheet.answer("amplitude", "Amplitude at this frequency", found);
             asked = Some(ResponsePoint { frequency: given_frequency.value(), amplitude: largest });
         }
@@ -144,74 +144,69 @@ impl Analysis for FrictionDamper {
 const PEAK: [&str; 5] = ["θₚ", "kₚ", "Wₚ", "hₚ", "Kₚ"];
 const ASKED: [&str; 5] = ["θ", "k_j", "W", "h", "K"];
 
-impl FrictionDamper {
-    /// Stiffness and quadrature part at an amplitude, held to the force and to the summed loop.
-    fn balance<W: Worksheet>(
-        &self,
-        given: &FrictionDamperGiven<W>,
-        mass: W::Num,
-        slip: W::Num,
-        [frequency, amplitude]: [W::Num; 2],
-        symbols: [&'static str; 5],
-        oscillator: &JenkinsOscillator,
-        sheet: W,
-    ) -> [W::Num; 2] {
-        let [angle, element, area, quadrature, whole] = symbols;
-        let (stiffness, quadrature) = if amplitude.value() <= slip.value() {
-            let stiffness = sheet.step(
-                whole,
-                "N/m",
-                given.stiffness + given.element,
-                "The element sticks at this amplitude: both springs act, and it takes no energy",
-            );
-            (stiffness, W::Num::from(0.0))
-        } else {
-            let angle = sheet.step(
-                angle,
-                "rad",
-                jenkins::elastic_angle(slip, amplitude),
-                "Part of each half cycle in which the element sticks, as an angle",
-            );
-            let element = sheet.step(
-                element,
-                "N/m",
-                jenkins::equivalent_stiffness(given.element, angle),
-                "Equivalent stiffness of the element: first harmonic of its force in phase with the motion",
-            );
-            let area = sheet.step(
-                area,
-                "J",
-                jenkins::loop_area(given.slip_force, amplitude, slip),
-                "Energy that the element takes in a cycle: area of its loop",
-            );
-            let quadrature = sheet.step(
-                quadrature,
-                "N/m",
-                jenkins::quadrature_stiffness(area, amplitude),
-                ("First harmonic in phase with the velocity, for each unit of amplitude", RAO.at("§3.9")),
-            );
-            sheet.verify(|| {
-                let [summed, part] = oscillator.harmonic_by_summation(amplitude.value());
-                sheet.check("equivalent stiffness by summing over the loop", W::Num::from(summed), element);
-                sheet.check(
-                    "the part in phase with the velocity by summing over the loop",
-                    W::Num::from(part),
-                    quadrature,
-                );
-            });
-            let stiffness = sheet.step(whole, "N/m", given.stiffness + element, "Both stiffnesses together");
-            (stiffness, quadrature)
-        };
-        sheet.check(
-            "amplitude times dynamic stiffness is the force",
-            amplitude
-                * ((stiffness - mass * frequency.powi(2)).powi(2)
-                    + (given.damping * frequency + quadrature).powi(2))
-                .sqrt(),
-            given.force,
+/// Stiffness and quadrature part at an amplitude, held to the force and to the summed loop.
+fn balance<W: Worksheet>(
+    given: &FrictionDamperGiven<W>,
+    [mass, slip, frequency, amplitude]: [W::Num; 4],
+    symbols: [&'static str; 5],
+    oscillator: &JenkinsOscillator,
+    sheet: W,
+) -> [W::Num; 2] {
+    let [angle, element, area, quadrature, whole] = symbols;
+    let (stiffness, quadrature) = if amplitude.value() <= slip.value() {
+        let stiffness = sheet.step(
+            whole,
+            "N/m",
+            given.stiffness + given.element,
+            "The element sticks at this amplitude: both springs act, and it takes no energy",
         );
-        [stiffness, quadrature]
-    }
+        (stiffness, W::Num::from(0.0))
+    } else {
+        let angle = sheet.step(
+            angle,
+            "rad",
+            jenkins::elastic_angle(slip, amplitude),
+            "Part of each half cycle in which the element sticks, as an angle",
+        );
+        let element = sheet.step(
+            element,
+            "N/m",
+            jenkins::equivalent_stiffness(given.element, angle),
+            "Equivalent stiffness of the element: first harmonic of its force in phase with the motion",
+        );
+        let area = sheet.step(
+            area,
+            "J",
+            jenkins::loop_area(given.slip_force, amplitude, slip),
+            "Energy that the element takes in a cycle: area of its loop",
+        );
+        let quadrature = sheet.step(
+            quadrature,
+            "N/m",
+            jenkins::quadrature_stiffness(area, amplitude),
+            ("First harmonic in phase with the velocity, for each unit of amplitude", RAO.at("§3.9")),
+        );
+        sheet.verify(|| {
+            let [summed, part] = oscillator.harmonic_by_summation(amplitude.value());
+            sheet.check("equivalent stiffness by summing over the loop", W::Num::from(summed), element);
+            sheet.check(
+                "the part in phase with the velocity by summing over the loop",
+                W::Num::from(part),
+                quadrature,
+            );
+        });
+        let stiffness = sheet.step(whole, "N/m", given.stiffness + element, "Both stiffnesses together");
+        (stiffness, quadrature)
+    };
+    sheet.check(
+        "amplitude times dynamic stiffness is the force",
+        amplitude
+            * ((stiffness - mass * frequency.powi(2)).powi(2)
+                + (given.damping * frequency + quadrature).powi(2))
+            .sqrt(),
+        given.force,
+    );
+    [stiffness, quadrature]
 }
 
 /// The response by one harmonic: amplitude by amplitude, the frequency below and the one above its softest.

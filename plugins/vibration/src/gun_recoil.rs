@@ -92,7 +92,7 @@ impl Analysis for GunRecoil {
             given.stiffness * distance.powi(2) / 2.0,
         );
         let share = given.remaining.value() / distance.value();
-        if !(share < 1.0) {
+        if share >= 1.0 {
             return Err(Refusal::because(
                 "the displacement up to which the return is timed is not below the recoil: write a smaller one",
             ));

@@ -182,7 +182,7 @@ impl Analysis for LogarithmicDecrement {
             sheet.answer("energy_loss", "Energy lost in a cycle", lost);
             sheet.answer("half_cycles", "Cycles in which the amplitude halves", half);
         }
-        let period = self.system(given, zeta, sheet);
+        let period = system(given, zeta, sheet);
         if let Some(fall) = given.fall
             && decrement.value() > 0.0
         {
@@ -252,95 +252,6 @@ impl LogarithmicDecrement {
         }
     }
 
-    /// Mass, stiffness, damping and frequencies, as far as the system is known.
-    fn system<W: Worksheet>(
-        &self,
-        given: &LogarithmicDecrementGiven<W>,
-        zeta: W::Num,
-        sheet: W,
-    ) -> Option<Oscillation<W::Num>> {
-        match &given.system {
-            SystemGiven::Unknown {} => None,
-            SystemGiven::Period { period } => {
-                let natural = natural_of_period(*period, zeta, "ωₙ", sheet);
-                sheet.answer("natural_frequency", "Natural frequency", natural);
-                Some(Oscillation { period: *period, natural })
-            }
-            SystemGiven::MassStiffness { mass: body, stiffness, period } => {
-                let mass = mass(body, sheet);
-                let oscillation = elastic(mass, *stiffness, zeta, LINE, sheet);
-                if let Some(measured) = period {
-                    let natural = natural_of_period(*measured, zeta, "ωₙ′", sheet);
-                    let off = sheet.step(
-                        "Δω",
-                        "%",
-                        (natural - oscillation.natural) / oscillation.natural,
-                        "How far the measured period is off that of mass and stiffness",
-                    );
-                    sheet.answer(
-                        "measured_natural_frequency",
-                        "Natural frequency of the measured period",
-                        natural,
-                    );
-                    sheet.answer("frequency_difference", "Measured frequency, off by", off);
-                    if off.value().abs() > 0.02 {
-                        sheet.warn(|| {
-                            Text::new("the measured period is off that of mass and stiffness by {off}: is all of the mass counted?")
-                                .with_quantity("off", off.value(), "%")
-                        });
-                    }
-                }
-                Some(oscillation)
-            }
-            SystemGiven::MassPeriod { mass: body, period } => {
-                let mass = mass(body, sheet);
-                let natural = natural_of_period(*period, zeta, "ωₙ", sheet);
-                let stiffness = sheet.step(
-                    "k",
-                    "N/m",
-                    sdof::stiffness_from_natural_frequency(mass, natural),
-                    ("Stiffness that gives the mass this natural frequency", RAO.at("§2.2")),
-                );
-                sheet.answer("stiffness", "Stiffness", stiffness);
-                sheet.answer("natural_frequency", "Natural frequency", natural);
-                coefficients(mass, stiffness, zeta, LINE, sheet);
-                Some(Oscillation { period: *period, natural })
-            }
-            SystemGiven::StiffnessPeriod { stiffness, period } => {
-                let natural = natural_of_period(*period, zeta, "ωₙ", sheet);
-                let mass = sheet.step(
-                    "m",
-                    "kg",
-                    sdof::mass_from_natural_frequency(*stiffness, natural),
-                    ("Mass that has this natural frequency", RAO.at("§2.2")),
-                );
-                sheet.answer("mass", "Mass", mass);
-                sheet.answer("natural_frequency", "Natural frequency", natural);
-                coefficients(mass, *stiffness, zeta, LINE, sheet);
-                Some(Oscillation { period: *period, natural })
-            }
-            SystemGiven::Torsion { inertia, stiffness } => {
-                Some(elastic(*inertia, *stiffness, zeta, AXIS, sheet))
-            }
-            SystemGiven::Shaft { inertia, shear, length, diameter } => {
-                let polar = sheet.step(
-                    "I_p",
-                    "cm^4",
-                    area::round_polar_moment(*diameter),
-                    "Polar second moment of area of a round section",
-                );
-                let stiffness = sheet.step(
-                    "kₜ",
-                    "N*m/rad",
-                    spring::torsional(*shear, polar, *length),
-                    ("Torsional stiffness of the shaft", RAO.at("§1.7")),
-                );
-                sheet.answer("stiffness", "Stiffness", stiffness);
-                Some(elastic(*inertia, stiffness, zeta, AXIS, sheet))
-            }
-        }
-    }
-
     /// The decay over its cycles, with what was measured.
     fn decay_plot(&self, (decrement, fall): (f64, Option<f64>)) -> Plot {
         let measured: Vec<(f64, f64)> = match &self.decay {
@@ -378,6 +289,92 @@ impl LogarithmicDecrement {
             plot = plot.mark("asked amplitude", (n, first / fall));
         }
         plot
+    }
+}
+
+/// Mass, stiffness, damping and frequencies, as far as the system is known.
+fn system<W: Worksheet>(
+    given: &LogarithmicDecrementGiven<W>,
+    zeta: W::Num,
+    sheet: W,
+) -> Option<Oscillation<W::Num>> {
+    match &given.system {
+        SystemGiven::Unknown {} => None,
+        SystemGiven::Period { period } => {
+            let natural = natural_of_period(*period, zeta, "ωₙ", sheet);
+            sheet.answer("natural_frequency", "Natural frequency", natural);
+            Some(Oscillation { period: *period, natural })
+        }
+        SystemGiven::MassStiffness { mass: body, stiffness, period } => {
+            let mass = mass(body, sheet);
+            let oscillation = elastic(mass, *stiffness, zeta, LINE, sheet);
+            if let Some(measured) = period {
+                let natural = natural_of_period(*measured, zeta, "ωₙ′", sheet);
+                let off = sheet.step(
+                    "Δω",
+                    "%",
+                    (natural - oscillation.natural) / oscillation.natural,
+                    "How far the measured period is off that of mass and stiffness",
+                );
+                sheet.answer(
+                    "measured_natural_frequency",
+                    "Natural frequency of the measured period",
+                    natural,
+                );
+                sheet.answer("frequency_difference", "Measured frequency, off by", off);
+                if off.value().abs() > 0.02 {
+                    sheet.warn(|| {
+                        Text::new("the measured period is off that of mass and stiffness by {off}: is all of the mass counted?")
+                            .with_quantity("off", off.value(), "%")
+                    });
+                }
+            }
+            Some(oscillation)
+        }
+        SystemGiven::MassPeriod { mass: body, period } => {
+            let mass = mass(body, sheet);
+            let natural = natural_of_period(*period, zeta, "ωₙ", sheet);
+            let stiffness = sheet.step(
+                "k",
+                "N/m",
+                sdof::stiffness_from_natural_frequency(mass, natural),
+                ("Stiffness that gives the mass this natural frequency", RAO.at("§2.2")),
+            );
+            sheet.answer("stiffness", "Stiffness", stiffness);
+            sheet.answer("natural_frequency", "Natural frequency", natural);
+            coefficients(mass, stiffness, zeta, LINE, sheet);
+            Some(Oscillation { period: *period, natural })
+        }
+        SystemGiven::StiffnessPeriod { stiffness, period } => {
+            let natural = natural_of_period(*period, zeta, "ωₙ", sheet);
+            let mass = sheet.step(
+                "m",
+                "kg",
+                sdof::mass_from_natural_frequency(*stiffness, natural),
+                ("Mass that has this natural frequency", RAO.at("§2.2")),
+            );
+            sheet.answer("mass", "Mass", mass);
+            sheet.answer("natural_frequency", "Natural frequency", natural);
+            coefficients(mass, *stiffness, zeta, LINE, sheet);
+            Some(Oscillation { period: *period, natural })
+        }
+        SystemGiven::Torsion { inertia, stiffness } => Some(elastic(*inertia, *stiffness, zeta, AXIS, sheet)),
+        SystemGiven::Shaft { inertia, shear, length, diameter } => {
+            let polar = sheet.step(
+                "I_p",
+                "cm^4",
+                area::round_polar_moment(*diameter),
+                "Polar second moment of area of a round section",
+            );
+            let stiffness = sheet.step(
+                "kₜ",
+                "N*m/rad",
+                spring::torsional(*shear, polar, *length),
+                ("Torsional stiffness of the shaft", RAO.at("§1.7")),
+            );
+            sheet.answer("stiffness", "Stiffness", stiffness);
+            Some(elastic(*inertia, stiffness, zeta, AXIS, sheet))
+        }
     }
 }
 
@@ -440,7 +437,7 @@ fn least_squares<W: Worksheet>(peaks: &[MeasuredPeak], sheet: W) -> Result<W::Nu
         peaks.iter().map(|peak| of(peak.cycles - mean_cycles, peak.amplitude.ln() - mean_log)).sum::<f64>()
     };
     let (both, squares) = (sum(&|n, log| n * log), sum(&|n, _| n * n));
-    if !(squares > 0.0) {
+    if squares == 0.0 {
         return Err(Refusal::because("all amplitudes stand at the same cycle: number them 0, 1, 2, …"));
     }
     if both >= 0.0 {

@@ -83,7 +83,7 @@ impl FreeMotion {
     pub fn integrated(&self, time: f64) -> Option<[f64; 2]> {
         let (w, z) = (self.natural_frequency, self.damping_ratio);
         let steps = (w * time * (1.0 + 2.0 * z.abs())).ceil().max(1.0);
-        if !(steps <= 4000.0) {
+        if steps.is_nan() || steps > 4000.0 {
             return None;
         }
         let h = time / steps;

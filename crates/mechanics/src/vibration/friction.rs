@@ -138,7 +138,8 @@ impl FrictionDecay {
     pub fn marched(&self, time: f64) -> Option<[f64; 2]> {
         let (w, z) = (self.motion.natural_frequency, self.motion.damping_ratio);
         let step = 0.5 / (w * (1.0 + 2.0 * z));
-        if !(time / step <= 20_000.0) {
+        let steps = time / step;
+        if steps.is_nan() || steps > 20_000.0 {
             return None;
         }
         let [mut x, mut v] = [self.motion.displacement, self.motion.velocity];

@@ -273,7 +273,7 @@ impl<N: Real> Form<N> {
     }
 
     /// The first passage through rest; only asked where there is one.
-    pub(super) fn first_zero<W: Worksheet<Num = N>>(&self, sheet: W) -> Option<N> {
+    pub(super) fn first_zero<W: Worksheet<Num = N>>(&self, sheet: W) -> N {
         let why = "First passage through the position of rest";
         let time = match *self {
             Form::Harmonic { natural, x0, b, .. } => turn(phase(x0, b, sheet), natural),
@@ -283,11 +283,11 @@ impl<N: Real> Form<N> {
                 (-(shares[1] / shares[0])).ln() / (roots[0] - roots[1])
             }
         };
-        Some(sheet.step("t₀", "s", time, why))
+        sheet.step("t₀", "s", time, why)
     }
 
     /// The first turning point; only asked where there is one.
-    pub(super) fn first_turning<W: Worksheet<Num = N>>(&self, sheet: W) -> Option<N> {
+    pub(super) fn first_turning<W: Worksheet<Num = N>>(&self, sheet: W) -> N {
         let why = "First time that the velocity is zero";
         let time = match *self {
             Form::Harmonic { natural, x0, v0, .. } => {
@@ -301,7 +301,7 @@ impl<N: Real> Form<N> {
                 (-(shares[1] * roots[1] / (shares[0] * roots[0]))).ln() / (roots[0] - roots[1])
             }
         };
-        Some(sheet.step(("t", 1), "s", time, why))
+        sheet.step(("t", 1), "s", time, why)
     }
 }
 
