@@ -194,7 +194,7 @@ impl Analysis for TorsionalTrain {
             let counted =
                 sheet.step(("fₙ", n + 1), "Hz", *frequency, "The same frequency, counted in cycles");
             sheet.answer(("frequency", n + 1), "Natural frequency", counted);
-            sheet.verify(|| self.verify_mode(&reduced, mode, *frequency, sheet));
+            sheet.verify(|| verify_mode(&reduced, mode, *frequency, sheet));
         }
         let shapes: Vec<Vec<f64>> = modes.iter().map(|mode| self.actual(&reduced, mode)).collect();
         for (n, shape) in shapes.iter().take(frequencies.len()).enumerate() {
@@ -232,7 +232,7 @@ impl Analysis for TorsionalTrain {
 /// The natural frequencies that become answers: by their formulas for two and three discs in a free line, by
 /// Holzer's method otherwise.
 fn natural_frequencies<W: Worksheet>(reduced: &Reduced<W::Num>, modes: &[Mode], sheet: W) -> Vec<W::Num> {
-    if let Some((inertias, stiffnesses)) = free_line(reduced, sheet) {
+    if let Some(Line { inertias, stiffnesses }) = free_line(reduced, sheet) {
         match (&inertias[..], &stiffnesses[..]) {
             (&[first, second], &[k]) => {
                 let natural = (k * (first + second) / (first * second)).sqrt();
@@ -284,9 +284,15 @@ fn natural_frequencies<W: Worksheet>(reduced: &Reduced<W::Num>, modes: &[Mode], 
         .collect()
 }
 
+/// Discs in one line and the shafts between them.
+struct Line<N> {
+    inertias: Vec<N>,
+    stiffnesses: Vec<N>,
+}
+
 /// The moments of inertia and the stiffnesses between them of a train in one line that nothing holds, with shafts
 /// joined that have no inertia between them, if there are two or three discs.
-fn free_line<W: Worksheet>(reduced: &Reduced<W::Num>, sheet: W) -> Option<(Vec<W::Num>, Vec<W::Num>)> {
+fn free_line<W: Worksheet>(reduced: &Reduced<W::Num>, sheet: W) -> Option<Line<W::Num>> {
     if !reduced.train.is_chain() || !reduced.train.is_free() {
         return None;
     }
@@ -319,7 +325,7 @@ fn free_line<W: Worksheet>(reduced: &Reduced<W::Num>, sheet: W) -> Option<(Vec<W
         between.clear();
         inertias.push(inertia);
     }
-    Some((inertias, stiffnesses))
+    Some(Line { inertias, stiffnesses })
 }
 
 /// The Holzer residual at the trial frequency.
@@ -379,28 +385,6 @@ impl TorsionalTrain {
         amplitudes.into_iter().map(clean).collect()
     }
 
-    /// Two more ways to a frequency.
-    fn verify_mode<W: Worksheet>(&self, reduced: &Reduced<W::Num>, mode: &Mode, frequency: W::Num, sheet: W) {
-        let at = |end: Option<usize>| end.map_or(0.0, |station| mode.shape[station]);
-        let elastic: f64 = reduced
-            .links
-            .iter()
-            .map(|link| link.stiffness.value() * (at(link.ends[0]) - at(link.ends[1])).powi(2))
-            .sum();
-        let inertia = |station: &reduced::Station<W::Num>| station.inertia.map_or(0.0, Real::value);
-        let kinetic: f64 =
-            reduced.stations.iter().zip(&mode.shape).map(|(station, x)| inertia(station) * x.powi(2)).sum();
-        sheet.check(
-            "elastic energy over kinetic energy of the shape is ω²",
-            W::Num::from(elastic / kinetic),
-            frequency.powi(2),
-        );
-        if reduced.stations.len() <= 8 {
-            let left = W::Num::from(reduced.train.residual(frequency.value()));
-            sheet.check_zero("the Holzer residual vanishes at the natural frequency", left, 1.0);
-        }
-    }
-
     fn nodes<N: Real>(&self, reduced: &Reduced<N>, modes: &[Mode]) -> Vec<Node> {
         let mut nodes = Vec::new();
         for (mode, found) in modes.iter().enumerate() {
@@ -418,6 +402,28 @@ impl TorsionalTrain {
             }
         }
         nodes
+    }
+}
+
+/// Two more ways to a frequency.
+fn verify_mode<W: Worksheet>(reduced: &Reduced<W::Num>, mode: &Mode, frequency: W::Num, sheet: W) {
+    let at = |end: Option<usize>| end.map_or(0.0, |station| mode.shape[station]);
+    let elastic: f64 = reduced
+        .links
+        .iter()
+        .map(|link| link.stiffness.value() * (at(link.ends[0]) - at(link.ends[1])).powi(2))
+        .sum();
+    let inertia = |station: &reduced::Station<W::Num>| station.inertia.map_or(0.0, Real::value);
+    let kinetic: f64 =
+        reduced.stations.iter().zip(&mode.shape).map(|(station, x)| inertia(station) * x.powi(2)).sum();
+    sheet.check(
+        "elastic energy over kinetic energy of the shape is ω²",
+        W::Num::from(elastic / kinetic),
+        frequency.powi(2),
+    );
+    if reduced.stations.len() <= 8 {
+        let left = W::Num::from(reduced.train.residual(frequency.value()));
+        sheet.check_zero("the Holzer residual vanishes at the natural frequency", left, 1.0);
     }
 }
 

@@ -165,7 +165,7 @@ impl Network {
             })
         };
         let damped: usize =
-            light.clone().map(|node| if group[node] != node || grounded(node) { 1 } else { 0 }).sum();
+            light.clone().map(|node| usize::from(group[node] != node || grounded(node))).sum();
         2 * heavy + damped
     }
 

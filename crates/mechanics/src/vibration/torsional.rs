@@ -254,7 +254,9 @@ impl Train {
             shape = self.solved(square, &torques);
             let largest =
                 shape.iter().fold(0.0, |largest: f64, x| if x.abs() > largest.abs() { *x } else { largest });
-            shape.iter_mut().for_each(|x| *x /= largest);
+            for amplitude in &mut shape {
+                *amplitude /= largest;
+            }
             if !shape.iter().all(|x| x.is_finite()) {
                 return Err(TrainError::NotFinite);
             }

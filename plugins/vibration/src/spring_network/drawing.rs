@@ -22,7 +22,7 @@ pub(super) fn drawing(problem: &SpringNetwork) -> Drawing {
         let to = to.unwrap_or((0.0, from.1));
         let shift = 0.45 * beside as f64;
         let (from, to) = ((from.0, from.1 + shift), (to.0, to.1 + shift));
-        let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0 + 0.35);
+        let middle = (f64::midpoint(from.0, to.0), f64::midpoint(from.1, to.1) + 0.35);
         match &element.kind {
             Kind::Spring { .. } => shapes.push(DrawnShape::Spring(from, to)),
             Kind::Damper { .. } => shapes.push(DrawnShape::Damper(from, to)),
