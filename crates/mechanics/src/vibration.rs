@@ -1,6 +1,8 @@
-//! Vibration beyond the closed formulas of [`crate::sdof`]: free motion and motion from rest, friction, bands of
-//! frequencies, instruments, periodic forces, networks, torsional trains, modes of many degrees of freedom.
+//! Vibration beyond the closed formulas of [`crate::sdof`]: free motion and motion from rest, friction, transients,
+//! random excitation, bands of frequencies, instruments, periodic forces, networks, torsional trains, modes of many
+//! degrees of freedom.
 
+pub mod base_modes;
 pub mod decay_fit;
 pub mod dry_forced;
 pub mod duffing;
@@ -17,7 +19,9 @@ pub mod periodic;
 pub mod piecewise;
 pub mod poles;
 pub mod quadrature;
+pub mod random;
 pub mod rayleigh;
 pub mod receptance;
 pub mod response;
 pub mod torsional;
+pub mod transient;

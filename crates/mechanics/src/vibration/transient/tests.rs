@@ -1,0 +1,205 @@
+//! Closed forms, and what no exact method may change.
+
+use std::f64::consts::{PI, TAU};
+
+use proptest::prelude::*;
+
+use super::*;
+
+fn motion(natural: f64, ratio: f64, load: &[Piece]) -> Motion {
+    Motion::new(Oscillator { natural, ratio }, State::default(), load).unwrap()
+}
+
+fn line(from: f64, start: f64, slope: f64) -> Piece {
+    Piece { from, law: Law::Line { start, slope } }
+}
+
+fn half_sine(duration: f64) -> [Piece; 2] {
+    let law = Law::Sine { amplitude: 1.0, frequency: PI / duration };
+    [Piece { from: 0.0, law }, line(duration, 0.0, 0.0)]
+}
+
+fn close(ours: f64, expected: f64, scale: f64) {
+    assert!((ours - expected).abs() <= 1e-12 * scale, "{ours} is not {expected}");
+}
+
+#[test]
+fn a_step_overshoots_by_its_closed_form() {
+    for ratio in [0.0, 0.05, 0.3, 0.7] {
+        let peak = motion(3.0, ratio, &[line(0.0, 2.0, 0.0)])
+            .extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY])
+            .unwrap()
+            .greatest;
+        let damped = (1.0 - ratio * ratio).sqrt();
+        close(peak.value, 2.0 * (1.0 + (-PI * ratio / damped).exp()), 2.0);
+        close(peak.time, PI / (3.0 * damped), 1.0);
+    }
+}
+
+#[test]
+fn a_ramp_that_is_held_overshoots_by_its_closed_form() {
+    for rise in [0.05, 0.4, 0.9, 2.7] {
+        let load = [line(0.0, 0.0, 1.0 / rise), line(rise, 1.0, 0.0)];
+        let peak = motion(TAU, 0.0, &load).extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]).unwrap();
+        close(peak.greatest.value, 1.0 + (PI * rise).sin().abs() / (PI * rise), 1.0);
+    }
+}
+
+/// Undamped half-sine: the residual is `4 f t_d cos(π f t_d)/(1 − (2 f t_d)²)`; in resonance it is `π/2`.
+#[test]
+fn a_half_sine_leaves_its_closed_form() {
+    for duration in [1e-3, 0.1, 0.31, 0.499_999_9, 0.5, 0.500_01, 0.81, 1.7, 12.3] {
+        let residual = motion(TAU, 0.0, &half_sine(duration))
+            .extremes(Output::DISPLACEMENT, [duration, f64::INFINITY])
+            .unwrap()
+            .farthest();
+        let detuning = 1.0 - (2.0 * duration).powi(2);
+        let expected = if detuning.abs() < 1e-9 {
+            PI / 2.0
+        } else {
+            // cos(π d) over 1 − (2d)² without cancellation.
+            let off = PI * (0.5 - duration);
+            (4.0 * duration * off.sin() / ((1.0 - 2.0 * duration) * (1.0 + 2.0 * duration))).abs()
+        };
+        assert!((residual.value.abs() - expected).abs() < 2e-12, "{} is not {expected}", residual.value);
+    }
+}
+
+#[test]
+fn the_half_sine_amplifies_by_1_768_at_most() {
+    let at = |part: f64| {
+        motion(TAU, 0.0, &half_sine(part)).extremes(Output::DISPLACEMENT, [0.0, part]).unwrap().greatest.value
+    };
+    assert!((at(0.810_133_3) - 1.768_458).abs() < 1e-6);
+}
+
+#[test]
+fn damping_passes_critical_without_a_jump() {
+    for theta in [0.01, 0.3, 1.0, 7.0, 30.0] {
+        let at = |ratio| UnitResponses::at(ratio, theta);
+        for off in [1e-13, 1e-9, 1e-6] {
+            for (a, b) in [(at(1.0), at(1.0 - off)), (at(1.0), at(1.0 + off))] {
+                for (a, b) in [(a.release, b.release), (a.impulse, b.impulse), (a.ramp, b.ramp)] {
+                    assert!((a - b).abs() <= 1e-12 + 10.0 * off, "{a} and {b} at {theta}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_shock_far_shorter_than_the_period_is_an_impulse() {
+    let short = 1e-7;
+    let load = [line(0.0, 1.0, 0.0), line(short, 0.0, 0.0)];
+    let residual =
+        motion(1.0, 0.0, &load).extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]).unwrap().greatest;
+    assert!((residual.value / short - 1.0).abs() < 1e-12, "{}", residual.value / short);
+}
+
+#[test]
+fn an_exponential_at_a_root_of_the_oscillator_is_no_pole() {
+    // ζ = 1.25: the roots are −0.5 and −2.
+    let at = |rate: f64| {
+        let load = [Piece { from: 0.0, law: Law::Decay { amplitude: 1.0, rate } }];
+        motion(1.0, 1.25, &load).at(3.0).displacement
+    };
+    let exact = 2.0 / 3.0 * (3.0 * (-1.5f64).exp() - ((-1.5f64).exp() - (-6.0f64).exp()) / 1.5);
+    close(at(0.5), exact, 1.0);
+    close(at(0.5 + 1e-9), exact, 1e4);
+    close(at(0.5 + 2e-3), 0.5 * (at(0.5 + 1.9e-3) + at(0.5 + 2.1e-3)), 1e5);
+}
+
+#[test]
+fn a_ramp_without_end_has_no_greatest_value() {
+    let load = [line(0.0, 0.0, 1.0)];
+    assert_eq!(
+        motion(1.0, 0.1, &load).extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]),
+        Err(TransientError::Unbounded)
+    );
+}
+
+proptest! {
+    /// A piece cut in two moves as the whole one does.
+    #[test]
+    fn halving_steps_changes_nothing(
+        ratio in 0.0..3.0f64, values in prop::collection::vec(-1.0..1.0f64, 3..8), step in 0.01..4.0f64,
+    ) {
+        let load = |parts: usize| {
+            let mut pieces = Vec::new();
+            for (n, pair) in values.windows(2).enumerate() {
+                let slope = (pair[1] - pair[0]) / step;
+                for part in 0..parts {
+                    let into = step * part as f64 / parts as f64;
+                    pieces.push(line(step * n as f64 + into, pair[0] + slope * into, slope));
+                }
+            }
+            pieces.push(line(step * (values.len() - 1) as f64, 0.0, 0.0));
+            pieces
+        };
+        let (whole, halved) = (motion(1.0, ratio, &load(1)), motion(1.0, ratio, &load(2)));
+        for n in 0..40 {
+            let time = step * values.len() as f64 * f64::from(n) / 30.0;
+            let (a, b) = (whole.at(time), halved.at(time));
+            prop_assert!((a.displacement - b.displacement).abs() <= 1e-12 * (1.0 + a.displacement.abs()));
+            prop_assert!((a.velocity - b.velocity).abs() <= 1e-12 * (1.0 + a.velocity.abs()));
+        }
+    }
+
+    /// The recurrence and Duhamel's integral agree under every kind of piece, and superpose.
+    #[test]
+    fn duhamel_and_the_recurrence_agree(
+        ratio in 0.0..2.0f64, frequency in 0.05..5.0f64, rate in 0.05..5.0f64, end in 0.1..6.0f64, time in 0.1..20.0f64,
+    ) {
+        let sine = [Piece { from: 0.0, law: Law::Sine { amplitude: 1.0, frequency } }, line(end, 0.0, 0.0)];
+        let decay = [Piece { from: 0.0, law: Law::Decay { amplitude: 0.7, rate } }, line(end, 0.3, -0.1)];
+        for load in [&sine, &decay] {
+            let motion = motion(1.0, ratio, load);
+            let integral = motion.duhamel(time).unwrap();
+            let ours = motion.at(time).displacement;
+            prop_assert!((ours - integral).abs() <= 1e-11 * (1.0 + ours.abs()), "{ours} and {integral}");
+        }
+    }
+
+    /// No value between the ends is beyond the extremes, and the extremes are reached.
+    #[test]
+    fn the_extremes_are_the_extremes(
+        ratio in 0.0..1.5f64, values in prop::collection::vec(-1.0..1.0f64, 3..6), step in 0.1..9.0f64,
+    ) {
+        let load: Vec<Piece> = values
+            .windows(2)
+            .enumerate()
+            .map(|(n, pair)| line(step * n as f64, pair[0], (pair[1] - pair[0]) / step))
+            .chain([line(step * (values.len() - 1) as f64, 0.0, 0.0)])
+            .collect();
+        let motion = motion(1.0, ratio, &load);
+        let output = Output { displacement: 0.6, velocity: 0.8 };
+        let found = motion.extremes(output, [0.0, f64::INFINITY]).unwrap();
+        for n in 0..4000 {
+            let value = motion.output(output, f64::from(n) * step * values.len() as f64 / 3000.0);
+            prop_assert!(value <= found.greatest.value + 1e-11 && value >= found.least.value - 1e-11);
+        }
+        prop_assert!((motion.output(output, found.greatest.time) - found.greatest.value).abs() < 1e-11);
+        prop_assert!((motion.output(output, found.least.time) - found.least.value).abs() < 1e-11);
+    }
+
+    /// Without damping and load nothing is lost.
+    #[test]
+    fn energy_is_kept_without_damping(x in -1.0..1.0f64, v in -1.0..1.0f64, time in 0.0..200.0f64) {
+        let initial = State { displacement: x, velocity: v };
+        let motion = Motion::new(Oscillator { natural: 1.7, ratio: 0.0 }, initial, &[]).unwrap();
+        let energy = |state: State| state.velocity.powi(2) + (1.7 * state.displacement).powi(2);
+        prop_assert!((energy(motion.at(time)) - energy(initial)).abs() <= 1e-12 * energy(initial));
+    }
+}
+
+/// A half sine hundreds of periods long loads the spring almost as at rest: `1/(1 − r²)` and the ripple on it.
+#[test]
+fn a_slow_half_sine_is_found_in_its_middle() {
+    let duration = 500.25;
+    let found =
+        motion(TAU, 0.0, &half_sine(duration)).extremes(Output::DISPLACEMENT, [0.0, duration]).unwrap();
+    let r = 0.5 / duration;
+    // The velocity is zero where Ωt = 2πj r/(1 + r); the peak is the one nearest to a quarter wave.
+    let peak = (1..1000).map(|j| (TAU * f64::from(j) * r / (1.0 + r)).sin() / (1.0 - r)).fold(0.0, f64::max);
+    close(found.greatest.value, peak, 1.0);
+}
