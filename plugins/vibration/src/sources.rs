@@ -59,6 +59,7 @@ pub(crate) static DEN_HARTOG: Source = Source {
     short: "Den Hartog",
     full: "J. P. Den Hartog, Mechanical Vibrations, 4th ed., McGraw-Hill, 1956; Dover, 1985",
 };
+
 /// B. K. Sarkar, Theory of Machines.
 pub(crate) static SARKAR: Source =
     Source { short: "Sarkar", full: "B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, 2002" };
@@ -79,3 +80,31 @@ pub(crate) static CLOUGH: Source = Source {
     short: "Clough & Penzien",
     full: "R. W. Clough and J. Penzien, Dynamics of Structures, 2nd ed., McGraw-Hill, 1993",
 };
+
+/// A. K. Chopra, Dynamics of Structures.
+pub(crate) static CHOPRA: Source = Source {
+    short: "Chopra",
+    full: "A. K. Chopra, Dynamics of Structures: Theory and Applications to Earthquake Engineering, 4th ed., Pearson, 2012",
+};
+
+/// J. L. Meriam and L. G. Kraige, Engineering Mechanics: Dynamics.
+pub(crate) static MERIAM: Source = Source {
+    short: "Meriam",
+    full: "J. L. Meriam and L. G. Kraige, Engineering Mechanics: Dynamics, 7th ed., Wiley, 2012",
+};
+
+/// C. M. Harris and A. G. Piersol, Harris' Shock and Vibration Handbook.
+pub(crate) static HARRIS: Source = Source {
+    short: "Harris",
+    full: "C. M. Harris and A. G. Piersol, Harris' Shock and Vibration Handbook, 5th ed., McGraw-Hill, 2002",
+};
+
+/// J. W. Miles, On structural fatigue under random loading.
+pub(crate) static MILES: Source = Source {
+    short: "Miles",
+    full: "J. W. Miles, On structural fatigue under random loading, Journal of the Aeronautical Sciences 21 (1954), 753–762",
+};
+
+/// J. M. Biggs, Introduction to Structural Dynamics.
+pub(crate) static BIGGS: Source =
+    Source { short: "Biggs", full: "J. M. Biggs, Introduction to Structural Dynamics, McGraw-Hill, 1964" };

@@ -1,0 +1,100 @@
+//! A chain of masses on springs that stands on its base, with its modes written out.
+
+use dalembert_core::{Inputs, Refusal, Symbol, Worksheet};
+use dalembert_mechanics::{
+    Real,
+    vibration::base_modes::{self, BaseMode},
+};
+
+use crate::{
+    oscillator::{Mass, mass},
+    sources::CHOPRA,
+};
+
+/// A mass and the spring that joins it to the one before, the first one to the base.
+#[derive(Clone, Debug, Inputs)]
+pub struct Link {
+    /// Mass.
+    pub mass: Mass,
+    /// Stiffness of its spring.
+    /// Towards the mass before, or the base.
+    #[input("k", "N/m", positive)]
+    pub stiffness: f64,
+}
+
+/// The most masses of a chain.
+const MOST_LINKS: usize = 12;
+
+/// A mode with its numbers on a worksheet.
+pub(crate) struct Mode<N> {
+    /// Natural frequency.
+    pub(crate) natural: N,
+    /// `Γφᵢ` at each mass: the share of this mode in a unit displacement of all masses.
+    pub(crate) shares: Vec<N>,
+    /// The numbers themselves.
+    pub(crate) numbers: BaseMode,
+}
+
+/// Writes the natural frequencies and the shares of the modes in the motion of the base.
+///
+/// # Errors
+/// No masses or too many; numbers that leave the range of the eigenvalue problem.
+pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Vec<Mode<W::Num>>, Refusal> {
+    if links.len() > MOST_LINKS {
+        return Err(Refusal::because(
+            "a chain of more than twelve masses is not written out here: join some of them",
+        ));
+    }
+    let masses: Vec<W::Num> = links.iter().map(|link| mass(&link.mass, sheet)).collect();
+    let weights: Vec<f64> = masses.iter().map(|mass| mass.value()).collect();
+    let springs: Vec<f64> = links.iter().map(|link| link.stiffness.value()).collect();
+    let found = base_modes::base_modes(&weights, &springs).map_err(|_| {
+        Refusal::because("the modes of these masses and springs were not found: check their units")
+    })?;
+    let total: f64 = weights.iter().sum();
+    let mut modes = Vec::new();
+    for (n, numbers) in found.into_iter().enumerate() {
+        let why = (
+            "Natural frequency of this mode: an eigenvalue of the stiffness and mass matrices of the chain",
+            CHOPRA.at("§10.2"),
+        );
+        let natural = sheet.found(Symbol::from("ω").row(n + 1), "rad/s", numbers.natural, why);
+        sheet.verify(|| {
+            let residual = base_modes::holzer_residual(&weights, &springs, numbers.natural);
+            let what = "the base is at rest when Holzer's table walks the chain at this frequency";
+            sheet.check_zero(what, residual.into(), 1.0);
+        });
+        let shares = numbers.shape.iter().enumerate().map(|(i, shape)| {
+            let why = (
+                "Share of the mode in the motion of this mass when the base moves: Γφ, with Γ = Σmφ/Σmφ²",
+                CHOPRA.at("§13.1"),
+            );
+            let symbol = Symbol::from("Γφ").row(n + 1).row(i + 1);
+            sheet.found(symbol, "1", numbers.participation * shape, why)
+        });
+        let shares = shares.collect();
+        modes.push(Mode { natural, shares, numbers });
+    }
+    sheet.verify(|| {
+        for i in 0..links.len() {
+            let shares: f64 = modes.iter().map(|mode| mode.shares[i].value()).sum();
+            let what = "the shares of all modes in the motion of a mass make one";
+            sheet.check(what, shares.into(), W::Num::from(1.0));
+        }
+        let effective: f64 = modes.iter().map(|mode| mode.numbers.participation.powi(2)).sum();
+        sheet.check("the effective masses of all modes make the whole mass", effective.into(), total.into());
+    });
+    for (n, mode) in modes.iter().enumerate() {
+        let frequency =
+            sheet.step(Symbol::from("f").row(n + 1), "Hz", mode.natural, "The same in cycles a second");
+        sheet.answer(("frequency", n + 1), "Natural frequency", frequency);
+        let mass = mode.numbers.participation.powi(2) / total;
+        let why = (
+            "Effective mass of the mode over the whole mass: how much of it moves with the base",
+            CHOPRA.at("§13.2"),
+        );
+        let mass = sheet.found(Symbol::from("μ").row(n + 1), "%", mass, why);
+        sheet.answer(("effective_mass", n + 1), "Effective mass of the mode", mass);
+    }
+    Ok(modes)
+}

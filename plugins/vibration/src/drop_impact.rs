@@ -1,0 +1,347 @@
+//! A body that falls on a spring: a block on a sprung pan, a package on its cushion.
+
+use std::ops::ControlFlow;
+
+use dalembert_core::{
+    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    register,
+};
+use dalembert_mechanics::{
+    Real, roots,
+    vibration::transient::{Law, Motion, Oscillator, Output, Piece, State},
+};
+
+use crate::{
+    free_motion::{FreeMotion, System, system},
+    oscillator::{Damping, Elasticity, Mass, mass},
+    sources::{MERIAM, RAO, THOMSON},
+};
+
+/// What falls, how far, and on what.
+#[derive(Clone, Debug, Inputs)]
+pub struct DropImpact {
+    /// Falling body.
+    pub body: Mass,
+    /// Pan.
+    /// It rests on the spring, and the body stays on it. A cushion of no mass where this is left out.
+    #[input("p")]
+    pub pan: Option<Mass>,
+    /// Spring.
+    pub elasticity: Elasticity,
+    /// Damping.
+    pub damping: Damping,
+    /// Fall.
+    pub fall: Fall,
+    /// Acceleration of gravity.
+    #[input("g", "m/s^2", positive, default = "9.80665 m/s^2")]
+    pub gravity: f64,
+    /// Times after the release.
+    /// The way fallen is answered at each of them.
+    #[input("t", "s", nonnegative)]
+    pub times: Vec<f64>,
+}
+
+/// How fast the body arrives.
+#[derive(Clone, Debug, Inputs)]
+pub enum Fall {
+    /// Height
+    Height {
+        /// Height of the fall.
+        /// From rest to the pan or cushion.
+        #[input("h", "m", nonnegative)]
+        height: f64,
+    },
+    /// Speed at the contact
+    Speed {
+        /// Speed at the contact.
+        #[input("v", "m/s", nonnegative)]
+        speed: f64,
+    },
+}
+
+register!(DropImpact);
+
+impl Analysis for DropImpact {
+    const ABOUT: About = About {
+        id: "vibration/drop-impact",
+        title: "Body dropped on a spring",
+        summary: "Largest deflection, force and deceleration of a body that falls on a sprung pan or on a cushion.",
+        keywords: "drop fall package cushion pan impact deceleration g shock queda pacote embalagem prato impacto \
+                   choque amortecida bloco desaceleração",
+        sources: &[&RAO, &THOMSON, &MERIAM],
+        cases: include_str!("../cases/drop_impact.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &DropImpactGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let body = mass(&given.body, sheet);
+        let gravity = given.gravity;
+        let (speed, contact) = match &given.fall {
+            FallGiven::Height { height } => {
+                let why = ("Speed of the free fall at the contact", MERIAM.at("§2/2"));
+                let speed = sheet.step("v", "m/s", (gravity * *height * 2.0).sqrt(), why);
+                (speed, Some(*height))
+            }
+            FallGiven::Speed { speed } => (*speed, None),
+        };
+        let contact = contact.map(|height| {
+            let why = ("Time of the free fall", MERIAM.at("§2/2"));
+            let time = sheet.step("t_c", "s", speed / gravity, why);
+            sheet.check("time of the free fall from its height", (height * 2.0 / gravity).sqrt(), time);
+            (height, time)
+        });
+        let (total, pan) = match &given.pan {
+            None => (body, None),
+            Some(pan) => {
+                let pan = mass(pan, sheet);
+                (sheet.step("m_t", "kg", body + pan, "Body and pan move on together"), Some(pan))
+            }
+        };
+        let system = system(Some(total), &given.elasticity, &given.damping, sheet)?;
+        let stiffness = system.body.expect("the mass is known").stiffness;
+        let start = match pan {
+            None => speed,
+            Some(_) => {
+                let why = ("The body sticks to the pan: momentum is kept", MERIAM.at("§3/12"));
+                sheet.step("v₀", "m/s", body * speed / total, why)
+            }
+        };
+        let why = "The weight of the body would press the spring down further by";
+        let sag = sheet.step("δ", "mm", body * gravity / stiffness, why);
+        let pan_sag = pan.map(|pan| {
+            let why = "The spring is pressed already by the weight of the pan";
+            sheet.step("δ_p", "mm", pan * gravity / stiffness, why)
+        });
+
+        let motion = Motion::new(
+            Oscillator { natural: system.natural.value(), ratio: system.ratio.value() },
+            State { displacement: 0.0, velocity: start.value() },
+            &[Piece { from: 0.0, law: Law::Line { start: sag.value(), slope: 0.0 } }],
+        )
+        .map_err(cannot)?;
+        let fall = Drop { body, sag, start, system, pan_sag, motion, free: FreeMotion::new(&system, sheet) };
+        sheet.answer("contact_speed", "Speed at the contact", speed);
+        if let Some((_, time)) = contact {
+            sheet.answer("contact_time", "Time of the contact", time);
+        }
+        if pan.is_some() {
+            sheet.answer("common_speed", "Speed of body and pan after the contact", start);
+        }
+        sheet.answer("natural_frequency", "Natural frequency on the spring", system.natural);
+        let largest = fall.largest(contact, sheet)?;
+        let parting = fall.parting(sheet)?;
+        fall.ways(&given.times, contact, parting, gravity, sheet)?;
+        sheet.show(|| Exhibit::Plot(fall.plot(parting, largest)));
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
+        Ok(())
+    }
+}
+
+/// A drop, from the contact on.
+struct Drop<N> {
+    body: N,
+    sag: N,
+    start: N,
+    system: System<N>,
+    pan_sag: Option<N>,
+    motion: Motion,
+    free: FreeMotion<N>,
+}
+
+impl<N: Real> Drop<N> {
+    /// How far the spring is pressed beyond its rest, some time after the contact.
+    fn deflection(&self, time: N) -> N {
+        self.sag * (N::from(1.0) - self.free.release(time)) + self.start * self.free.impulse(time)
+    }
+
+    /// The largest deflection, force and deceleration.
+    fn largest<W: Worksheet<Num = N>>(
+        &self,
+        contact: Option<(N, N)>,
+        sheet: W,
+    ) -> Result<(f64, f64), Refusal> {
+        let found =
+            self.motion.extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]).map_err(cannot)?.greatest;
+        let why = "Time from the contact to the largest deflection: the first zero of the velocity";
+        let after = sheet.found("τₘ", "s", found.time, why);
+        let why = (
+            "Largest deflection from the rest of pan or cushion: a step of the weight and the velocity at the contact",
+            RAO.at("§4.5"),
+        );
+        let deflection = sheet.step("yₘ", "mm", self.deflection(after), why);
+        let natural = self.system.natural;
+        sheet.verify(|| {
+            let scale = self.sag.value() + (self.start / natural).value();
+            let velocity = self.motion.at(found.time).velocity / natural.value();
+            sheet.check_zero("the velocity is zero at the largest deflection", velocity.into(), scale);
+            if self.free.is_undamped() {
+                sheet.check(
+                    "largest deflection by energy, δ + √(δ² + (v₀/ωₙ)²)",
+                    self.sag + (self.sag.powi(2) + (self.start / natural).powi(2)).sqrt(),
+                    deflection,
+                );
+            } else {
+                sheet.check("largest deflection by the exact recurrence", found.value.into(), deflection);
+            }
+        });
+        sheet.answer("deflection", "Largest deflection from the rest of the pan or cushion", deflection);
+        if let Some((height, fallen)) = contact {
+            let why = "Time of the largest deflection, from the release";
+            let time = sheet.step("tₘ", "s", fallen + after, why);
+            sheet.answer("time_of_maximum", "Time of the largest deflection, from the release", time);
+            let why = "Whole way of the body, from the release to the largest deflection";
+            let way = sheet.step("sₘ", "mm", height + deflection, why);
+            sheet.answer("way", "Whole way of the body", way);
+        }
+        let stiffness = self.system.body.expect("the mass is known").stiffness;
+        let output = Output::support(self.system.ratio.value());
+        let support = self.motion.extremes(output, [0.0, f64::INFINITY]).map_err(cannot)?.greatest.value;
+        let reached = if self.free.is_undamped() {
+            deflection
+        } else {
+            let why = "Largest value of y + 2ζẏ/ωₙ, the force of spring and damper over the stiffness";
+            sheet.found("y_F", "mm", support, why)
+        };
+        let pressed = self.pan_sag.map_or(reached, |pan| reached + pan);
+        let why = "Largest force of spring and damper on the ground";
+        let force = sheet.step("F_T", "N", stiffness * pressed, why);
+        let why = "Largest deceleration: the force beyond the weight, over the mass";
+        let deceleration = sheet.step("aₘ", "m/s^2", natural.powi(2) * (reached - self.sag), why);
+        sheet.answer("force", "Largest force on the ground", force);
+        sheet.answer("deceleration", "Largest deceleration of the body", deceleration);
+        let lost = self.system.body.expect("the mass is known").mass;
+        if self.pan_sag.is_some() {
+            let why = ("Energy lost in the impact", MERIAM.at("§3/12"));
+            let before = self.start * lost / self.body;
+            let energy = sheet.step(
+                "ΔE",
+                "J",
+                self.body * before.powi(2) / 2.0 - lost * self.start.powi(2) / 2.0,
+                why,
+            );
+            sheet.answer("energy_lost", "Energy lost in the impact", energy);
+        }
+        Ok((found.time, found.value))
+    }
+
+    /// When the body leaves the pan or cushion again, counted from the contact; `None` where it stays.
+    fn parting<W: Worksheet<Num = N>>(&self, sheet: W) -> Result<Option<N>, Refusal> {
+        let output = Output::support(self.system.ratio.value());
+        let limit = -self.pan_sag.map_or(0.0, Real::value);
+        let found = self.motion.extremes(output, [0.0, f64::INFINITY]).map_err(cannot)?;
+        let (top, bottom) = (found.greatest.time, found.least);
+        if bottom.value >= limit - 1e-9 * found.greatest.value || bottom.time <= top {
+            return Ok(None);
+        }
+        let force = |time: f64| self.motion.output(output, time) - limit;
+        let Ok(time) = roots::find(force, [top, bottom.time], |_| ControlFlow::Continue(())) else {
+            return Ok(None);
+        };
+        let why = "Time from the contact until the body is thrown off again: the force between body and pan is zero";
+        let parting = sheet.found("τ_s", "s", time, why);
+        sheet.check_zero("the force is zero then", force(time).into(), found.greatest.value);
+        sheet.answer("contact_duration", "Time in contact", parting);
+        Ok(Some(parting))
+    }
+
+    /// How far the body has come at the asked times.
+    fn ways<W: Worksheet<Num = N>>(
+        &self,
+        times: &[N],
+        contact: Option<(N, N)>,
+        parting: Option<N>,
+        gravity: N,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        for (n, &time) in times.iter().enumerate() {
+            let symbol = dalembert_core::Symbol::from("s").row(n + 1);
+            let (height, fallen) = match contact {
+                Some((height, fallen)) => (Some(height), fallen.value()),
+                None => (None, 0.0),
+            };
+            if time.value() <= fallen {
+                let why = ("Still in free fall", MERIAM.at("§2/2"));
+                let way = sheet.step(symbol, "mm", gravity * time.powi(2) / 2.0, why);
+                sheet.answer(("way_at", n + 1), "Way of the body at time", way);
+                continue;
+            }
+            let after = match contact {
+                Some((_, fallen)) => {
+                    let symbol = dalembert_core::Symbol::from("τ").row(n + 1);
+                    sheet.step(symbol, "s", time - fallen, "Time since the contact")
+                }
+                None => time,
+            };
+            if let Some(parting) = parting
+                && after.value() > parting.value()
+            {
+                return Err(Refusal::because(
+                    Text::new(
+                        "the body has left the pan or cushion again {duration} after the contact: ask for an \
+                         earlier time",
+                    )
+                    .with_quantity("duration", parting.value(), "s"),
+                ));
+            }
+            let why = "Way of the body: the fall and the deflection";
+            let deflection = self.deflection(after);
+            let way = match height {
+                Some(height) => sheet.step(symbol, "mm", height + deflection, why),
+                None => sheet.step(symbol, "mm", deflection, "Deflection since the contact"),
+            };
+            sheet.verify(|| {
+                let exact = self.motion.at(after.value()).displacement;
+                let scale = self.sag.value() + (self.start / self.system.natural).value();
+                let what = "deflection by the exact recurrence";
+                sheet.check_zero(what, (deflection.value() - exact).into(), scale);
+            });
+            sheet.answer(("way_at", n + 1), "Way of the body at time", way);
+        }
+        Ok(())
+    }
+
+    /// The deflection until the body leaves, or for two periods.
+    fn plot(&self, parting: Option<N>, largest: (f64, f64)) -> Plot {
+        let period = std::f64::consts::TAU / self.system.natural.value();
+        let last = parting.map_or(2.0 * period, Real::value).max(1.2 * largest.0);
+        let at = |n: u16| {
+            let time = last * f64::from(n) / 400.0;
+            (time, self.motion.at(time).displacement)
+        };
+        Plot::new(
+            "Deflection after the contact",
+            Axis::linear("time since the contact", "s"),
+            Axis::linear("deflection", "mm"),
+            vec![Series::line("y", (0..=400).map(at).collect())],
+        )
+        .mark("largest", largest)
+        .level("where the weight would rest", self.sag.value())
+    }
+}
+
+impl DropImpact {
+    fn drawing(&self) -> Drawing {
+        let mut shapes = vec![
+            DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
+            DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
+            DrawnShape::Label((-0.9, -0.95), Text::from("k")),
+            DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
+            DrawnShape::Label((0.75, -0.95), Text::from("c")),
+            DrawnShape::Block((-0.5, 1.0), (0.5, 1.7), Ink::Body),
+            DrawnShape::Label((0.0, 1.35), Text::from("m")),
+            DrawnShape::Arrow((1.1, 1.0), (1.1, -0.3), Ink::Motion),
+            DrawnShape::Label((1.2, 0.3), Text::from("h")),
+        ];
+        shapes.push(if self.pan.is_some() {
+            DrawnShape::Block((-0.8, -0.4), (0.8, -0.2), Ink::Body)
+        } else {
+            DrawnShape::Polyline(vec![(-0.8, -0.4), (0.8, -0.4)], Ink::Body)
+        });
+        Drawing { title: "The body above its spring".into(), shapes }
+    }
+}
+
+fn cannot<E>(_: E) -> Refusal {
+    Refusal::because(
+        "these numbers are too large or too small for the motion to be followed: check their units",
+    )
+}

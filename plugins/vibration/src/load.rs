@@ -1,0 +1,145 @@
+//! Loads in the course of time: steps, ramps, pulses, tables; what transients and shock spectra share.
+
+use dalembert_core::{Inputs, Refusal};
+use dalembert_mechanics::vibration::transient::{Law, Piece};
+
+/// How a load runs in time.
+#[derive(Clone, Debug, Inputs)]
+pub enum Course {
+    /// Step
+    /// Applied at once and held.
+    Step,
+    /// Ramp that is held
+    /// Rises evenly and is held from then on.
+    RampStep {
+        /// Rise time.
+        #[input("t_r", "s", positive)]
+        rise: f64,
+    },
+    /// Ramp without end
+    /// Rises evenly for ever.
+    Ramp {
+        /// Time in which it rises to its size.
+        #[input("t_r", "s", positive)]
+        rise: f64,
+    },
+    /// Exponential
+    /// Applied at once, it falls as e^(−t/τ).
+    Exponential {
+        /// Time constant.
+        #[input("τ", "s", positive)]
+        constant: f64,
+    },
+    /// Rectangular pulse
+    Rectangular {
+        /// Duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+    },
+    /// Triangular pulse
+    Triangular {
+        /// Duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+        /// Time of the peak.
+        /// In the middle where this is left out; 0 for a blast, the duration for a sawtooth.
+        #[input("t_p", "s", nonnegative)]
+        peak: Option<f64>,
+    },
+    /// Half-sine pulse
+    HalfSine {
+        /// Duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+    },
+}
+
+/// A load as straight, sinusoidal and exponential pieces, each with a size of one.
+pub(crate) struct Pieces {
+    /// The pieces.
+    pub(crate) pieces: Vec<Piece>,
+    /// When it is over, for one that ends.
+    pub(crate) end: Option<f64>,
+}
+
+impl Course {
+    /// The pieces of a load of that size.
+    ///
+    /// # Errors
+    /// A peak after the end of its pulse.
+    pub(crate) fn pieces(&self, size: f64) -> Result<Pieces, Refusal> {
+        let line = |from, start, slope| Piece { from, law: Law::Line { start, slope } };
+        let none = |from| line(from, 0.0, 0.0);
+        let (pieces, end) = match *self {
+            Course::Step => (vec![line(0.0, size, 0.0)], None),
+            Course::RampStep { rise } => (vec![line(0.0, 0.0, size / rise), line(rise, size, 0.0)], None),
+            Course::Ramp { rise } => (vec![line(0.0, 0.0, size / rise)], None),
+            Course::Exponential { constant } => {
+                (vec![Piece { from: 0.0, law: Law::Decay { amplitude: size, rate: 1.0 / constant } }], None)
+            }
+            Course::Rectangular { duration } => (vec![line(0.0, size, 0.0), none(duration)], Some(duration)),
+            Course::Triangular { duration, peak } => {
+                let peak = peak.unwrap_or(duration / 2.0);
+                if peak > duration {
+                    return Err(Refusal::because(
+                        "the peak of the triangle comes after its end: write a time of the peak up to the duration",
+                    ));
+                }
+                let mut pieces = Vec::new();
+                if peak > 0.0 {
+                    pieces.push(line(0.0, 0.0, size / peak));
+                }
+                if peak < duration {
+                    pieces.push(line(peak, size, -size / (duration - peak)));
+                }
+                pieces.push(none(duration));
+                (pieces, Some(duration))
+            }
+            Course::HalfSine { duration } => {
+                let law = Law::Sine { amplitude: size, frequency: std::f64::consts::PI / duration };
+                (vec![Piece { from: 0.0, law }, none(duration)], Some(duration))
+            }
+        };
+        Ok(Pieces { pieces, end })
+    }
+}
+
+/// The pieces of a table of times and values, straight between its points and zero outside them; two points at one
+/// time are a jump.
+///
+/// # Errors
+/// Fewer than two points; times below zero or out of order.
+pub(crate) fn table(points: &[(f64, f64)]) -> Result<Pieces, Refusal> {
+    let Some(&(last, _)) = points.last() else { return Err(few()) };
+    if points.len() < 2 {
+        return Err(few());
+    }
+    if points[0].0 < 0.0 || points.windows(2).any(|pair| pair[1].0 < pair[0].0) {
+        return Err(Refusal::because(
+            "the times of the table must begin at zero or later and ascend: put its rows in order",
+        ));
+    }
+    let mut pieces = Vec::new();
+    for pair in points.windows(2) {
+        let ((from, start), (to, end)) = (pair[0], pair[1]);
+        if to > from {
+            pieces.push(Piece { from, law: Law::Line { start, slope: (end - start) / (to - from) } });
+        }
+    }
+    pieces.push(Piece { from: last, law: Law::Line { start: 0.0, slope: 0.0 } });
+    Ok(Pieces { pieces, end: Some(last) })
+}
+
+/// Pieces whose values are multiplied by a factor.
+pub(crate) fn scaled(pieces: &[Piece], factor: f64) -> Vec<Piece> {
+    let law = |law: Law| match law {
+        Law::Line { start, slope } => Law::Line { start: start * factor, slope: slope * factor },
+        Law::Sine { amplitude, frequency } => Law::Sine { amplitude: amplitude * factor, frequency },
+        Law::Decay { amplitude, rate } => Law::Decay { amplitude: amplitude * factor, rate },
+    };
+    pieces.iter().map(|piece| Piece { from: piece.from, law: law(piece.law) }).collect()
+}
+
+fn few() -> Refusal {
+    Refusal::because("the table has fewer than two points: write at least its start and its end")
+}

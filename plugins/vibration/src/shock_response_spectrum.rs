@@ -1,0 +1,504 @@
+//! Shock response spectrum: the largest response of every oscillator to one shock of its base.
+
+use std::f64::consts::PI;
+
+use dalembert_core::{
+    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, TableExhibit, Text,
+    Worksheet, register,
+};
+use dalembert_mechanics::{
+    Real,
+    vibration::transient::{Motion, Oscillator, Output, Piece, State},
+};
+
+use crate::{
+    load::{self, Course},
+    sources::{CHOPRA, HARRIS, RAO},
+    transient_response::AccelerationPoint,
+};
+
+/// The shock, the damping, and the frequencies that are looked at.
+#[derive(Clone, Debug, Inputs)]
+pub struct ShockResponseSpectrum {
+    /// Shock of the base.
+    pub shock: Shock,
+    /// Damping ratio of the oscillators.
+    /// 0.05, Q = 10, where nothing else is said.
+    #[input("ζ", "1", nonnegative, default = "0.05")]
+    pub ratio: f64,
+    /// What is plotted.
+    pub measure: Measure,
+    /// Lowest frequency.
+    #[input("f₁", "Hz", positive)]
+    pub lowest: f64,
+    /// Highest frequency.
+    #[input("f₂", "Hz", positive)]
+    pub highest: f64,
+    /// Natural frequencies.
+    /// The spectrum is answered at each of them.
+    #[input("f", "Hz", positive)]
+    pub frequencies: Vec<f64>,
+}
+
+/// How the base accelerates.
+#[derive(Clone, Debug, Inputs)]
+pub enum Shock {
+    /// Pulse
+    Pulse {
+        /// Largest acceleration.
+        #[input("a₀", "m/s^2", positive)]
+        acceleration: f64,
+        /// Form.
+        form: Form,
+    },
+    /// Table
+    /// Straight between the points, zero before the first and after the last.
+    Table {
+        /// Points.
+        /// Times ascend; two points at one time are a jump.
+        #[input(table)]
+        points: Vec<AccelerationPoint>,
+    },
+}
+
+/// The form of a pulse.
+#[derive(Clone, Debug, Inputs)]
+pub enum Form {
+    /// Half sine
+    HalfSine {
+        /// Duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+    },
+    /// Rectangle
+    Rectangle {
+        /// Duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+    },
+    /// Triangle
+    Triangle {
+        /// Duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+        /// Time of the peak.
+        /// In the middle where this is left out; the duration for a terminal-peak sawtooth.
+        #[input("t_p", "s", nonnegative)]
+        peak: Option<f64>,
+    },
+}
+
+/// What of the response is plotted.
+#[derive(Clone, Debug, Inputs)]
+pub enum Measure {
+    /// Absolute acceleration
+    Absolute,
+    /// Pseudo-acceleration: relative displacement times ωₙ²
+    Pseudo,
+}
+
+register!(ShockResponseSpectrum);
+
+impl Analysis for ShockResponseSpectrum {
+    const ABOUT: About = About {
+        id: "vibration/shock-response-spectrum",
+        title: "Shock response spectrum",
+        summary: "Primary, residual and maximax spectrum of a pulse or a recorded shock, at asked frequencies and over a range.",
+        keywords: "srs shock spectrum primary residual maximax half sine sawtooth pulse drop test espectro de resposta \
+                   ao choque meio seno dente de serra pulso primário residual",
+        sources: &[&RAO, &HARRIS, &CHOPRA],
+        cases: include_str!("../cases/shock_response_spectrum.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &ShockResponseSpectrumGiven<W>, sheet: W) -> Result<(), Refusal> {
+        if self.lowest >= self.highest {
+            return Err(Refusal::because("the lowest frequency is not below the highest: write a range"));
+        }
+        let shock = self.pieces()?;
+        let spectrum = Spectrum {
+            shock: &shock,
+            ratio: self.ratio,
+            absolute: matches!(self.measure, Measure::Absolute),
+        };
+        let pulse = match &given.shock {
+            ShockGiven::Pulse { acceleration, form } => Some((*acceleration, duration(form))),
+            ShockGiven::Table { .. } => None,
+        };
+        if let (Some((acceleration, duration)), ShockGiven::Pulse { form, .. }) = (pulse, &given.shock) {
+            let (change, why) = match form {
+                FormGiven::HalfSine { .. } => {
+                    (acceleration * duration * 2.0 / PI, "Change of the velocity: the area of the half sine")
+                }
+                FormGiven::Rectangle { .. } => {
+                    (acceleration * duration, "Change of the velocity: the area of the rectangle")
+                }
+                FormGiven::Triangle { .. } => {
+                    (acceleration * duration / 2.0, "Change of the velocity: the area of the triangle")
+                }
+            };
+            let change = sheet.step("ΔV", "m/s", change, why);
+            sheet.answer("velocity_change", "Change of the velocity", change);
+        }
+        for (n, &frequency) in given.frequencies.iter().enumerate() {
+            self.at(frequency, n + 1, &spectrum, pulse, sheet)?;
+        }
+        let curve = spectrum.curve([self.lowest, self.highest], self.count(&shock), sheet)?;
+        largest(&curve, &spectrum, pulse, sheet)?;
+        sheet.show(|| Exhibit::Plot(plot(&curve, &self.frequencies)));
+        sheet.show(|| Exhibit::Table(table(&curve)));
+        Ok(())
+    }
+}
+
+/// A shock as pieces, with the end that parts primary from residual.
+struct Pieces {
+    pieces: Vec<Piece>,
+    end: f64,
+}
+
+/// What is computed at each frequency.
+struct Spectrum<'s> {
+    shock: &'s Pieces,
+    ratio: f64,
+    absolute: bool,
+}
+
+/// The spectrum at a frequency.
+#[derive(Clone, Copy)]
+struct Ordinate {
+    frequency: f64,
+    primary: f64,
+    residual: f64,
+    /// When the primary is reached.
+    time: f64,
+}
+
+impl Ordinate {
+    fn maximax(&self) -> f64 {
+        self.primary.max(self.residual)
+    }
+}
+
+impl Spectrum<'_> {
+    /// The motion relative to the base of an oscillator of that frequency.
+    fn motion(&self, frequency: f64) -> Result<Motion, Refusal> {
+        let oscillator = Oscillator { natural: frequency, ratio: self.ratio };
+        let pieces = load::scaled(&self.shock.pieces, -1.0 / (frequency * frequency));
+        Motion::new(oscillator, State::default(), &pieces).map_err(cannot)
+    }
+
+    fn output(&self) -> Output {
+        if self.absolute { Output::support(self.ratio) } else { Output::DISPLACEMENT }
+    }
+
+    fn at(&self, frequency: f64) -> Result<Ordinate, Refusal> {
+        let motion = self.motion(frequency)?;
+        let end = self.shock.end;
+        let primary = motion.extremes(self.output(), [0.0, end]).map_err(cannot)?.farthest();
+        let residual = motion.extremes(self.output(), [end, f64::INFINITY]).map_err(cannot)?.farthest();
+        let size = frequency * frequency;
+        Ok(Ordinate {
+            frequency,
+            primary: primary.value.abs() * size,
+            residual: residual.value.abs() * size,
+            time: primary.time,
+        })
+    }
+
+    /// The spectrum at frequencies of equal ratios.
+    fn curve<W: Worksheet>(
+        &self,
+        [from, to]: [f64; 2],
+        count: usize,
+        sheet: W,
+    ) -> Result<Vec<Ordinate>, Refusal> {
+        let step = (to / from).ln() / (count - 1) as f64;
+        (0..count)
+            .map(|n| {
+                sheet.keep_going()?;
+                let frequency = if n + 1 == count { to } else { from * (step * n as f64).exp() };
+                self.at(frequency)
+            })
+            .collect()
+    }
+
+    /// The frequency of the greatest ordinate between two, by Newton's steps on differences of sixth order from a start
+    /// between them; `None` where the spectrum has a corner there.
+    fn peak(&self, [below, start, above]: [f64; 3]) -> Option<f64> {
+        let mut frequency = start;
+        let mut last = f64::INFINITY;
+        for _ in 0..6 {
+            // Relative to the frequency; short enough for the sixth power to vanish.
+            let step = 4e-3;
+            let at = |n: f64| {
+                self.at(frequency * (1.0 + n * step)).map_or(f64::NAN, |ordinate| ordinate.maximax())
+            };
+            let sides = [1.0, 2.0, 3.0].map(|n| [at(n), at(-n)]);
+            let [one, two, three] = sides.map(|[right, left]| right - left);
+            let slope = (45.0 * one - 9.0 * two + three) / (60.0 * step);
+            let [one, two, three] = sides.map(|[right, left]| right + left);
+            let bend = (270.0 * one - 27.0 * two + 2.0 * three - 490.0 * at(0.0)) / (180.0 * step * step);
+            if bend.is_nan() || bend >= 0.0 {
+                return None;
+            }
+            last = -slope / bend;
+            frequency *= 1.0 + last;
+            if !(below..=above).contains(&frequency) {
+                return None;
+            }
+            if last.abs() < 1e-7 {
+                break;
+            }
+        }
+        (last.abs() < 1e-7).then_some(frequency)
+    }
+}
+
+impl ShockResponseSpectrum {
+    fn pieces(&self) -> Result<Pieces, Refusal> {
+        let built = match &self.shock {
+            Shock::Pulse { acceleration, form } => {
+                let course = match *form {
+                    Form::HalfSine { duration } => Course::HalfSine { duration },
+                    Form::Rectangle { duration } => Course::Rectangular { duration },
+                    Form::Triangle { duration, peak } => Course::Triangular { duration, peak },
+                };
+                course.pieces(*acceleration)?
+            }
+            Shock::Table { points } => {
+                let points: Vec<_> = points.iter().map(|point| (point.time, point.acceleration)).collect();
+                if points.iter().all(|point| point.1 == 0.0) {
+                    return Err(Refusal::because(
+                        "the table holds no acceleration but zero: there is no shock",
+                    ));
+                }
+                load::table(&points)?
+            }
+        };
+        let end = built.end.expect("a pulse and a table end");
+        Ok(Pieces { pieces: built.pieces, end })
+    }
+
+    /// How many frequencies are drawn: fewer for long records, which cost more at each.
+    fn count(&self, shock: &Pieces) -> usize {
+        let cycles = (self.highest * shock.end / (2.0 * PI)).max(1.0);
+        let work = shock.pieces.len() as f64 + cycles;
+        (4_000.0 / work).clamp(48.0, 96.0) as usize
+    }
+
+    /// The spectrum at an asked frequency.
+    fn at<W: Worksheet>(
+        &self,
+        frequency: W::Num,
+        n: usize,
+        spectrum: &Spectrum<'_>,
+        pulse: Option<(W::Num, W::Num)>,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let row = |base: &'static str| dalembert_core::Symbol::from(base).row(n);
+        let ordinate = spectrum.at(frequency.value())?;
+        let why = (
+            "Largest response while the shock lasts: the motion is exact over each piece of the shock, its peaks are \
+             where its rate is zero",
+            HARRIS.at("ch. 8"),
+        );
+        let primary = sheet.found(row("S_p"), "m/s^2", ordinate.primary, why);
+        let why = "Largest response once the shock is over, by the free motion from its end";
+        let residual = sheet.found(row("S_r"), "m/s^2", ordinate.residual, why);
+        let (larger, why) = if ordinate.primary >= ordinate.residual {
+            (primary, "The maximax is the larger one: the primary")
+        } else {
+            (residual, "The maximax is the larger one: the residual")
+        };
+        let maximax = sheet.step(row("S"), "m/s^2", larger, why);
+        sheet.answer(("primary", n), "Primary at frequency", primary);
+        sheet.answer(("residual", n), "Residual at frequency", residual);
+        sheet.answer(("maximax", n), "Maximax at frequency", maximax);
+        let motion = spectrum.motion(frequency.value())?;
+        sheet.verify(|| {
+            let end = spectrum.shock.end;
+            let size = frequency.value().powi(2);
+            for time in [ordinate.time, end] {
+                if let Some(integral) = motion.duhamel(time) {
+                    let x = motion.at(time).displacement;
+                    let scale = ordinate.maximax() / size;
+                    sheet.check_zero(
+                        "relative displacement by Duhamel's integral",
+                        (x - integral).into(),
+                        scale,
+                    );
+                }
+            }
+        });
+        if let Some((acceleration, duration)) = pulse {
+            let why = "Duration over the natural period";
+            let cycles = sheet.step(row("n"), "1", duration * frequency / (2.0 * PI), why);
+            let why =
+                ("Amplification: the spectrum over the largest acceleration of the base", RAO.at("§4.6"));
+            let amplification = sheet.step(row("A"), "1", maximax / acceleration, why);
+            sheet.answer(("amplification", n), "Amplification at frequency", amplification);
+            sheet.verify(|| {
+                if self.ratio == 0.0
+                    && let Some([closed_primary, closed_residual]) = self.closed(cycles.value())
+                {
+                    let size = acceleration.value();
+                    let scale = ordinate.maximax();
+                    let what = "primary without damping, from its closed form";
+                    sheet.check_zero(what, (ordinate.primary - closed_primary * size).into(), scale);
+                    let what = "residual without damping, from its closed form";
+                    sheet.check_zero(what, (ordinate.residual - closed_residual * size).into(), scale);
+                }
+            });
+        }
+        Ok(())
+    }
+
+    /// Primary and residual amplification without damping, for `n = t_d/T`; `None` where there is no closed form.
+    fn closed(&self, n: f64) -> Option<[f64; 2]> {
+        let Shock::Pulse { form, .. } = &self.shock else { return None };
+        if !(1e-3..1e3).contains(&n) {
+            return None;
+        }
+        match form {
+            Form::Rectangle { .. } => {
+                let primary = if n >= 0.5 { 2.0 } else { 1.0 - (2.0 * PI * n).cos() };
+                Some([primary, 2.0 * (PI * n).sin().abs()])
+            }
+            Form::HalfSine { .. } if (n - 0.5).abs() > 1e-3 => {
+                // r = Ω/ωₙ. The velocity is zero where Ωt = 2πj r/(1 + r) or 2πj r/(1 − r).
+                let r = 0.5 / n;
+                let at = |angle: f64| (angle.sin() - r * (angle / r).sin()).abs() / (1.0 - r * r).abs();
+                let turns =
+                    |first: f64| (1..).map(move |j| f64::from(j) * first).take_while(|turn| *turn <= PI);
+                let primary = turns(2.0 * PI * r / (1.0 + r))
+                    .chain(turns((2.0 * PI * r / (1.0 - r)).abs()))
+                    .chain([PI])
+                    .map(at)
+                    .fold(0.0, f64::max);
+                let residual = 4.0 * n * (PI * n).cos() / (1.0 - 4.0 * n * n);
+                Some([primary, residual.abs()])
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The greatest ordinate over the range.
+fn largest<W: Worksheet>(
+    curve: &[Ordinate],
+    spectrum: &Spectrum<'_>,
+    pulse: Option<(W::Num, W::Num)>,
+    sheet: W,
+) -> Result<(), Refusal> {
+    // The first of those that rounding alone tells apart.
+    let top = curve.iter().map(Ordinate::maximax).fold(0.0, f64::max);
+    let Some(at) = curve.iter().position(|ordinate| ordinate.maximax() >= top * (1.0 - 1e-9)) else {
+        return Ok(());
+    };
+    let level = |n: usize| curve.get(n).is_some_and(|other| other.maximax() >= top * (1.0 - 1e-9));
+    let peak = if at == 0 || at + 1 == curve.len() || level(at + 1) {
+        None
+    } else {
+        spectrum.peak([at - 1, at, at + 1].map(|n| curve[n].frequency))
+    };
+    let greatest = match peak {
+        Some(frequency) => spectrum.at(frequency)?,
+        None => curve[at],
+    };
+    let why = match peak {
+        Some(_) => "Greatest ordinate of the spectrum over the range, where its slope is zero",
+        None => "Greatest ordinate of the spectrum among the frequencies that are drawn",
+    };
+    let greatest_value = sheet.found("Sₘ", "m/s^2", greatest.maximax(), why);
+    sheet.answer("largest", "Greatest ordinate over the range", greatest_value);
+    if let Some((acceleration, _)) = pulse {
+        let why = ("Greatest amplification over the range", RAO.at("§4.6"));
+        let amplification = sheet.step("Aₘ", "1", greatest_value / acceleration, why);
+        sheet.answer("largest_amplification", "Greatest amplification over the range", amplification);
+    }
+    if let Some(frequency) = peak {
+        let frequency = sheet.found("fₘ", "Hz", frequency, "Its natural frequency");
+        sheet.answer("largest_frequency", "Natural frequency of the greatest ordinate", frequency);
+        if let Some((_, duration)) = pulse {
+            let why = "Duration over the natural period, at the greatest ordinate";
+            let cycles = sheet.step("nₘ", "1", duration * frequency / (2.0 * PI), why);
+            sheet.answer("largest_duration_ratio", "Duration over the natural period there", cycles);
+        }
+        sheet.verify(|| {
+            let beside = |part: f64| {
+                spectrum.at(frequency.value() * part).map_or(f64::INFINITY, |ordinate| ordinate.maximax())
+            };
+            let higher = beside(0.99).max(beside(1.01)) - greatest.maximax();
+            let what = "the spectrum is lower at both sides of its greatest ordinate";
+            sheet.check_zero(what, higher.max(0.0).into(), greatest.maximax());
+        });
+    } else if at == 0 || at + 1 == curve.len() {
+        sheet.warn(|| {
+            Text::new("the greatest ordinate is at an end of the range: the spectrum may be higher beyond it")
+        });
+    }
+    Ok(())
+}
+
+fn plot(curve: &[Ordinate], asked: &[f64]) -> Plot {
+    let line = |label: &'static str, of: fn(&Ordinate) -> f64| {
+        Series::line(label, curve.iter().map(|ordinate| (ordinate.frequency, of(ordinate))).collect())
+    };
+    let lines = vec![
+        line("maximax", Ordinate::maximax),
+        line("primary", |ordinate| ordinate.primary),
+        line("residual", |ordinate| ordinate.residual),
+    ];
+    let plot = Plot::new(
+        "Shock response spectrum",
+        Axis::log("natural frequency", "Hz"),
+        Axis::linear("largest acceleration", "m/s^2"),
+        lines,
+    );
+    let near = |asked: f64| {
+        curve.iter().min_by(|a, b| (a.frequency - asked).abs().total_cmp(&(b.frequency - asked).abs()))
+    };
+    asked
+        .iter()
+        .filter_map(|&asked| near(asked))
+        .fold(plot, |plot, ordinate| plot.mark("asked", (ordinate.frequency, ordinate.maximax())))
+}
+
+/// The spectrum in numbers, about a dozen rows of it.
+fn table(curve: &[Ordinate]) -> TableExhibit {
+    let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+    let every = (curve.len() / 12).max(1);
+    let row = |ordinate: &Ordinate| {
+        vec![
+            Cell::Number(ordinate.frequency),
+            Cell::Number(ordinate.primary),
+            Cell::Number(ordinate.residual),
+            Cell::Number(ordinate.maximax()),
+        ]
+    };
+    TableExhibit {
+        title: "Shock response spectrum in numbers".into(),
+        columns: vec![
+            column("natural frequency", "Hz"),
+            column("primary", "m/s^2"),
+            column("residual", "m/s^2"),
+            column("maximax", "m/s^2"),
+        ],
+        rows: curve.iter().step_by(every).map(row).collect(),
+        foot: Vec::new(),
+    }
+}
+
+fn duration<W: Worksheet>(form: &FormGiven<W>) -> W::Num {
+    match form {
+        FormGiven::HalfSine { duration }
+        | FormGiven::Rectangle { duration }
+        | FormGiven::Triangle { duration, .. } => *duration,
+    }
+}
+
+fn cannot<E>(_: E) -> Refusal {
+    Refusal::because(
+        "these numbers are too large or too small for the motion to be followed: check their units",
+    )
+}

@@ -1,0 +1,199 @@
+//! Spectral densities of a random excitation: a level over everything, over a band, or a table.
+
+use dalembert_core::{Inputs, Refusal};
+use dalembert_mechanics::vibration::random::{Density, DensityError, QuadratureError};
+
+/// Spectral density of an acceleration, one-sided, over the frequency in Hz.
+#[derive(Clone, Debug, Inputs)]
+pub enum AccelerationDensity {
+    /// White: the same at every frequency
+    White {
+        /// Level.
+        /// One-sided.
+        #[input("S", "m^2/s^4/Hz", positive)]
+        level: f64,
+    },
+    /// Level over a band
+    Band {
+        /// Level.
+        /// One-sided.
+        #[input("S", "m^2/s^4/Hz", positive)]
+        level: f64,
+        /// From.
+        #[input("f₁", "Hz", nonnegative)]
+        from: f64,
+        /// To.
+        #[input("f₂", "Hz", positive)]
+        to: f64,
+    },
+    /// Table
+    /// Zero outside it.
+    Table {
+        /// Points.
+        #[input(table)]
+        points: Vec<AccelerationDensityPoint>,
+        /// Between the points.
+        between: Between,
+    },
+}
+
+/// Spectral density of a force, one-sided, over the frequency in Hz.
+#[derive(Clone, Debug, Inputs)]
+pub enum ForceDensity {
+    /// White: the same at every frequency
+    White {
+        /// Level.
+        /// One-sided.
+        #[input("S", "N^2/Hz", positive)]
+        level: f64,
+    },
+    /// Level over a band
+    Band {
+        /// Level.
+        /// One-sided.
+        #[input("S", "N^2/Hz", positive)]
+        level: f64,
+        /// From.
+        #[input("f₁", "Hz", nonnegative)]
+        from: f64,
+        /// To.
+        #[input("f₂", "Hz", positive)]
+        to: f64,
+    },
+    /// Table
+    /// Zero outside it.
+    Table {
+        /// Points.
+        #[input(table)]
+        points: Vec<ForceDensityPoint>,
+        /// Between the points.
+        between: Between,
+    },
+}
+
+/// How a density runs between the points of its table.
+#[derive(Clone, Debug, Inputs)]
+pub enum Between {
+    /// Straight lines in a log-log diagram, as in test specifications
+    Logarithmic,
+    /// Straight lines
+    Linear,
+}
+
+/// A point of the density of an acceleration.
+#[derive(Clone, Debug, Inputs)]
+pub struct AccelerationDensityPoint {
+    /// Frequency.
+    #[input("f", "Hz", nonnegative)]
+    pub frequency: f64,
+    /// Density.
+    #[input("S", "m^2/s^4/Hz", nonnegative)]
+    pub density: f64,
+}
+
+/// A point of the density of a force.
+#[derive(Clone, Debug, Inputs)]
+pub struct ForceDensityPoint {
+    /// Frequency.
+    #[input("f", "Hz", nonnegative)]
+    pub frequency: f64,
+    /// Density.
+    #[input("S", "N^2/Hz", nonnegative)]
+    pub density: f64,
+}
+
+/// A density per rad/s.
+pub(crate) enum Spectrum {
+    /// The same everywhere.
+    White(f64),
+    /// A level between two frequencies.
+    Band(f64, [f64; 2]),
+    /// Points.
+    Table(Density),
+}
+
+impl AccelerationDensity {
+    /// The density per rad/s.
+    pub(crate) fn spectrum(&self) -> Result<Spectrum, Refusal> {
+        match self {
+            AccelerationDensity::White { level } => Ok(Spectrum::White(*level)),
+            AccelerationDensity::Band { level, from, to } => band(*level, *from, *to),
+            AccelerationDensity::Table { points, between } => {
+                table(points.iter().map(|point| (point.frequency, point.density)).collect(), between)
+            }
+        }
+    }
+}
+
+impl ForceDensity {
+    /// The density per rad/s.
+    pub(crate) fn spectrum(&self) -> Result<Spectrum, Refusal> {
+        match self {
+            ForceDensity::White { level } => Ok(Spectrum::White(*level)),
+            ForceDensity::Band { level, from, to } => band(*level, *from, *to),
+            ForceDensity::Table { points, between } => {
+                table(points.iter().map(|point| (point.frequency, point.density)).collect(), between)
+            }
+        }
+    }
+}
+
+impl Spectrum {
+    /// The density at a frequency, rad/s.
+    pub(crate) fn at(&self, omega: f64) -> f64 {
+        match self {
+            Spectrum::White(level) => *level,
+            Spectrum::Band(level, [from, to]) => {
+                if (*from..=*to).contains(&omega) {
+                    *level
+                } else {
+                    0.0
+                }
+            }
+            Spectrum::Table(density) => density.at(omega),
+        }
+    }
+
+    /// The frequencies at which an integral over it is broken.
+    pub(crate) fn ends(&self) -> Vec<f64> {
+        match self {
+            Spectrum::White(_) => vec![0.0, f64::INFINITY],
+            Spectrum::Band(_, ends) => ends.to_vec(),
+            Spectrum::Table(density) => density.frequencies().collect(),
+        }
+    }
+
+    /// Whether there is something of it at a frequency.
+    pub(crate) fn reaches(&self, omega: f64) -> bool {
+        self.at(omega) > 0.0
+    }
+}
+
+/// The words for an integral that was not found.
+pub(crate) fn not_found(_: QuadratureError) -> Refusal {
+    Refusal::because(
+        "the integral over the frequency was not found: the damping is too small, or the numbers are too large",
+    )
+}
+
+fn band(level: f64, from: f64, to: f64) -> Result<Spectrum, Refusal> {
+    if from < to {
+        Ok(Spectrum::Band(level, [from, to]))
+    } else {
+        Err(Refusal::because("the band ends before it begins: write its lower frequency first"))
+    }
+}
+
+fn table(points: Vec<(f64, f64)>, between: &Between) -> Result<Spectrum, Refusal> {
+    let logarithmic = matches!(between, Between::Logarithmic);
+    Density::new(points, logarithmic).map(Spectrum::Table).map_err(|err| match err {
+        DensityError::Few => Refusal::because("the table of the density needs at least two points"),
+        DensityError::Order => Refusal::because(
+            "the frequencies of the density must ascend, without repeats: put the rows of the table in order",
+        ),
+        DensityError::Value => Refusal::because(
+            "a log-log line cannot pass through zero: write frequencies and densities above zero, or choose straight \
+             lines",
+        ),
+    })
+}

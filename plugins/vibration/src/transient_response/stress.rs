@@ -1,0 +1,53 @@
+//! The bending stress of the beam that carries the mass, at its largest displacement.
+
+use dalembert_core::{Refusal, Symbol, Worksheet};
+use dalembert_mechanics::Real;
+
+use crate::{oscillator::ElasticityGiven, section::second_moment, sources::BEER, spring::SpringGiven};
+
+/// Writes the force, the bending moment and the stress.
+///
+/// # Errors
+/// A spring whose bending moment is not known here.
+pub(super) fn stress<W: Worksheet>(
+    elasticity: &ElasticityGiven<W>,
+    fibre: W::Num,
+    stiffness: W::Num,
+    largest: W::Num,
+    sheet: W,
+) -> Result<(), Refusal> {
+    let ElasticityGiven::Springs { springs: given } = elasticity else {
+        return Err(unknown());
+    };
+    let why = "Force that would bend the beam as far statically";
+    let force = sheet.step("Fₘ", "kN", stiffness * largest, why);
+    let (moment, section, why) = match given {
+        SpringGiven::Cantilever { length, section, .. } => {
+            (force * *length, section, "Bending moment at the clamp")
+        }
+        SpringGiven::SimplySupported { length, distance: None, section, .. } => {
+            (force * *length / 4.0, section, "Bending moment at the middle of the beam, under the mass")
+        }
+        SpringGiven::SimplySupported { length, distance: Some(distance), section, .. } => {
+            let moment = force * *distance * (*length - *distance) / *length;
+            (moment, section, "Bending moment under the mass")
+        }
+        SpringGiven::Clamped { length, distance: None, section, .. } => {
+            (force * *length / 8.0, section, "Bending moment at the middle and at the clamps")
+        }
+        _ => return Err(unknown()),
+    };
+    let moment = sheet.step("M_b", "kN*m", moment, (why, BEER.at("app. D")));
+    let second_moment = second_moment(section, sheet, Symbol::from("I_b"))?;
+    let why = ("Bending stress at the extreme fibre", BEER.at("§4.4"));
+    let stress = sheet.step("σ", "MPa", moment.abs() * fibre / second_moment, why);
+    sheet.answer("stress", "Largest bending stress", stress);
+    Ok(())
+}
+
+fn unknown() -> Refusal {
+    Refusal::because(
+        "the bending stress is answered for a cantilever, a simply supported beam and a clamped beam with the mass \
+         at its middle: leave out the distance of the extreme fibre for other springs",
+    )
+}
