@@ -753,7 +753,6 @@ spring-to-the-ground = Mola ao solo
 spring-to-the-one-before = Mola à massa anterior
 spring-to-the-wall-on-the-right = Mola à parede da direita
 square-of-the-frequency-of-one-coordinate-alone-the-other-held = Quadrado da frequência de uma coordenada sozinha, com a outra fixa
-square-of-the-natural-frequency = Quadrado da frequência natural
 step-constant-from-its-start-on = Degrau: constante a partir do seu início
 stiffness-matrix-k = Matriz de rigidez K
 stiffness-of-the-spring-between-them = Rigidez da mola entre eles

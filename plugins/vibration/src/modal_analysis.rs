@@ -70,8 +70,9 @@ impl Analysis for ModalAnalysis {
         let shapes = self.normalised(&found.modes.shapes)?;
         for (mode, frequency) in found.frequencies.iter().enumerate() {
             sheet.answer(("frequency", mode + 1), "Natural frequency", *frequency);
-            sheet.answer(("eigenvalue", mode + 1), "Square of the natural frequency", found.squares[mode]);
-            sheet.answer_list(("mode", mode + 1), "Mode shape", "1", &shapes[mode]);
+        }
+        for (mode, shape) in shapes.iter().enumerate() {
+            sheet.answer_list(("mode", mode + 1), "Mode shape", "1", shape);
         }
         masses(&system, &found, &shapes, sheet);
         if damped.any() && damped.proportional {
