@@ -432,7 +432,13 @@ fn doubts_and_faults_are_not_passed_over() {
     let unit = dalembert_units::unit("mm").unwrap();
     let value = AnswerValue::Set(set, vec!["the first critical speed".into()]);
     let answer = solution.answers[0].clone();
-    solution.answers.push(Answer { name: "diameter", label: "Permitted diameters", value, unit, ..answer });
+    solution.answers.push(Answer {
+        name: "diameter".into(),
+        label: "Permitted diameters",
+        value,
+        unit,
+        ..answer
+    });
     let shown = text(&results::lines(&solution, &UNICODE, &Locale::english(), 70));
     let place = |words: &str| shown.find(words).unwrap_or_else(|| panic!("{words} in\n{shown}"));
     assert!(place("✗ A fault of the program") < place("k is in m·kg·s⁻²"));

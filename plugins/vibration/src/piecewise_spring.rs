@@ -238,9 +238,9 @@ impl PiecewiseSpring {
         for _ in 0..60 {
             let middle = f64::midpoint(low, high);
             if spring.displacement(self.mass, amplitude, middle) < away {
-                low = middle
+                low = middle;
             } else {
-                high = middle
+                high = middle;
             }
         }
         let outward = self.velocity * self.displacement >= 0.0;

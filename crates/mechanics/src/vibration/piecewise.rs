@@ -46,7 +46,7 @@ impl TwoSlopes {
         if amplitude <= self.corner {
             return TAU * (mass / self.first).sqrt();
         }
-        4.0 * (self.to_corner(mass, amplitude) + self.beyond(mass, amplitude))
+        4.0 * (self.time_inside(mass, amplitude) + self.time_beyond(mass, amplitude))
     }
 
     /// Displacement at `time` after passing rest with the speed that leads to `amplitude`, m.
@@ -59,7 +59,7 @@ impl TwoSlopes {
         if amplitude <= self.corner {
             return sign * amplitude * (since / quarter * FRAC_PI_2).sin();
         }
-        let before = self.to_corner(mass, amplitude);
+        let before = self.time_inside(mass, amplitude);
         if since <= before {
             let speed = (2.0 * self.energy(amplitude) / mass).sqrt();
             let turn = (self.first / mass).sqrt();
@@ -77,14 +77,14 @@ impl TwoSlopes {
     }
 
     /// Time from rest to the corner.
-    fn to_corner(&self, mass: f64, amplitude: f64) -> f64 {
+    fn time_inside(&self, mass: f64, amplitude: f64) -> f64 {
         let speed = (2.0 * self.energy(amplitude) / mass).sqrt();
         let turn = (self.first / mass).sqrt();
         if turn == 0.0 { self.corner / speed } else { (turn * self.corner / speed).min(1.0).asin() / turn }
     }
 
     /// Time from the corner to the turning point.
-    fn beyond(&self, mass: f64, amplitude: f64) -> f64 {
+    fn time_beyond(&self, mass: f64, amplitude: f64) -> f64 {
         let at_corner = (2.0 * (self.energy(amplitude) - self.energy(self.corner)) / mass).max(0.0).sqrt();
         let pull = self.first * self.corner / mass;
         let turn = (self.second / mass).sqrt();

@@ -47,18 +47,16 @@ pub(crate) struct Found<N> {
     pub(crate) modes: NaturalModes,
     /// ω of the first modes, at most [`SHOWN`].
     pub(crate) frequencies: Vec<N>,
-    /// Their squares.
-    pub(crate) squares: Vec<N>,
 }
 
 /// Finds the modes: two degrees of freedom in closed form, more numerically.
 pub(crate) fn find<W: Worksheet>(system: &Assembled<W::Num>, sheet: W) -> Result<Found<W::Num>, Refusal> {
     let modes = natural_modes(&system.mass, &system.stiffness).map_err(refusal)?;
-    let (squares, frequencies) = match system.two {
+    let frequencies = match system.two {
         Some((masses, stiffness)) => {
             let two = two_degrees::solve(masses, stiffness, "1", sheet)?;
             sheet.verify(|| agreement(&two, &modes, sheet));
-            (two.squares.to_vec(), two.frequencies.to_vec())
+            two.frequencies.to_vec()
         }
         None => (0..modes.squares.len().min(SHOWN))
             .map(|mode| {
@@ -69,9 +67,9 @@ pub(crate) fn find<W: Worksheet>(system: &Assembled<W::Num>, sheet: W) -> Result
                     Text::new("Eigenvalue, λ = ω²: root of det(K − λM) = 0, found numerically")
                 };
                 let square = sheet.found(("λ", mode + 1), "rad^2/s^2", square, (why, RAO.at("§6.10")));
-                (square, sheet.step(("ω", mode + 1), "rad/s", square.sqrt(), "Natural frequency"))
+                sheet.step(("ω", mode + 1), "rad/s", square.sqrt(), "Natural frequency")
             })
-            .unzip(),
+            .collect(),
     };
     sheet.verify(|| checks(system, &modes, sheet));
     let same = (1..modes.squares.len()).find(|&mode| {
@@ -87,7 +85,7 @@ pub(crate) fn find<W: Worksheet>(system: &Assembled<W::Num>, sheet: W) -> Result
             .with("second", mode + 1)
         });
     }
-    Ok(Found { modes, frequencies, squares })
+    Ok(Found { modes, frequencies })
 }
 
 /// The closed form of two degrees of freedom against the eigenproblem.
