@@ -244,22 +244,34 @@ impl Motion {
                 continue;
             }
             let (begun, state, law) = match piece.law {
-                Law::Line { start: at, slope } => {
+                Law::Line { start: at, slope } if start > piece.from => {
                     let by = start - piece.from;
                     let law = Law::Line { start: if slope == 0.0 { at } else { at + slope * by }, slope };
                     (start, self.oscillator.advance(piece.state, piece.law, by), law)
                 }
                 law => (piece.from, piece.state, law),
             };
+            let last = match self.pieces.get(n + 1) {
+                Some(next) if next.from == end => Some(next.state),
+                _ if end.is_finite() => Some(self.oscillator.advance(state, law, end - begun)),
+                _ => None,
+            };
+            if let Law::Line { start, slope } = law {
+                let ends = [Some(state), last].map(|state| state.map(|state| self.value(output, state)));
+                let [low, high] =
+                    self.oscillator.line_bounds(state, [start, slope], output, end - begun, ends);
+                if low >= found.least.value && high <= found.greatest.value {
+                    continue;
+                }
+            }
             for tau in self.oscillator.turning_points(state, law, output, end - begun)? {
                 if begun + tau >= start {
                     let value = self.value(output, self.oscillator.advance(state, law, tau));
                     found.note(Extreme { time: begun + tau, value });
                 }
             }
-            if end.is_finite() {
-                let value = self.value(output, self.oscillator.advance(state, law, end - begun));
-                found.note(Extreme { time: end, value });
+            if let Some(last) = last {
+                found.note(Extreme { time: end, value: self.value(output, last) });
             }
         }
         Ok(found)

@@ -203,3 +203,25 @@ fn a_slow_half_sine_is_found_in_its_middle() {
     let peak = (1..1000).map(|j| (TAU * f64::from(j) * r / (1.0 + r)).sin() / (1.0 - r)).fold(0.0, f64::max);
     close(found.greatest.value, peak, 1.0);
 }
+
+proptest! {
+    /// Twice the load and another load beside it: the motions add up.
+    #[test]
+    fn motions_add_up(
+        ratio in 0.0..2.0f64, rate in 0.1..3.0f64, frequency in 0.1..3.0f64, end in 0.5..5.0f64, time in 0.0..20.0f64,
+    ) {
+        let one = [Piece { from: 0.0, law: Law::Line { start: 1.0, slope: -0.3 } }, line(end, 0.0, 0.0)];
+        let both = [Piece { from: 0.0, law: Law::Line { start: 2.5, slope: -0.6 } }, line(end, 0.0, 0.0)];
+        let step = [line(0.0, 0.5, 0.0), line(end, 0.0, 0.0)];
+        let at = |load: &[Piece]| motion(1.3, ratio, load).at(time).displacement;
+        prop_assert!((2.0 * at(&one) + at(&step) - at(&both)).abs() <= 1e-12 * (1.0 + at(&both).abs()));
+        // A sine and an exponential scale with their size.
+        for law in [
+            |size, _, frequency| Law::Sine { amplitude: size, frequency },
+            |size, rate, _| Law::Decay { amplitude: size, rate },
+        ] {
+            let of = |size| at(&[Piece { from: 0.0, law: law(size, rate, frequency) }]);
+            prop_assert!((of(3.0) - 3.0 * of(1.0)).abs() <= 1e-12 * (1.0 + of(3.0).abs()));
+        }
+    }
+}
