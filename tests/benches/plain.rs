@@ -103,7 +103,7 @@ fn reduced(speeds: &[f64]) {
             plain.clear();
             let given = fan.given(Lift { sheet: &plain, value: None, trail: &Trail::TOP });
             let solved = fan.solve(&given, &plain);
-            *place = solved.ok().and_then(|()| plain.answer_at(0, "amplitude")).unwrap_or(f64::NAN);
+            *place = solved.ok().and_then(|()| plain.answer_at(0, "amplitude".into())).unwrap_or(f64::NAN);
         }
     });
     assert_eq!(by_hand, direct, "the plain reading gives the numbers of the loop by hand, bit for bit");

@@ -369,10 +369,16 @@ mod tests {
         };
         let agreed =
             ["0.34; -0.65; 1.0", "(0.34; -0.65; 1.0) mm", "340; -650; 1000 um", "0.34; -0.65; …", "(0.3; …)"];
-        agreed.iter().for_each(|printed| assert_eq!(held(printed), Some(true), "{printed}"));
+        for printed in agreed {
+            assert_eq!(held(printed), Some(true), "{printed}");
+        }
         let other = ["0.35; -0.65; 1.0", "0.34; 0.65; …", "0.34; -0.65; 1.1"];
-        other.iter().for_each(|printed| assert_eq!(held(printed), Some(false), "{printed}"));
+        for printed in other {
+            assert_eq!(held(printed), Some(false), "{printed}");
+        }
         let unfit = ["0.34; -0.65", "0.34; -0.65; 1.0; …", "0.34; -0.65; 1.0; 0", "1; 2; 3 kg", "…; 1", ""];
-        unfit.iter().for_each(|printed| assert_eq!(held(printed), None, "{printed}"));
+        for printed in unfit {
+            assert_eq!(held(printed), None, "{printed}");
+        }
     }
 }

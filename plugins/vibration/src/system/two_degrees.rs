@@ -8,8 +8,6 @@ use crate::sources::RAO;
 /// Natural frequencies, ascending, and the ratio of the second coordinate to the first in each mode.
 pub(crate) struct TwoModes<N> {
     pub(crate) frequencies: [N; 2],
-    /// Their squares.
-    pub(crate) squares: [N; 2],
     pub(crate) ratios: Option<[N; 2]>,
 }
 
@@ -87,5 +85,5 @@ pub(crate) fn solve<W: Worksheet>(
             )
         })
     });
-    Ok(TwoModes { frequencies: [lowest, highest], squares: [lower, upper], ratios })
+    Ok(TwoModes { frequencies: [lowest, highest], ratios })
 }
