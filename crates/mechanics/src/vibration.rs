@@ -3,6 +3,7 @@
 //! degrees of freedom.
 
 pub mod base_modes;
+pub mod absorber;
 pub mod decay_fit;
 pub mod dry_forced;
 pub mod duffing;

@@ -2,6 +2,7 @@
 
 mod close;
 
+mod absorber;
 mod balance;
 mod beam;
 mod dimensions;
