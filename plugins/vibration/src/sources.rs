@@ -108,3 +108,15 @@ pub(crate) static MILES: Source = Source {
 /// J. M. Biggs, Introduction to Structural Dynamics.
 pub(crate) static BIGGS: Source =
     Source { short: "Biggs", full: "J. M. Biggs, Introduction to Structural Dynamics, McGraw-Hill, 1964" };
+
+/// O. Nishihara and T. Asami, the exact least peak of a damped absorber.
+pub(crate) static NISHIHARA: Source = Source {
+    short: "Nishihara & Asami",
+    full: "O. Nishihara and T. Asami, Closed-form solutions to the exact optimizations of dynamic vibration absorbers (minimizations of the maximum amplitude magnification factors), Journal of Vibration and Acoustics 124 (2002), 576–582",
+};
+
+/// J. E. Brock, the damping of a tuned absorber.
+pub(crate) static BROCK: Source = Source {
+    short: "Brock",
+    full: "J. E. Brock, A note on the damped vibration absorber, Journal of Applied Mechanics 13 (1946), A-284",
+};

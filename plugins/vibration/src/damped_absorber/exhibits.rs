@@ -1,0 +1,127 @@
+//! Response before and after, relative motion, the family of dampings through the fixed points, and a sketch.
+
+use dalembert_core::{Axis, Drawing, DrawnShape, Ink, Plot, Series, Text};
+use dalembert_mechanics::{
+    sdof,
+    vibration::absorber::{DampedAbsorber as Kernel, Peak},
+};
+
+/// Points of each curve.
+const POINTS: u16 = 300;
+
+/// Magnifications above this are not drawn.
+fn top(kernel: &Kernel) -> f64 {
+    kernel.largest_peak().map_or(20.0, |peak| (3.0 * peak.height).clamp(5.0, 1e4))
+}
+
+fn ratios(kernel: &Kernel) -> impl Fn() -> Vec<f64> {
+    let peaks = kernel.peaks();
+    let first = peaks.first().map_or(1.0, |peak| peak.ratio).min(1.0);
+    let last = (1.0 + 1.6 * (peaks.last().map_or(1.0, |peak| peak.ratio).max(1.0) - first)).clamp(1.6, 8.0);
+    move || (0..=POINTS).map(|n| last * f64::from(n) / f64::from(POINTS)).collect()
+}
+
+/// Frequencies are shown in rpm where the natural frequency is known, else as ratios.
+fn axis(natural: Option<f64>) -> (Axis, f64) {
+    match natural {
+        Some(natural) => (Axis::linear("frequency", "rpm"), natural),
+        None => (Axis::linear("frequency ratio", "1"), 1.0),
+    }
+}
+
+/// The main mass with and without the absorber.
+pub(super) fn response(kernel: &Kernel, natural: Option<f64>, peak: Option<Peak>) -> Plot {
+    let (axis, unit) = axis(natural);
+    let highest = top(kernel);
+    let drawn = |height: f64| if height <= highest { height } else { f64::INFINITY };
+    let ratios = ratios(kernel);
+    let curve = |of: &dyn Fn(f64) -> f64| ratios().iter().map(|&g| (g * unit, drawn(of(g)))).collect();
+    let plot = Plot::new(
+        "Magnification of the main system, with and without the absorber",
+        axis,
+        Axis::linear("magnification", "1"),
+        vec![
+            Series::line("with the absorber", curve(&|g| kernel.magnification(g))),
+            Series::line("without it", curve(&|g| sdof::magnification(g, kernel.main_damping))),
+        ],
+    );
+    match peak {
+        Some(peak) => plot.mark("peak", (peak.ratio * unit, peak.height)),
+        None => plot,
+    }
+}
+
+/// The absorber relative to the main mass.
+pub(super) fn stroke(kernel: &Kernel, natural: Option<f64>) -> Plot {
+    let (axis, unit) = axis(natural);
+    let largest = kernel.largest_relative_motion().filter(|peak| peak.height < 1e4);
+    let highest = largest.map_or(100.0, |peak| 1.1 * peak.height);
+    let drawn = |height: f64| if height <= highest { height } else { f64::INFINITY };
+    let points = ratios(kernel)().iter().map(|&g| (g * unit, drawn(kernel.relative_motion(g)))).collect();
+    let plot = Plot::new(
+        "Motion of the absorber relative to the main system",
+        axis,
+        Axis::linear("relative motion over static deflection", "1"),
+        vec![Series::line("absorber", points)],
+    );
+    match largest {
+        Some(peak) => plot.mark("largest", (peak.ratio * unit, peak.height)),
+        None => plot,
+    }
+}
+
+/// This damping, a third, three times it, and a locked absorber: all pass the fixed points of an undamped system.
+pub(super) fn family(kernel: &Kernel) -> Plot {
+    let highest = top(kernel);
+    let drawn = |height: f64| if height <= highest { height } else { f64::INFINITY };
+    let ratios = ratios(kernel);
+    let curve = |damping: f64| {
+        let other = Kernel { damping, ..*kernel };
+        ratios().iter().map(|&g| (g, drawn(other.magnification(g)))).collect::<Vec<_>>()
+    };
+    let dampings = if kernel.damping > 0.0 {
+        [1.0, 1.0 / 3.0, 3.0].map(|n| n * kernel.damping)
+    } else {
+        [0.0, 0.1, 0.3]
+    };
+    let mut series: Vec<Series> = dampings
+        .iter()
+        .map(|&damping| {
+            Series::line(Text::new("γ = {ratio}").with_quantity("ratio", damping, "1"), curve(damping))
+        })
+        .collect();
+    let locked = |g: f64| {
+        let square = g * g * (1.0 + kernel.mass_ratio);
+        1.0 / (1.0 - square).hypot(2.0 * kernel.main_damping * g)
+    };
+    series.push(Series::line("locked", ratios().iter().map(|&g| (g, drawn(locked(g)))).collect()));
+    Plot::new(
+        "Magnification for other dampings of the absorber",
+        Axis::linear("frequency ratio", "1"),
+        Axis::linear("magnification", "1"),
+        series,
+    )
+}
+
+pub(super) fn drawing(spring: bool) -> Drawing {
+    let mut shapes = vec![
+        DrawnShape::Ground((-1.5, -2.4), (1.5, -2.4)),
+        DrawnShape::Spring((-0.6, -2.4), (-0.6, -1.0)),
+        DrawnShape::Damper((0.6, -2.4), (0.6, -1.0)),
+        DrawnShape::Label((-1.0, -1.7), Text::from("k")),
+        DrawnShape::Label((1.0, -1.7), Text::from("ζ")),
+        DrawnShape::Block((-1.2, -1.0), (1.2, 0.2), Ink::Body),
+        DrawnShape::Label((0.0, -0.4), Text::from("m")),
+        DrawnShape::Arrow((-1.5, -1.0), (-1.5, 0.2), Ink::Force),
+        DrawnShape::Label((-2.3, -0.4), Text::from("F₀ cos ωt")),
+        DrawnShape::Damper((0.35, 0.2), (0.35, 1.3)),
+        DrawnShape::Label((0.75, 0.75), Text::from("c_a")),
+        DrawnShape::Block((-0.6, 1.3), (0.6, 2.0), Ink::Result),
+        DrawnShape::Label((0.0, 1.65), Text::from("m_a")),
+    ];
+    if spring {
+        shapes.push(DrawnShape::Spring((-0.35, 0.2), (-0.35, 1.3)));
+        shapes.push(DrawnShape::Label((-0.75, 0.75), Text::from("k_a")));
+    }
+    Drawing { title: "The main system and its damped absorber".into(), shapes }
+}
