@@ -3,6 +3,7 @@
 
 use dalembert_core::registry;
 use dalembert_tests::person::Person;
+use dalembert_tui::{Msg, tempo};
 use insta::assert_snapshot;
 use ratatui::style::Color;
 
@@ -69,7 +70,7 @@ fn the_filter_looks_in_titles_keywords_sources_and_cases() {
 
 #[test]
 fn escape_goes_back_one_step_at_a_time_and_never_ends_the_program() {
-    let mut person = Person::at(80, 24);
+    let mut person = Person::at(80, 24).knows(&COURSE);
     person.types("/rotunb<enter><end><enter>99");
     assert!(person.sees().contains("keep"), "{}", person.sees());
     person.types("<esc>");
@@ -192,6 +193,31 @@ fn results_follow_every_key() {
     }
     // `1500 r` and `1500 rp` cannot be read; everything else can, and is solved.
     assert_eq!(seen, [false, false, false, false, false, true, true, false]);
+}
+
+/// 24 frames are one swing.
+#[test]
+fn a_film_moves_until_it_is_held() {
+    let mut person = Person::at(160, 50).opens("vibration/large-pendulum");
+    let first = person.sees();
+    assert!(tempo(&person.model).is_some());
+    person.happens(Msg::Tick);
+    assert_ne!(person.sees(), first);
+    for _ in 1..24 {
+        person.happens(Msg::Tick);
+    }
+    assert_eq!(person.sees(), first);
+    person.types("p");
+    assert!(tempo(&person.model).is_none());
+    person.types("p?");
+    assert!(tempo(&person.model).is_none(), "what lies over a film holds it");
+    person.types("<esc>");
+    assert!(tempo(&person.model).is_some());
+    // On a narrow screen it moves while its tab is shown.
+    let mut narrow = Person::at(80, 24).opens("vibration/large-pendulum");
+    assert!(tempo(&narrow.model).is_none());
+    narrow.types("]]]");
+    assert!(tempo(&narrow.model).is_some(), "{}", narrow.sees());
 }
 
 #[test]

@@ -25,6 +25,6 @@ mod view;
 pub use app::{Options, run};
 pub use model::{Effect, Model, Msg};
 pub use update::{start, update};
-pub use view::view;
+pub use view::{tempo, view};
 
 dalembert_core::messages!("../locales/pt-BR.ftl");

@@ -70,7 +70,7 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
 }
 
 /// How long each frame of a film stands; `None` while none moves on the screen.
-pub(crate) fn tempo(model: &Model) -> Option<Duration> {
+pub fn tempo(model: &Model) -> Option<Duration> {
     let bench = model.shown_bench().filter(|_| model.playing && model.dialog.is_none())?;
     let Exhibit::Film(film) = bench.sketch()? else { return None };
     let area = Rect::new(0, 0, model.size.0, model.size.1);

@@ -2651,6 +2651,11 @@ force-over-mass = força dividida pela massa
 force-on-the-support-over-mass = força no apoio dividida pela massa
 
 # vibration/response-spectrum
+largest-deflection-of-each-mode = Maior deflexão de cada modo
+along-the-beam = ao longo da viga
+count-half-waves = { $count } meias ondas
+largest-displacement-of-each-mode = Maior deslocamento de cada modo
+largest-displacement-of-the-last-mass-in-each-mode = Maior deslocamento da última massa em cada modo
 response-spectrum-analysis = Análise por espectro de resposta
 largest-displacement-acceleration-or-stress-of-a-chain-of-given-modes-or-of-a-beam-on-a-shaking-base = Deslocamento, aceleração ou tensão máximos de uma cadeia, de modos dados ou de uma viga sobre uma base que se move, por ABS, SRSS e CQC.
 structure = Estrutura

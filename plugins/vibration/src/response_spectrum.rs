@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    About, Analysis, Cell, Column, Exhibit, Inputs, Refusal, Symbol, TableExhibit, Text, Worksheet, register,
+    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, Symbol, TableExhibit, Text,
+    Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -248,6 +249,13 @@ impl<W: Worksheet> Problem<'_, W> {
                 all.cqc,
             );
         }
+        let last = links.len() - 1;
+        let ends = modes
+            .iter()
+            .zip(&spectral)
+            .map(|(mode, s)| (mode.natural.value(), (mode.shares[last].value() * s.value()).abs()));
+        let ends: Vec<_> = ends.collect();
+        sheet.show(|| Exhibit::Plot(lines("Largest displacement of the last mass in each mode", ends)));
         let mut shears = Vec::new();
         for (n, mode) in modes.iter().enumerate() {
             let why = (
@@ -288,6 +296,8 @@ impl<W: Worksheet> Problem<'_, W> {
             parts.push(sheet.step(Symbol::from("x").row(n + 1), "mm", mode.share * spectral, why));
         }
         let correlations = self.correlations(&naturals, sheet);
+        let sizes: Vec<_> = naturals.iter().zip(&parts).map(|(w, x)| (w.value(), x.value().abs())).collect();
+        sheet.show(|| Exhibit::Plot(lines("Largest displacement of each mode", sizes)));
         let all = combined(&parts, &correlations, ["x_A", "x_S", "x_C"], "mm", None, sheet);
         sheet.answer("displacement_abs", "Displacement, sum of absolute values", all.abs);
         sheet.answer("displacement_srss", "Displacement, root of the sum of squares", all.srss);
@@ -351,6 +361,8 @@ impl<W: Worksheet> Problem<'_, W> {
             stresses.push(stress);
         }
         let correlations = self.correlations(&naturals, sheet);
+        let (length, largest) = (length.value(), deflections.iter().map(|one| one.value().abs()).collect());
+        sheet.show(|| Exhibit::Plot(shapes(length, largest)));
         let all = combined(&deflections, &correlations, ["y_A", "y_S", "y_C"], "mm", None, sheet);
         sheet.answer("deflection_abs", "Deflection of the middle, sum of absolute values", all.abs);
         sheet.answer("deflection_srss", "Deflection of the middle, root of the sum of squares", all.srss);
@@ -444,6 +456,38 @@ impl Demand {
             )
         })
     }
+}
+
+/// The half waves of the modes, each as large as it becomes.
+fn shapes(length: f64, largest: Vec<f64>) -> Plot {
+    let shape = |(n, largest): (usize, f64)| {
+        let half_waves = 2 * n + 1;
+        let at = |i: u16| {
+            let share = f64::from(i) / 200.0;
+            (share * length, largest * (half_waves as f64 * PI * share).sin())
+        };
+        Series::line(Text::new("{count} half waves").with("count", half_waves), (0..=200).map(at).collect())
+    };
+    Plot::new(
+        "Largest deflection of each mode",
+        Axis::linear("along the beam", "m"),
+        Axis::linear("deflection", "mm"),
+        largest.into_iter().enumerate().map(shape).collect(),
+    )
+}
+
+/// The largest displacement of each mode over its frequency.
+fn lines(title: &'static str, modes: Vec<(f64, f64)>) -> Plot {
+    let line = |(n, (frequency, size)): (usize, (f64, f64))| {
+        let label = Text::new("mode {place}").with("place", n + 1);
+        Series::line(label, vec![(frequency, 0.0), (frequency, size)])
+    };
+    Plot::new(
+        title,
+        Axis::linear("natural frequency", "Hz"),
+        Axis::linear("displacement", "mm"),
+        modes.into_iter().enumerate().map(line).collect(),
+    )
 }
 
 fn table<N: Real>(correlations: &[Vec<N>]) -> TableExhibit {
