@@ -52,10 +52,49 @@ pub fn natural_modes(m: &DMatrix<f64>, k: &DMatrix<f64>) -> Result<NaturalModes,
         }
         *square = square.max(0.0);
     }
-    Ok(NaturalModes { squares, shapes: eigen.vectors })
+    let mut modes = NaturalModes { squares, shapes: eigen.vectors };
+    modes.settle_repeated(m);
+    Ok(modes)
 }
 
 impl NaturalModes {
+    /// Modes of the same frequency may be mixed at will; those are taken that carry most of the first coordinate,
+    /// then of the next one, so that the same system always has the same modes.
+    fn settle_repeated(&mut self, m: &DMatrix<f64>) {
+        let mut from = 0;
+        while from < self.squares.len() {
+            let same = |square: &&f64| (**square - self.squares[from]).abs() <= 1e-10 * self.squares[from];
+            let count = self.squares[from..].iter().take_while(same).count();
+            if count > 1 {
+                self.settle(m, from, count);
+            }
+            from += count;
+        }
+    }
+
+    fn settle(&mut self, m: &DMatrix<f64>, from: usize, count: usize) {
+        let group = self.shapes.columns(from, count).into_owned();
+        // The share of the group in a unit displacement of each coordinate.
+        let shares = group.transpose() * m;
+        let largest = shares.column_iter().map(|share| share.norm()).fold(0.0, f64::max);
+        let mut chosen: Vec<DVector<f64>> = Vec::new();
+        for share in shares.column_iter() {
+            let mut left = share.into_owned();
+            for _ in 0..2 {
+                for other in &chosen {
+                    left -= other * other.dot(&left);
+                }
+            }
+            let size = left.norm();
+            if chosen.len() < count && size > 1e-3 * largest {
+                chosen.push(left / size);
+            }
+        }
+        if chosen.len() == count {
+            self.shapes.columns_mut(from, count).copy_from(&(group * DMatrix::from_columns(&chosen)));
+        }
+    }
+
     /// `Φᵀ C Φ`: diagonal where the damping leaves the modes alone.
     pub fn damping(&self, c: &DMatrix<f64>) -> DMatrix<f64> {
         self.shapes.transpose() * c * &self.shapes

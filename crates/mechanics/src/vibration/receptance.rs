@@ -118,6 +118,8 @@ pub fn column_of_modes(
 
 /// Real and imaginary parts of `Σ rᵣ/(iω − λᵣ)` over all roots, each at each frequency; for damping of any kind.
 ///
+/// Two conjugate roots in a row count as a pair with conjugate residues.
+///
 /// # Panics
 /// Unless roots and frequencies are as many each time.
 pub fn sum_of_poles(
@@ -132,6 +134,8 @@ pub fn sum_of_poles(
         frequencies.len() == real.len() && frequencies.len() == imaginary.len(),
         "as many frequencies each time"
     );
+    let terms = terms(roots);
+    let weights: Vec<[f64; 2]> = terms.iter().map(|term| term.weights(residues[term.at])).collect();
     Arch::new().dispatch(
         #[inline(always)]
         || {
@@ -140,13 +144,11 @@ pub fn sum_of_poles(
             for ((real, imaginary), frequencies) in blocks {
                 real.fill(0.0);
                 imaginary.fill(0.0);
-                for (residue, root) in residues.iter().zip(roots) {
-                    let (a, b, d, e) = (residue.re, residue.im, -root.re, -root.im);
+                for (term, [even, odd]) in terms.iter().zip(&weights) {
                     for ((re, im), w) in real.iter_mut().zip(imaginary.iter_mut()).zip(frequencies) {
-                        let y = w + e;
-                        let s = 1.0 / (d * d + y * y);
-                        *re += (a * d + b * y) * s;
-                        *im += (b * d - a * y) * s;
+                        let [p, q, r, s] = term.at(*w);
+                        *re += even * p - odd * s;
+                        *im += even * q + odd * r;
                     }
                 }
             }
@@ -172,14 +174,14 @@ pub fn column_of_poles(
         real.shape() == (n, frequencies.len()) && imaginary.shape() == real.shape(),
         "a column for each frequency"
     );
-    let (s_real, s_imaginary) = (shapes.map(|s| s.re), shapes.map(|s| s.im));
-    let view = |a: &'_ DMatrix<f64>| faer::Mat::from_fn(n, poles, |row, column| a[(row, column)]);
-    let (s_real, s_imaginary) = (view(&s_real), view(&s_imaginary));
-    let (mut re, mut im) = (vec![0.0; poles * BLOCK], vec![0.0; poles * BLOCK]);
-    let parts_of =
-        |of: fn(&Complex<f64>) -> f64, all: &[Complex<f64>]| all.iter().map(of).collect::<Vec<f64>>();
-    let (a, b) = (parts_of(|z| z.re, inputs), parts_of(|z| z.im, inputs));
-    let (d, e) = (parts_of(|z| -z.re, roots), parts_of(|z| -z.im, roots));
+    let terms = terms(roots);
+    let count = terms.len();
+    let weights = DMatrix::from_fn(n, 2 * count, |row, column| {
+        let term = &terms[column % count];
+        term.weights(shapes[(row, term.at)] * inputs[term.at])[column / count]
+    });
+    let weights = MatRef::from_column_major_slice(weights.as_slice(), n, 2 * count);
+    let (mut re, mut im) = (vec![0.0; 2 * count * BLOCK], vec![0.0; 2 * count * BLOCK]);
     let blocks =
         real.as_mut_slice().chunks_mut(n * BLOCK).zip(imaginary.as_mut_slice().chunks_mut(n * BLOCK));
     for ((real, imaginary), frequencies) in blocks.zip(frequencies.chunks(BLOCK)) {
@@ -187,29 +189,100 @@ pub fn column_of_poles(
         Arch::new().dispatch(
             #[inline(always)]
             || {
-                let lines = re.chunks_exact_mut(poles).zip(im.chunks_exact_mut(poles));
+                let lines = re.chunks_exact_mut(2 * count).zip(im.chunks_exact_mut(2 * count));
                 for ((re, im), w) in lines.zip(frequencies) {
-                    let terms = re.iter_mut().zip(im.iter_mut()).zip(&a).zip(&b).zip(&d).zip(&e);
-                    for (((((re, im), a), b), d), e) in terms {
-                        let y = w + e;
-                        let s = 1.0 / (d * d + y * y);
-                        *re = (a * d + b * y) * s;
-                        *im = (b * d - a * y) * s;
+                    let ((re_even, re_odd), (im_even, im_odd)) =
+                        (re.split_at_mut(count), im.split_at_mut(count));
+                    let places = re_even.iter_mut().zip(re_odd).zip(im_even).zip(im_odd);
+                    for ((((re_even, re_odd), im_even), im_odd), term) in places.zip(&terms) {
+                        let [p, q, r, s] = term.at(*w);
+                        *re_even = p;
+                        *re_odd = -s;
+                        *im_even = q;
+                        *im_odd = r;
                     }
                 }
             },
         );
-        let part = |parts: &'_ [f64]| {
-            MatRef::from_column_major_slice(&parts[..poles * here], poles, here).to_owned()
-        };
-        let (z_real, z_imaginary) = (part(&re), part(&im));
-        let add = |whole: &mut [f64], terms: [(&faer::Mat<f64>, &faer::Mat<f64>, f64); 2]| {
-            for (at, (s, z, sign)) in terms.into_iter().enumerate() {
-                let accumulate = if at == 0 { Accum::Replace } else { Accum::Add };
-                matmul(MatMut::from_column_major_slice_mut(whole, n, here), accumulate, s, z, sign, Par::Seq);
-            }
-        };
-        add(real, [(&s_real, &z_real, 1.0), (&s_imaginary, &z_imaginary, -1.0)]);
-        add(imaginary, [(&s_real, &z_imaginary, 1.0), (&s_imaginary, &z_real, 1.0)]);
+        for (whole, parts) in [(real, &re), (imaginary, &im)] {
+            let whole = MatMut::from_column_major_slice_mut(whole, n, here);
+            let parts = MatRef::from_column_major_slice(&parts[..2 * count * here], 2 * count, here);
+            matmul(whole, Accum::Replace, weights, parts, 1.0, Par::Seq);
+        }
     }
+}
+
+/// A root, or a pair of conjugate ones, as the part `(even + i odd·m)(g)` of a response, with
+/// `g = 1/(constant − square·ω² + iω·linear)`; m is ω for a pair and 1 for a root alone.
+#[derive(Clone, Copy)]
+struct Term {
+    at: usize,
+    root: Complex<f64>,
+    pair: bool,
+    constant: f64,
+    square: f64,
+    /// The imaginary part of the denominator is `turn·ω + offset`.
+    turn: f64,
+    offset: f64,
+    /// m is `steady + moving·ω`.
+    steady: f64,
+    moving: f64,
+}
+
+impl Term {
+    /// What a residue weighs the two parts with.
+    fn weights(&self, residue: Complex<f64>) -> [f64; 2] {
+        if self.pair {
+            // r/(iω − λ) + r̄/(iω − λ̄) = 2(iω Re r − Re(r λ̄))/(|λ|² − ω² − 2iω Re λ)
+            [-2.0 * (residue * self.root.conj()).re, 2.0 * residue.re]
+        } else {
+            [residue.re, residue.im]
+        }
+    }
+
+    /// Real and imaginary part of g, and both times m.
+    #[inline(always)]
+    fn at(&self, w: f64) -> [f64; 4] {
+        let (u, v) = (self.constant - self.square * w * w, self.turn * w + self.offset);
+        let scale = 1.0 / (u * u + v * v);
+        let (p, q) = (u * scale, -v * scale);
+        let m = self.steady + self.moving * w;
+        [p, q, m * p, m * q]
+    }
+}
+
+fn terms(roots: &[Complex<f64>]) -> Vec<Term> {
+    let mut terms = Vec::with_capacity(roots.len());
+    let mut at = 0;
+    while at < roots.len() {
+        let root = roots[at];
+        let pair = root.im != 0.0 && roots.get(at + 1).is_some_and(|next| *next == root.conj());
+        terms.push(if pair {
+            Term {
+                at,
+                root,
+                pair,
+                constant: root.norm_sqr(),
+                square: 1.0,
+                turn: -2.0 * root.re,
+                offset: 0.0,
+                steady: 0.0,
+                moving: 1.0,
+            }
+        } else {
+            Term {
+                at,
+                root,
+                pair,
+                constant: -root.re,
+                square: 0.0,
+                turn: 1.0,
+                offset: -root.im,
+                steady: 1.0,
+                moving: 0.0,
+            }
+        });
+        at += if pair { 2 } else { 1 };
+    }
+    terms
 }

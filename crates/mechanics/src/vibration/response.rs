@@ -51,36 +51,67 @@ pub struct Excitation {
     pub harmonics: Vec<Harmonic>,
 }
 
-/// The state of the poles at a time, `x = Σ s z`; exact, since between two breaks of the forces every pole has a
-/// closed form. `momentum` is `ΦᵀM`, which gives modal coordinates.
-pub fn state(
-    poles: &Poles,
-    momentum: &DMatrix<f64>,
-    excitation: &Excitation,
-    time: f64,
-) -> Vec<Complex<f64>> {
-    let mut state = poles.state(&(momentum * &excitation.position), &(momentum * &excitation.velocity));
-    let inputs: Vec<_> = excitation.pushes.iter().map(|push| poles.input(&push.force)).collect();
-    let breaks = breaks(excitation, time);
-    for ends in breaks.windows(2) {
-        let (from, to) = (ends[0], ends[1]);
-        for (at, z) in state.iter_mut().enumerate() {
-            let (mut constant, mut slope) = (Complex::ZERO, Complex::ZERO);
-            for (push, input) in excitation.pushes.iter().zip(&inputs) {
-                let (value, change) = push.during(from);
-                constant += input[at] * value;
-                slope += input[at] * change;
+/// The motion of a system from a start under forces; exact, since between two breaks of the forces every pole has
+/// a closed form.
+#[derive(Debug, Clone)]
+pub struct Motion<'a> {
+    poles: &'a Poles,
+    /// When a force changes its law, and the state then, harmonic forces aside.
+    breaks: Vec<(f64, Vec<Complex<f64>>)>,
+    /// b of the forces and of their slopes after each break.
+    laws: Vec<Vec<[Complex<f64>; 2]>>,
+    /// b of each harmonic force, turned by its lag and turned back, and its frequency.
+    harmonics: Vec<(Vec<[Complex<f64>; 2]>, f64)>,
+}
+
+impl<'a> Motion<'a> {
+    /// Follows the forces from break to break. `momentum` is `ΦᵀM`, which gives modal coordinates.
+    pub fn new(poles: &'a Poles, momentum: &DMatrix<f64>, excitation: &Excitation) -> Self {
+        let inputs: Vec<_> = excitation.pushes.iter().map(|push| poles.input(&push.force)).collect();
+        let law = |from: f64| -> Vec<[Complex<f64>; 2]> {
+            let laws: Vec<(f64, f64)> = excitation.pushes.iter().map(|push| push.during(from)).collect();
+            let sum = |at: usize, of: fn(&(f64, f64)) -> f64| {
+                inputs.iter().zip(&laws).map(|(input, law)| input[at] * of(law)).sum::<Complex<f64>>()
+            };
+            (0..poles.roots.len()).map(|at| [sum(at, |law| law.0), sum(at, |law| law.1)]).collect()
+        };
+        let mut state = poles.state(&(momentum * &excitation.position), &(momentum * &excitation.velocity));
+        let times = breaks(excitation, f64::INFINITY);
+        let (mut reached, mut laws) = (Vec::new(), Vec::new());
+        for (at, time) in times.iter().enumerate() {
+            let here = law(*time);
+            reached.push((*time, state.clone()));
+            if let Some(next) = times.get(at + 1) {
+                state = later(poles, &state, &here, next - time);
             }
-            *z = advance(poles.roots[at], *z, constant, slope, to - from);
+            laws.push(here);
         }
+        let harmonics = excitation.harmonics.iter().map(|harmonic| {
+            let turn = Complex::from_polar(1.0, -harmonic.lag);
+            let inputs = poles.input(&harmonic.force).into_iter().map(|b| [b * turn, b * turn.conj()]);
+            (inputs.collect(), harmonic.frequency)
+        });
+        Self { poles, breaks: reached, laws, harmonics: harmonics.collect() }
     }
-    for harmonic in &excitation.harmonics {
-        let turn = Complex::from_polar(1.0, -harmonic.lag);
-        for ((z, root), input) in state.iter_mut().zip(&poles.roots).zip(poles.input(&harmonic.force)) {
-            *z += advance_harmonic(*root, input * turn, input * turn.conj(), harmonic.frequency, time);
+
+    /// The state of the poles at a time, `x = Σ s z`.
+    pub fn state(&self, time: f64) -> Vec<Complex<f64>> {
+        let last = self.breaks.iter().rposition(|(start, _)| *start <= time).unwrap_or(0);
+        let (start, state) = &self.breaks[last];
+        let mut state = later(self.poles, state, &self.laws[last], time - start);
+        for (inputs, frequency) in &self.harmonics {
+            for ((z, root), [forward, backward]) in state.iter_mut().zip(&self.poles.roots).zip(inputs) {
+                *z += advance_harmonic(*root, *forward, *backward, *frequency, time);
+            }
         }
+        state
     }
-    state
+}
+
+/// The state a time later under an unchanged law of the forces.
+fn later(poles: &Poles, state: &[Complex<f64>], law: &[[Complex<f64>; 2]], time: f64) -> Vec<Complex<f64>> {
+    let all = poles.roots.iter().zip(state).zip(law);
+    all.map(|((root, z), [constant, slope])| advance(*root, *z, *constant, *slope, time)).collect()
 }
 
 /// The displacements at a time by the Taylor series of the equations of motion, step after step: a second way,

@@ -12,6 +12,7 @@ mod free_vibration;
 mod identification;
 mod intervals;
 mod linalg;
+mod many_degrees;
 mod polynomial;
 mod real;
 mod rigid;
