@@ -215,19 +215,21 @@ impl FrequencyResponseMatrix {
         let unit = self.quantity.unit();
         for row in &self.observed {
             let at = row.coordinate;
-            // A part that is −0 would turn the phase by a whole turn.
-            let value = motion[at - 1] * self.quantity.factor(frequency) + Complex::ZERO;
+            // A part that is rounding alone is zero; one that is −0 would turn the phase by a whole turn.
+            let value = motion[at - 1] * self.quantity.factor(frequency);
+            let size = value.norm();
+            let clean = |part: f64| if part.abs() <= 1e-13 * size { 0.0 } else { part };
             let key = |name: &'static str| (name, place + 1, at);
             let symbol = |base: &'static str| dalembert_core::Symbol::from(base).row(place + 1).row(at);
             let why = Text::new(
                 "(K − ω²M + iωC) X = F at frequency {place}, coordinate {at}: the part in phase with cos ωt",
             );
             let why = why.with("place", place + 1).with("at", at);
-            let real = sheet.found(symbol("Re"), unit, value.re, (why, RAO.at("§6.15")));
+            let real = sheet.found(symbol("Re"), unit, clean(value.re), (why, RAO.at("§6.15")));
             let imaginary = sheet.found(
                 symbol("Im"),
                 unit,
-                value.im,
+                clean(value.im),
                 "The part a quarter of a turn ahead of it; lag is negative",
             );
             let size = sheet.step(symbol("X"), unit, (real.powi(2) + imaginary.powi(2)).sqrt(), "Amplitude");

@@ -43,8 +43,12 @@ pub enum Normalisation {
     First,
     /// Last entry is 1
     Last,
-    /// Modal mass is 1 kg
-    UnitMass,
+    /// Modal mass given
+    ModalMass {
+        /// Modal mass of every mode.
+        #[input("μ₀", "kg", positive, default = "1 kg")]
+        mass: f64,
+    },
 }
 
 register!(ModalAnalysis);
@@ -246,9 +250,12 @@ pub(crate) fn complex<W: Worksheet>(
                 _ => Some(x),
             })
             .unwrap_or(Complex::ONE);
-        let sizes: Vec<f64> = mode.shape.iter().map(|x| (x / lead).norm()).collect();
-        let phases: Vec<f64> =
-            mode.shape.iter().map(|x| if x.norm() > 0.0 { (x / lead).arg() } else { 0.0 }).collect();
+        // What does not move but for rounding has no phase.
+        let relative = mode.shape.iter().map(|x| x / lead);
+        let relative: Vec<Complex<f64>> =
+            relative.map(|x| if x.norm() > 1e-10 { x } else { Complex::ZERO }).collect();
+        let sizes: Vec<f64> = relative.iter().map(|x| x.norm()).collect();
+        let phases: Vec<f64> = relative.iter().map(|x| x.arg()).collect();
         sheet.answer_list(("amplitudes", place), "Amplitudes of the damped mode", "1", &sizes);
         sheet.answer_list(("phases", place), "Phases of the damped mode", "deg", &phases);
     }
@@ -289,10 +296,10 @@ impl ModalAnalysis {
                     Normalisation::Largest => Ok(largest_one(shape)),
                     Normalisation::First => over(shape[0], "first"),
                     Normalisation::Last => over(shape[shape.len() - 1], "last"),
-                    Normalisation::UnitMass => {
+                    Normalisation::ModalMass { mass } => {
                         let lead = largest_one(shape);
                         let sign = if (lead[0] * shape[0]) < 0.0 { -1.0 } else { 1.0 };
-                        Ok(shape.iter().map(|x| sign * x).collect())
+                        Ok(shape.iter().map(|x| sign * mass.sqrt() * x).collect())
                     }
                 }
             })

@@ -5,9 +5,9 @@ use dalembert_core::{
 };
 use dalembert_mechanics::vibration::{
     poles::Poles,
-    response::{Excitation, Harmonic, Piece, Push, by_series, state},
+    response::{Excitation, Harmonic, Motion, Piece, Push, by_series},
 };
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, DVector};
 
 use crate::{
     sources::RAO,
@@ -21,6 +21,8 @@ use crate::{
 
 /// Points of a curve.
 const POINTS: usize = 400;
+/// The most steps of the second way; longer motions are not followed step by step.
+const LIMIT: usize = 150;
 
 /// The system, its start, the forces on it, and what is asked for.
 #[derive(Clone, Debug, Inputs)]
@@ -181,10 +183,11 @@ impl Analysis for MultiDegreeResponse {
             )
         })?;
         let momentum = found.modes.shapes.transpose() * &system.mass;
-        self.write(&system, &damped, &excitation, &poles, &momentum, sheet)?;
+        let motion = Motion::new(&poles, &momentum, &excitation);
+        self.write(&system, &damped, &excitation, &poles, &motion, sheet)?;
         self.resonance(&found, &damped, sheet);
         sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
-        self.curves(&excitation, &poles, &momentum, duration, sheet)
+        self.curves(&poles, &motion, duration, sheet)
     }
 }
 
@@ -271,12 +274,12 @@ impl MultiDegreeResponse {
         damped: &ModalDamping,
         excitation: &Excitation,
         poles: &Poles,
-        momentum: &DMatrix<f64>,
+        motion: &Motion<'_>,
         sheet: W,
     ) -> Result<(), Refusal> {
         for (place, asked) in self.times.iter().enumerate() {
             sheet.keep_going()?;
-            let state = state(poles, momentum, excitation, asked.time);
+            let state = motion.state(asked.time);
             for row in &self.observed {
                 let at = row.coordinate;
                 let symbol = |base| Symbol::from(base).row(place + 1).row(at);
@@ -297,7 +300,7 @@ impl MultiDegreeResponse {
                     return;
                 }
                 let matrices = [&system.mass, &damped.physical, &system.stiffness];
-                let Ok(series) = by_series(matrices, excitation, asked.time, 2_000) else { return };
+                let Ok(series) = by_series(matrices, excitation, asked.time, LIMIT) else { return };
                 for row in &self.observed {
                     sheet.check_zero(
                         Text::new("displacement {at} at time {place} by Taylor series of M ẍ + C ẋ + K x = f, step by step")
@@ -335,22 +338,22 @@ impl MultiDegreeResponse {
 
     fn curves<W: Worksheet>(
         &self,
-        excitation: &Excitation,
         poles: &Poles,
-        momentum: &DMatrix<f64>,
+        motion: &Motion<'_>,
         duration: f64,
         sheet: W,
     ) -> Result<(), Refusal> {
         let grid: Vec<f64> = (0..=POINTS).map(|point| duration * point as f64 / POINTS as f64).collect();
-        let states: Vec<Vec<Complex<f64>>> =
-            grid.iter().map(|time| state(poles, momentum, excitation, *time)).collect();
+        let states: Vec<Vec<Complex<f64>>> = grid.iter().map(|time| motion.state(*time)).collect();
         for row in &self.observed {
             let at = row.coordinate - 1;
             let size = |point: usize| poles.displacement(at, &states[point]).abs();
             let best = (0..=POINTS).max_by(|&p, &q| size(p).total_cmp(&size(q))).unwrap_or(0);
             let sign = poles.displacement(at, &states[best]).signum();
-            let value = |time: f64| sign * poles.displacement(at, &state(poles, momentum, excitation, time));
-            let (time, largest) = highest(value, grid[best.saturating_sub(1)], grid[(best + 1).min(POINTS)]);
+            let rising = |time: f64| sign * poles.velocity(at, &motion.state(time)) > 0.0;
+            let ends = [grid[best.saturating_sub(1)], grid[(best + 1).min(POINTS)]];
+            let time = top(rising, ends).unwrap_or(grid[best]);
+            let largest = sign * poles.displacement(at, &motion.state(time));
             let largest = sheet.found(
                 ("x_m", row.coordinate),
                 "m",
@@ -379,7 +382,7 @@ impl MultiDegreeResponse {
             );
             for asked in &self.times {
                 let row = self.observed[0].coordinate - 1;
-                let x = poles.displacement(row, &state(poles, momentum, excitation, asked.time));
+                let x = poles.displacement(row, &motion.state(asked.time));
                 plot = plot.mark("at this time", (asked.time, x));
             }
             Exhibit::Plot(plot)
@@ -408,19 +411,20 @@ fn table(points: &[ForcePoint]) -> Result<Vec<Piece>, Refusal> {
     Ok(pieces)
 }
 
-/// The highest value between two times, around which it is smooth.
-fn highest(value: impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> (f64, f64) {
-    let golden = (5.0f64.sqrt() - 1.0) / 2.0;
+/// Where a motion that rises at the first of two times and falls at the second one turns.
+fn top(rising: impl Fn(f64) -> bool, [mut from, mut to]: [f64; 2]) -> Option<f64> {
+    if !rising(from) || rising(to) {
+        return None;
+    }
     for _ in 0..60 {
-        let (left, right) = (to - golden * (to - from), from + golden * (to - from));
-        if value(left) > value(right) {
-            to = right;
+        let middle = f64::midpoint(from, to);
+        if rising(middle) {
+            from = middle;
         } else {
-            from = left;
+            to = middle;
         }
     }
-    let middle = f64::midpoint(from, to);
-    (middle, value(middle))
+    Some(f64::midpoint(from, to))
 }
 
 fn finite(number: f64) -> Result<f64, Refusal> {

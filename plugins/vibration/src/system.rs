@@ -30,6 +30,23 @@ pub enum System {
         /// Wall on the right.
         wall: Option<Wall>,
     },
+    /// Equal masses, springs and dampers in a chain
+    Uniform {
+        /// Number of masses.
+        #[input(min = 1, max = 500)]
+        count: usize,
+        /// Mass of each.
+        #[input("m", "kg", positive)]
+        mass: f64,
+        /// Stiffness of each spring.
+        #[input("k", "N/m", positive)]
+        spring: f64,
+        /// Damping coefficient of each damper.
+        #[input("c", "N*s/m", nonnegative)]
+        damper: Option<f64>,
+        /// Ends.
+        ends: Ends,
+    },
     /// Masses on a stretched string
     String {
         /// Tension.
@@ -51,6 +68,17 @@ pub enum System {
         #[input(table)]
         entries: Vec<Entry>,
     },
+}
+
+/// How the ends of a chain of equal masses are held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Ends {
+    /// A spring to a wall at both ends
+    BothFixed,
+    /// A spring to a wall before the first mass, the last one free
+    FirstFixed,
+    /// Both ends free
+    Free,
 }
 
 /// A mass of a chain, with what holds it.
@@ -168,6 +196,24 @@ pub(crate) fn assemble<W: Worksheet>(
                 .collect();
             chain(&masses.iter().map(|mass| mass.mass).collect::<Vec<_>>(), &links, sheet)
         }
+        (System::Uniform { count, ends, .. }, SystemGiven::Uniform { mass, spring, damper, .. }) => {
+            let links: Vec<Link<W::Num>> = (0..=*count)
+                .map(|place| {
+                    let held = match ends {
+                        Ends::BothFixed => true,
+                        Ends::FirstFixed => place < *count,
+                        Ends::Free => place > 0 && place < *count,
+                    };
+                    Link {
+                        spring: held.then_some(*spring),
+                        damper: damper.filter(|_| held),
+                        ground_spring: None,
+                        ground_damper: None,
+                    }
+                })
+                .collect();
+            chain(&vec![*mass; *count], &links, sheet)
+        }
         (_, SystemGiven::String { tension, masses, last }) => {
             let lengths = masses.iter().map(|mass| mass.length).chain([*last]);
             let links: Vec<Link<W::Num>> = lengths
@@ -189,7 +235,9 @@ pub(crate) fn assemble<W: Worksheet>(
                 .collect();
             chain(&masses.iter().map(|mass| mass.mass).collect::<Vec<_>>(), &links, sheet)
         }
-        (_, SystemGiven::Matrices { .. }) => unreachable!("what is given is made from the system"),
+        (_, SystemGiven::Matrices { .. } | SystemGiven::Uniform { .. }) => {
+            unreachable!("what is given is made from the system")
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use dalembert_core::{Drawing, DrawnShape, Film, Ink, Point, Text};
 
-use super::System;
+use super::{Ends, System};
 
 /// Distance from mass to mass, and half the width of a mass.
 const STEP: f64 = 2.0;
@@ -37,6 +37,7 @@ fn size(system: &System) -> usize {
     match system {
         System::Chain { masses, .. } => masses.len(),
         System::String { masses, .. } => masses.len(),
+        System::Uniform { count, .. } => *count,
         System::Matrices { entries } => {
             entries.iter().map(|entry| entry.row.max(entry.column)).fold(0.0, f64::max) as usize
         }
@@ -54,6 +55,17 @@ fn shapes(system: &System, moved: &[f64], labels: bool) -> Vec<DrawnShape> {
             };
             let ground = |n: usize| (masses[n].ground_spring.is_some(), masses[n].ground_damper.is_some());
             chain(moved, spring, ground, labels)
+        }
+        System::Uniform { count, damper, ends, .. } if *count <= DRAWN => {
+            let link = |place: usize| {
+                let held = match ends {
+                    Ends::BothFixed => true,
+                    Ends::FirstFixed => place < *count,
+                    Ends::Free => place > 0 && place < *count,
+                };
+                (held, held && damper.is_some())
+            };
+            chain(moved, link, |_| (false, false), labels)
         }
         System::String { .. } => string(moved, labels),
         _ => string(moved, false),
