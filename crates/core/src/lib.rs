@@ -23,6 +23,7 @@ mod source;
 mod table;
 pub mod text;
 pub mod trace;
+pub mod uff;
 pub mod worksheet;
 
 pub use dalembert_derive::Inputs;

@@ -1,11 +1,12 @@
 //! Numbers in columns, as they are typed, pasted or stand in a file.
 //!
 //! One row a line; columns are separated by tabs, semicolons, blanks or commas. A first line of words is a
-//! heading and may name the units: `f [Hz]; X [mm]`. Lines that begin with `#` are skipped.
+//! heading and may name the units: `f [Hz]; X [mm]`. Lines that begin with `#` are skipped. The text of a universal
+//! file is read too: the first of its functions that fits the columns.
 
 use dalembert_units::{self as units, Kind, Style, Unit};
 
-use crate::{Field, Shape, Text, reading, record::Table};
+use crate::{Field, Shape, Text, reading, record::Table, uff};
 
 /// The longest table that is read, in bytes.
 const LONGEST_TABLE: usize = 16 << 20;
@@ -17,6 +18,9 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
     if text.len() > LONGEST_TABLE {
         let why = Text::new("this table has {have} bytes; at most {most} are read");
         return Err(vec![why.with("have", text.len()).with("most", LONGEST_TABLE)]);
+    }
+    if uff::is_universal(text.as_bytes()) {
+        return uff::text_table(text, columns).map_err(|why| vec![why]).and_then(|text| read(&text, columns));
     }
     let mut table = Table { units: columns.iter().map(own_unit).collect(), rows: Vec::new() };
     let mut faults = Vec::new();

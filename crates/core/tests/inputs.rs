@@ -237,6 +237,57 @@ fn whatever_is_typed_is_read_or_refused() {
     }
 }
 
+/// The points of a table that is typed or pasted.
+fn points_of(text: &str) -> Result<Vec<[f64; 2]>, Vec<FieldError>> {
+    let mut draft = filled();
+    draft.set(&shape(), "points", text).unwrap();
+    let machine = Machine::read_all(&Value::Group(draft.read(&shape())?))?;
+    Ok(machine.points.iter().map(|point| [point.frequency, point.amplitude]).collect())
+}
+
+#[test]
+fn a_heading_gives_each_column_its_unit() {
+    let wanted = vec![[2.0, 1.5e-3], [3.0, 2.5e-3]];
+    for text in [
+        "w [rad/s]; X [mm]\n2; 1.5\n3; 2.5",
+        "w [rad/s]\tX (mean) [mm]\n2\t1,5\n3\t2,5",
+        "w [rad/s],X [mm]\n2,1.5\n3,2.5",
+        "# a remark\n\nw (rad/(s)); X (mm)\n2; 1,5\n3; 2,5\n",
+    ] {
+        assert_eq!(points_of(text), Ok(wanted.clone()), "{text}");
+    }
+    let faults = points_of("w [rad/s]; X [kg]\n2; 1\nthree; 2\n4").unwrap_err();
+    let told: Vec<String> = faults.iter().map(|err| err.why.english()).collect();
+    assert!(told.iter().any(|why| why.contains("kg")), "{told:?}");
+    assert!(told.iter().any(|why| why.starts_with("line 3: ")), "{told:?}");
+    assert!(told.iter().any(|why| why.starts_with("line 4: ")), "{told:?}");
+}
+
+#[test]
+fn a_universal_file_that_is_pasted_is_a_table() {
+    let axis = |kind: i64, unit: &str| format!("{kind:10}    0    0    0 NONE                 {unit:<20}\n");
+    let file = |ordinate: i64, unit: &str| {
+        let dof = "    4         0    0         0       NONE         5   3       NONE         1   3\n";
+        format!(
+            "    -1\n    58\nDeflection\nNONE\nNONE\nNONE\nNONE\n{dof}{:10}{:10}{:10}  1.00000E+00  5.00000E-01  \
+             0.00000E+00\n{}{}{}{}  1.50000E+00  2.50000E+00\n    -1\n",
+            2,
+            2,
+            1,
+            axis(18, "Hz"),
+            axis(ordinate, unit),
+            axis(0, "NONE"),
+            axis(0, "NONE"),
+        )
+    };
+    let hertz = std::f64::consts::TAU;
+    assert_eq!(points_of(&file(8, "mm")), Ok(vec![[hertz, 1.5e-3], [1.5 * hertz, 2.5e-3]]));
+    // Without a unit of its own the SI is assumed.
+    assert_eq!(points_of(&file(8, "NONE")), Ok(vec![[hertz, 1.5], [1.5 * hertz, 2.5]]));
+    let why = points_of(&file(12, "m/s^2")).unwrap_err()[0].to_string();
+    assert!(why.contains("line 1: the function is in m/s^2"), "{why}");
+}
+
 #[test]
 fn an_optional_input_comes_and_goes() {
     let mut draft = filled();
