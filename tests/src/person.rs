@@ -185,6 +185,9 @@ impl Person {
                     let result = files::read(&path);
                     Msg::Opened { path, result }
                 }
+                Effect::ReadTable { field, path, columns } => {
+                    Msg::TableRead { field, result: files::read_table(&path, columns) }
+                }
                 Effect::Keep { text, .. } => {
                     self.kept = Some(text);
                     continue;

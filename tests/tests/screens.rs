@@ -584,6 +584,60 @@ fn tables_are_edited_and_pasted() {
     assert!(person.sees().contains("line 2"), "the line of the fault is named:\n{}", person.sees());
 }
 
+/// Dataset 58b: complex accelerances over even frequencies, big ends first.
+fn universal_file() -> Vec<u8> {
+    let axis = |kind: u32, unit: &str| format!("{kind:10}    0    0    0 NONE                 {unit:<20}\n");
+    let mut file = format!(
+        "    -1\n    58b     2     2          11          64     0     0           0           0\nPoint 1\nNONE\nNONE\n\
+         NONE\nNONE\n    4         0    0         0       NONE         1   3       NONE         1   3\n{:10}{:10}{:10}  \
+         1.00000E+01  2.00000E+00  0.00000E+00\n",
+        6, 4, 1,
+    )
+    .into_bytes();
+    for axis in [axis(18, "Hz"), axis(12, "m/s^2"), axis(13, "N"), axis(0, "NONE")] {
+        file.extend(axis.bytes());
+    }
+    for part in [0.5f64, 0.1, 1.5, 2.5, -2.0, 1.5, -0.5, 0.2] {
+        file.extend(part.to_be_bytes());
+    }
+    file.extend(b"    -1\n");
+    file
+}
+
+#[test]
+fn a_table_is_read_from_the_file_it_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let (good, bad) = (folder.path().join("point.uff"), folder.path().join("point.txt"));
+    std::fs::write(&good, universal_file()).unwrap();
+    std::fs::write(&bad, "no table\n").unwrap();
+    let mut person = Person::at(100, 30).opens("vibration/frequency-response-identification");
+    let path = "measurement.complex.response.accelerance-parts.points";
+    let bench = person.model.bench.as_mut().unwrap();
+    let cases = dalembert_core::cases::cases(bench.entry).unwrap();
+    let case = cases.into_iter().find(|case| case.name.contains("accelerance")).unwrap();
+    bench.form.replace(case.draft);
+    bench.form.go_to(path);
+    let text = |person: &Person| {
+        let bench = person.model.bench.as_ref().unwrap();
+        match bench.form.draft.at(&bench.entry.shape(), path) {
+            Ok((dalembert_core::Draft::Leaf(text), _)) => text.clone(),
+            other => panic!("{other:?}"),
+        }
+    };
+    person.pastes(&format!("@{}", good.display()));
+    let read = text(&person);
+    assert!(
+        read.contains("[Hz]; [(m/s^2)/(N)]; [(m/s^2)/(N)]\n10; 0.5; 0.1\n12; 1.5; 2.5\n14; -2; 1.5"),
+        "{read}"
+    );
+    // A file that is not there leaves the table as it is, and says so.
+    person.pastes(&format!("@{}", folder.path().join("nothing.uff").display()));
+    assert_eq!(text(&person), read);
+    assert!(person.sees().contains("there is no file"), "{}", person.sees());
+    person.pastes(&format!("@{}", bad.display()));
+    assert_eq!(text(&person), "no table");
+}
+
 #[test]
 fn every_word_of_the_interface_is_translated() {
     use dalembert_core::text::is_translated;

@@ -1,6 +1,6 @@
 //! The problem that the command line names: an analysis with the inputs of a case, or a file.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use dalembert_core::{Draft, Entry, FieldError, Record, Shape, Text, cases, file, find};
 use dalembert_tui::files::{self, FileError};
@@ -166,9 +166,17 @@ fn from_file(draft: &Draft, shape: &Shape, path: &str, value: &str) -> Result<Op
     let Some(name) = value.strip_prefix('@') else { return Ok(None) };
     let mut draft = draft.clone();
     // Writing first makes the rows and alternatives on the way.
-    let is_table = draft.set(shape, path, "").is_ok()
-        && draft.at(shape, path).is_ok_and(|(_, shape)| matches!(shape.present(), Shape::Table(_)));
-    if is_table { files::read(&PathBuf::from(name)).map(|opened| Some(opened.text)) } else { Ok(None) }
+    let columns = draft.set(shape, path, "").ok().and_then(|()| match draft.at(shape, path) {
+        Ok((_, shape)) => match shape.present() {
+            Shape::Table(columns) => Some(columns()),
+            _ => None,
+        },
+        Err(_) => None,
+    });
+    match columns {
+        Some(columns) => files::read_table(Path::new(name), columns).map(Some),
+        None => Ok(None),
+    }
 }
 
 /// An error with the value that was typed.

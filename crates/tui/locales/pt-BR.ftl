@@ -120,7 +120,7 @@ yes = sim
 no = não
 a-adds-a-row = a acrescenta uma linha
 a-add-d-duplicate-x-delete-j-k-move = a acrescenta, d duplica, x apaga, J K movem
-enter-edits-paste-replaces = Enter edita; colar substitui
+enter-edits-paste-replaces-file-reads-a-file = Enter edita; colar substitui; @arquivo lê um arquivo
 space-puts-it-in = Espaço inclui
 space-changes-it = Espaço alterna
 enter-opens-the-choices = Enter abre as opções
@@ -204,3 +204,6 @@ esc-leads-to-the-list-of-all-analyses = Esc leva à lista de todas as análises
 pipe = pipe
 socket = socket
 device = dispositivo
+
+## Files of tables
+file-why = { $file }: { $why }

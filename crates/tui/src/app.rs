@@ -229,6 +229,10 @@ impl World {
                     let result = files::read(&path);
                     Msg::Opened { path, result }
                 }
+                Effect::ReadTable { field, path, columns } => {
+                    let result = files::read_table(&at_home(path), columns);
+                    Msg::TableRead { field, result }
+                }
                 Effect::Keep { original, text } => {
                     self.autosave.note(original.as_deref(), text);
                     self.noted = Some(Instant::now());

@@ -21,7 +21,7 @@ use std::{
 pub use autosave::{Autosave, Crashed};
 pub use save::{Before, remove_strays, save};
 
-use dalembert_core::Text;
+use dalembert_core::{Field, Text, uff};
 
 use crate::glyphs::filter_untrusted;
 
@@ -78,6 +78,14 @@ pub enum FileError {
     /// The system has no place for a program's state.
     #[error("unsaved work is not kept against a crash: {0}; save often")]
     NoAutosave(String),
+    /// It is read, and gives no table.
+    #[error("`{}`: {}", shown(.path), .why.english())]
+    NoTable {
+        /// Its path.
+        path: PathBuf,
+        /// Why.
+        why: Text,
+    },
     /// A call to the system failed.
     #[error("could not {action} `{}`: {source}{}", shown(.path), advice(.source))]
     Failed {
@@ -128,6 +136,9 @@ impl FileError {
             FileError::NoAutosave(why) => {
                 Text::new("unsaved work is not kept against a crash: {why}; save often").with("why", why)
             }
+            FileError::NoTable { path, why } => {
+                Text::new("{file}: {why}").with("file", shown(path)).with_text("why", why.clone())
+            }
             FileError::Failed { path, source, .. } => Text::new("{file} could not be read or written: {why}")
                 .with("file", shown(path))
                 .with("why", source),
@@ -177,6 +188,26 @@ pub fn read(path: &Path) -> Result<Opened, FileError> {
     })?;
     let text = text.strip_prefix('\u{FEFF}').map(str::to_owned).unwrap_or(text);
     Ok(Opened { text, fingerprint })
+}
+
+/// Reads the text of a table from a file: of a universal file (dataset 58, in text or binary) the first function that
+/// fits the columns, of any other file its text. `measured.uff#2` is the second function of `measured.uff`.
+pub fn read_table(path: &Path, columns: &'static [Field]) -> Result<String, FileError> {
+    let (path, which) = numbered(path);
+    let bytes = read_bytes(&path)?;
+    if !uff::is_universal(&bytes) {
+        return read(&path).map(|opened| opened.text);
+    }
+    uff::table(&bytes, columns, which).map_err(|err| FileError::NoTable { path, why: err.0 })
+}
+
+/// A path with the number behind its `#`; a file whose name ends so is itself.
+fn numbered(path: &Path) -> (PathBuf, Option<usize>) {
+    let split = path.to_str().filter(|_| !path.exists()).and_then(|text| text.rsplit_once('#'));
+    match split.and_then(|(name, which)| Some((name, which.parse().ok()?))) {
+        Some((name, which)) => (PathBuf::from(name), Some(which)),
+        None => (path.to_owned(), None),
+    }
 }
 
 /// The bytes of a regular file, at most [`LARGEST`].

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use dalembert_core::{Entry, Language, Locale, Text};
+use dalembert_core::{Entry, Field, Language, Locale, Text};
 use dalembert_units::Decimal;
 use ratatui::crossterm::event::KeyEvent;
 
@@ -118,6 +118,13 @@ pub enum Msg {
         /// What it says.
         result: Result<Opened, FileError>,
     },
+    /// The file of a table was read, or not.
+    TableRead {
+        /// The field of the table.
+        field: String,
+        /// The text of the table.
+        result: Result<String, FileError>,
+    },
     /// The next frame of a film is due.
     Tick,
     /// Earlier sessions ended without saving.
@@ -146,6 +153,15 @@ pub enum Effect {
     },
     /// Read a file; [`Msg::Opened`].
     Open(PathBuf),
+    /// Read the file of a table; [`Msg::TableRead`].
+    ReadTable {
+        /// The field of the table.
+        field: String,
+        /// The file.
+        path: PathBuf,
+        /// The columns of the table.
+        columns: &'static [Field],
+    },
     /// Remember the unsaved work against a crash.
     Keep {
         /// The file it belongs to.

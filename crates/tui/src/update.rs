@@ -60,6 +60,7 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
         }
         Msg::Saved { path, text, result } => files::saved(model, &path, text, result),
         Msg::Opened { path, result } => files::opened(model, path, result),
+        Msg::TableRead { field, result } => bench::table_read(model, &field, result),
         Msg::Crashed(sessions) => {
             files::crashed(model, sessions);
             Vec::new()

@@ -1,5 +1,7 @@
 //! Keys of a problem.
 
+use std::path::PathBuf;
+
 use dalembert_core::{Draft, Shape, Text, file};
 use dalembert_units as units;
 use ratatui::{
@@ -12,6 +14,7 @@ use super::{files, request, too_long, type_in};
 use crate::{
     bench::{Bench, Focus, State, Tab},
     dialog::{Choice, Chosen, Dialog, Purpose, Sheet},
+    files::FileError,
     form::{self, Line, Role},
     glyphs::filter_untrusted,
     keys::{Action, Place},
@@ -139,7 +142,7 @@ pub(super) fn begin_by_typing(model: &mut Model, place: Place, key: KeyEvent) ->
         Some(Role::Leaf { shape: Shape::Flag, .. }) => "Space changes it",
         Some(Role::Leaf { shape: Shape::Reference(list), .. }) if !bench.form.names(list).is_empty() => OPENS,
         Some(Role::Choice { .. }) => OPENS,
-        Some(Role::Table { .. }) => "Enter edits; paste replaces",
+        Some(Role::Table { .. }) => "Enter edits; paste replaces; @file reads a file",
         Some(Role::Absent) => "Space puts it in",
         _ if bench.form.begin(Some(String::new())) => return type_in(model, &[request]),
         _ => return Vec::new(),
@@ -148,11 +151,34 @@ pub(super) fn begin_by_typing(model: &mut Model, place: Place, key: KeyEvent) ->
     Vec::new()
 }
 
+/// What reads the file that the text of a table names, as in `@measured.csv`; `None` for any other text.
+pub(super) fn file_of_table(model: &Model, field: &str, text: &str) -> Option<Effect> {
+    let name = text.trim().strip_prefix('@').filter(|name| !name.contains('\n'))?;
+    let bench = model.bench.as_ref()?;
+    let (_, shape) = bench.form.draft.at(&bench.entry.shape(), field).ok()?;
+    let Shape::Table(columns) = shape.present() else { return None };
+    Some(Effect::ReadTable { field: field.to_owned(), path: PathBuf::from(name.trim()), columns: columns() })
+}
+
+/// The file of a table takes the place of its text.
+pub(super) fn table_read(model: &mut Model, field: &str, result: Result<String, FileError>) -> Vec<Effect> {
+    match result {
+        Ok(text) => after(model, |bench| bench.form.set(field, text), ""),
+        Err(err) => {
+            model.complain(err.text());
+            Vec::new()
+        }
+    }
+}
+
 /// A text pasted on a field takes its place.
 pub(super) fn paste(model: &mut Model, text: &str) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     match bench.form.line().map(|line| (line.path, line.role)) {
         Some((path, Role::Table { .. })) => {
+            if let Some(effect) = file_of_table(model, &path, text) {
+                return vec![effect];
+            }
             let mut sheet = Sheet::new(path.clone(), "");
             sheet.insert(text);
             after(model, |bench| bench.form.set(&path, sheet.text()), "")

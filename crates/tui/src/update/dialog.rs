@@ -97,6 +97,9 @@ fn answer(model: &mut Model, answer: Answer) -> Vec<Effect> {
 pub(super) fn close(model: &mut Model) -> Vec<Effect> {
     match model.dialog.take() {
         Some(Dialog::Sheet(sheet)) => {
+            if let Some(effect) = bench::file_of_table(model, &sheet.path, &sheet.text()) {
+                return vec![effect];
+            }
             let done = model.bench.as_mut().is_some_and(|bench| bench.form.set(&sheet.path, sheet.text()));
             if done { bench::changed(model) } else { Vec::new() }
         }

@@ -162,7 +162,11 @@ fn about_field(model: &Model, bench: &Bench) -> String {
             parts.extend([label, word("a add, d duplicate, x delete, J K move", model)]);
         }
         Role::Table { .. } => {
-            parts.extend([label, say(line.field.help), word("Enter edits; paste replaces", model)]);
+            parts.extend([
+                label,
+                say(line.field.help),
+                word("Enter edits; paste replaces; @file reads a file", model),
+            ]);
         }
         Role::Absent => parts.extend([label, say(line.field.help), word("Space puts it in", model)]),
         Role::Group { .. } => parts.extend([label, say(line.field.help)]),
