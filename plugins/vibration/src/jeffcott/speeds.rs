@@ -105,10 +105,10 @@ fn ends<W: Worksheet>(
         "ω₁",
         "rpm",
         below,
-        ("Begin of the forbidden band: the whirl reaches the permitted amplitude", RAO.at("§9.5")),
+        ("Start of the forbidden band: the whirl reaches the permitted amplitude", RAO.at("§9.5")),
     );
     hold(below, lower);
-    sheet.answer("band_begin", "Begin of the forbidden band", below);
+    sheet.answer("band_begin", "Start of the forbidden band", below);
     let mut limits = vec![Text::new("the limit is reached below the critical speed, {speed}").with_quantity(
         "speed",
         natural.value(),
