@@ -7,6 +7,10 @@
 
 use crate::Real;
 
+pub mod dynamic_stiffness;
+pub mod influence;
+pub mod tapered;
+
 /// Cantilever, force at the distance `a` from the clamp: `k = 3EI/a³`; at the tip `a` is the length. What lies
 /// beyond the force bends nothing.
 #[inline]

@@ -7,6 +7,9 @@ use std::f64::consts::PI;
 
 use crate::Real;
 
+pub mod shear;
+pub mod torsion;
+
 /// Area of a round section, `A = π d²/4`.
 #[inline]
 pub fn round_area<S: Real>(diameter: S) -> S {

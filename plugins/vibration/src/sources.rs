@@ -79,6 +79,28 @@ pub(crate) static NAYFEH: Source = Source {
 pub(crate) static CLOUGH: Source = Source {
     short: "Clough & Penzien",
     full: "R. W. Clough and J. Penzien, Dynamics of Structures, 2nd ed., McGraw-Hill, 1993",
+/// R. D. Blevins, Formulas for Natural Frequency and Mode Shape.
+pub(crate) static BLEVINS: Source = Source {
+    short: "Blevins",
+    full: "R. D. Blevins, Formulas for Natural Frequency and Mode Shape, Van Nostrand Reinhold, 1979",
+};
+
+/// G. R. Cowper, The shear coefficient in Timoshenko's beam theory.
+pub(crate) static COWPER: Source = Source {
+    short: "Cowper",
+    full: "G. R. Cowper, The shear coefficient in Timoshenko's beam theory, J. Appl. Mech. 33 (1966), pp. 335–340",
+};
+
+/// S. Timoshenko, Vibration Problems in Engineering.
+pub(crate) static TIMOSHENKO: Source = Source {
+    short: "Timoshenko",
+    full: "S. Timoshenko, Vibration Problems in Engineering, 3rd ed., Van Nostrand, 1955",
+};
+
+/// W. H. Wittrick and F. W. Williams, A general algorithm for computing natural frequencies of elastic structures.
+pub(crate) static WITTRICK: Source = Source {
+    short: "Wittrick & Williams",
+    full: "W. H. Wittrick and F. W. Williams, A general algorithm for computing natural frequencies of elastic structures, Q. J. Mech. Appl. Math. 24 (1971), pp. 263–284",
 };
 
 /// A. K. Chopra, Dynamics of Structures.

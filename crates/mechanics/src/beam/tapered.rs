@@ -1,0 +1,352 @@
+//! Bending vibration of a beam whose width and depth change linearly along it, by Rayleigh and Ritz.
+//!
+//! In units of the left end: lengths over the length `L`, `A(ξ) = b h` and `I(ξ) = b h³` with `b` and `h` one at the
+//! left end; then `λ = ρ A₀ ω² L⁴/(E I₀) = β⁴`. A round section is `b = h`. Euler–Bernoulli.
+//!
+//! The shapes are polynomials that satisfy what the supports ask of the deflection; with each term more the `λ` fall
+//! towards the exact ones, never below (Rao, *Mechanical Vibrations*, 5th ed., §8.8).
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::{
+    linalg::{self, LinalgError},
+    vibration::gauss,
+};
+
+/// A tapered beam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tapered {
+    /// Width at the right end over that at the left, zero or more.
+    pub width: f64,
+    /// Depth at the right end over that at the left, zero or more.
+    pub depth: f64,
+    /// Supports of the two ends; an end without depth or width is free.
+    pub supports: [Support; 2],
+}
+
+/// What holds an end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Support {
+    /// Nothing.
+    Free,
+    /// The deflection is held.
+    Pinned,
+    /// Deflection and rotation are held.
+    Clamped,
+}
+
+/// A shape: `ξ^a (1 − ξ)^b Σ c_j P_j(2ξ − 1)`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    powers: [i32; 2],
+    coefficients: Vec<f64>,
+}
+
+/// `λ` and shapes with a number of terms.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ritz {
+    /// The lowest `λ` above zero, ascending.
+    pub lambdas: Vec<f64>,
+    /// Their shapes, largest deflection one.
+    pub shapes: Vec<Shape>,
+}
+
+impl Support {
+    fn power(self) -> i32 {
+        match self {
+            Support::Free => 0,
+            Support::Pinned => 1,
+            Support::Clamped => 2,
+        }
+    }
+}
+
+impl Tapered {
+    fn width_at(&self, xi: f64) -> f64 {
+        1.0 + (self.width - 1.0) * xi
+    }
+
+    fn depth_at(&self, xi: f64) -> f64 {
+        1.0 + (self.depth - 1.0) * xi
+    }
+
+    /// Area over that of the left end.
+    pub fn area(&self, xi: f64) -> f64 {
+        self.width_at(xi) * self.depth_at(xi)
+    }
+
+    /// Second moment over that of the left end.
+    pub fn second_moment(&self, xi: f64) -> f64 {
+        self.width_at(xi) * self.depth_at(xi).powi(3)
+    }
+
+    /// Motions of the beam as a whole that nothing holds.
+    pub fn rigid_motions(&self) -> usize {
+        match self.supports {
+            [Support::Free, Support::Free] => 2,
+            [Support::Pinned, Support::Free] | [Support::Free, Support::Pinned] => 1,
+            _ => 0,
+        }
+    }
+
+    /// The first `count` frequencies and shapes with so many terms; `terms` is at least `count` and the motions as a
+    /// whole together.
+    ///
+    /// # Errors
+    /// Those of the eigenproblem.
+    pub fn ritz(&self, terms: usize, count: usize) -> Result<Ritz, LinalgError> {
+        let powers = self.supports.map(Support::power);
+        let mut stiffness = DMatrix::zeros(terms, terms);
+        let mut mass = DMatrix::zeros(terms, terms);
+        // Exact for products of second derivatives, second moment included.
+        for (xi, weight) in gauss::legendre(terms + 6) {
+            let basis = basis(powers, terms, xi);
+            let (bending, inertia) = (weight * self.second_moment(xi), weight * self.area(xi));
+            for i in 0..terms {
+                for j in 0..=i {
+                    stiffness[(i, j)] += bending * basis[i][2] * basis[j][2];
+                    mass[(i, j)] += inertia * basis[i][0] * basis[j][0];
+                }
+            }
+        }
+        stiffness.fill_upper_triangle_with_lower_triangle();
+        mass.fill_upper_triangle_with_lower_triangle();
+        // The largest 1/(λ + σ) instead of the smallest λ: rounding is then small beside the low ones. A beam that can
+        // move as a whole needs the σ.
+        let shift = if self.rigid_motions() == 0 { 0.0 } else { 1.0 };
+        let (values, vectors) = generalised(&mass, &(&stiffness + &mass * shift))?;
+        let chosen = self.rigid_motions()..(self.rigid_motions() + count).min(terms);
+        let shapes = chosen.clone().map(|n| {
+            let coefficients: Vec<f64> = vectors.column(terms - 1 - n).iter().copied().collect();
+            Shape { powers, coefficients }.scaled()
+        });
+        let lambdas = chosen.clone().map(|n| 1.0 / values[terms - 1 - n] - shift);
+        Ok(Ritz { lambdas: lambdas.collect(), shapes: shapes.collect() })
+    }
+
+    /// Rayleigh's quotient with the bending moments that hold the inertia forces of a shape in balance, in place of
+    /// those of its curvature (R. Grammel): it needs no derivative of the shape and is a second way to its `λ`.
+    ///
+    /// # Errors
+    /// Those of the least squares for what the supports leave open.
+    pub fn moment_quotient(&self, shape: &Shape) -> Result<f64, LinalgError> {
+        let points = gauss::legendre(2 * shape.coefficients.len() + 10);
+        let inner = gauss::legendre(shape.coefficients.len() / 2 + 5);
+        let inertia: Vec<f64> =
+            points.iter().map(|(xi, weight)| weight * self.area(*xi) * shape.deflection(*xi)).collect();
+        // The moment that the part to the right of ξ leaves, nothing else holding it.
+        let hanging = |xi: f64| {
+            let rest = 1.0 - xi;
+            let part = |&(t, weight): &(f64, f64)| {
+                let s = xi + rest * t;
+                rest * weight * (s - xi) * self.area(s) * shape.deflection(s)
+            };
+            inner.iter().map(part).sum::<f64>()
+        };
+        let moments: Vec<f64> = points.iter().map(|(xi, _)| hanging(*xi)).collect();
+        // Reactions at the right end add c₀ + c₁(1 − ξ); statics at the left end may fix them.
+        let (whole, force) = (hanging(0.0), -inertia.iter().sum::<f64>());
+        let (fixed, free): ([f64; 2], Vec<[f64; 2]>) = match self.supports {
+            [_, Support::Free] => ([0.0, 0.0], vec![]),
+            [Support::Free, _] => ([-whole - force, force], vec![]),
+            [Support::Pinned, Support::Pinned] => ([0.0, -whole], vec![]),
+            [Support::Pinned, Support::Clamped] => ([-whole, 0.0], vec![[1.0, -1.0]]),
+            [Support::Clamped, Support::Pinned] => ([0.0, 0.0], vec![[0.0, 1.0]]),
+            [Support::Clamped, Support::Clamped] => ([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]]),
+        };
+        let along = |c: [f64; 2], xi: f64| c[0] + c[1] * (1.0 - xi);
+        let known: Vec<f64> =
+            moments.iter().zip(&points).map(|(moment, (xi, _))| moment + along(fixed, *xi)).collect();
+        let size = |(xi, weight): (f64, f64)| (weight / self.second_moment(xi)).sqrt();
+        let right = DVector::from_fn(points.len(), |n, _| known[n] * size(points[n]));
+        let residual = if free.is_empty() {
+            right
+        } else {
+            let matrix = DMatrix::from_fn(points.len(), free.len(), |n, k| {
+                -along(free[k], points[n].0) * size(points[n])
+            });
+            let open = linalg::least_squares(&matrix, &right)?.x;
+            &right - matrix * open
+        };
+        let kinetic: f64 =
+            inertia.iter().zip(&points).map(|(force, (xi, _))| force * shape.deflection(*xi)).sum();
+        Ok(kinetic / residual.norm_squared())
+    }
+}
+
+impl Shape {
+    /// Deflection at `ξ`, 0 to 1.
+    pub fn deflection(&self, xi: f64) -> f64 {
+        let x = 2.0 * xi - 1.0;
+        let (mut before, mut here, mut sum) = (0.0, 1.0, 0.0);
+        for (j, c) in self.coefficients.iter().enumerate() {
+            let odd = 2.0 * j as f64 + 1.0;
+            sum += c * odd.sqrt() * here;
+            (before, here) = (here, (odd * x * here - j as f64 * before) / (j as f64 + 1.0));
+        }
+        xi.powi(self.powers[0]) * (1.0 - xi).powi(self.powers[1]) * sum
+    }
+
+    /// Points between the ends that stay at rest, ascending.
+    pub fn nodes(&self) -> Vec<f64> {
+        let parts = 20 * self.coefficients.len();
+        let at = |n: usize| n as f64 / parts as f64;
+        let samples: Vec<(f64, f64)> =
+            (1..parts).map(|n| (at(n), self.deflection(at(n)))).filter(|(_, w)| w.abs() > 1e-9).collect();
+        let between = samples.windows(2).filter(|pair| (pair[0].1 > 0.0) != (pair[1].1 > 0.0));
+        between
+            .map(|pair| {
+                let (mut low, mut high) = (pair[0].0, pair[1].0);
+                for _ in 0..55 {
+                    let middle = 0.5 * (low + high);
+                    if (self.deflection(middle) > 0.0) == (pair[0].1 > 0.0) {
+                        low = middle
+                    } else {
+                        high = middle
+                    }
+                }
+                0.5 * (low + high)
+            })
+            .collect()
+    }
+
+    fn scaled(mut self) -> Self {
+        let crest = (0..=400u16)
+            .map(|n| self.deflection(f64::from(n) / 400.0))
+            .fold(0.0f64, |a, b| if b.abs() > a.abs() { b } else { a });
+        self.coefficients.iter_mut().for_each(|c| *c /= crest);
+        self
+    }
+}
+
+/// Value, first and second derivative of `ξ^a (1 − ξ)^b P_j(2ξ − 1)`, `j` from 0.
+fn basis(powers: [i32; 2], terms: usize, xi: f64) -> Vec<[f64; 3]> {
+    let power = |x: f64, n: i32| if n < 0 { 0.0 } else { x.powi(n) };
+    let [a, b] = powers;
+    let (fa, fb) = (f64::from(a), f64::from(b));
+    let left = [power(xi, a), fa * power(xi, a - 1), fa * (fa - 1.0) * power(xi, a - 2)];
+    let rest = 1.0 - xi;
+    let right = [power(rest, b), -fb * power(rest, b - 1), fb * (fb - 1.0) * power(rest, b - 2)];
+    let product = |f: [f64; 3], g: [f64; 3]| {
+        [f[0] * g[0], f[1] * g[0] + f[0] * g[1], f[2] * g[0] + 2.0 * f[1] * g[1] + f[0] * g[2]]
+    };
+    let ends = product(left, right);
+    // Legendre polynomials of x = 2ξ − 1 and their derivatives by ξ.
+    let x = [2.0 * xi - 1.0, 2.0, 0.0];
+    let (mut before, mut here) = ([0.0; 3], [1.0, 0.0, 0.0]);
+    (0..terms)
+        .map(|j| {
+            // Of unit norm over the length, so that the matrices are of even size.
+            let norm = (2.0 * j as f64 + 1.0).sqrt();
+            let value = product(ends, here).map(|v| norm * v);
+            let j = j as f64;
+            let up = product(x, here);
+            let next = [0, 1, 2].map(|k| ((2.0 * j + 1.0) * up[k] - j * before[k]) / (j + 1.0));
+            (before, here) = (here, next);
+            value
+        })
+        .collect()
+}
+
+/// Eigenvalues, ascending, and vectors of `A c = μ B c` with `B` positive definite, by its Cholesky factor.
+fn generalised(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Result<(DVector<f64>, DMatrix<f64>), LinalgError> {
+    let size = b.nrows();
+    let mut lower = DMatrix::zeros(size, size);
+    for i in 0..size {
+        for j in 0..=i {
+            let known: f64 = (0..j).map(|k| lower[(i, k)] * lower[(j, k)]).sum();
+            let rest: f64 = b[(i, j)] - known;
+            lower[(i, j)] = if i == j { rest.sqrt() } else { rest / lower[(j, j)] };
+        }
+    }
+    if !lower.iter().all(|x: &f64| x.is_finite()) {
+        return Err(LinalgError::NotFinite);
+    }
+    let solve = |right: &DMatrix<f64>| lower.solve_lower_triangular(right).ok_or(LinalgError::NotConverged);
+    let half = solve(a)?;
+    let whole = solve(&half.transpose())?;
+    let symmetric = (&whole + whole.transpose()) / 2.0;
+    let eigen = linalg::symmetric_eigen(&symmetric)?;
+    let vectors =
+        lower.transpose().solve_upper_triangular(&eigen.vectors).ok_or(LinalgError::NotConverged)?;
+    Ok((eigen.values, vectors))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::beam::dynamic_stiffness::{Beam, Station};
+
+    const ALL: [Support; 3] = [Support::Free, Support::Pinned, Support::Clamped];
+
+    #[test]
+    fn without_a_taper_it_is_the_uniform_beam() {
+        for left in ALL {
+            for right in ALL {
+                let tapered = Tapered { width: 1.0, depth: 1.0, supports: [left, right] };
+                let station = |at: f64, support: Support| Station {
+                    at,
+                    held: support != Support::Free,
+                    clamped: support == Support::Clamped,
+                    ..Station::default()
+                };
+                let stations = vec![station(0.0, left), station(1.0, right)];
+                let exact = Beam { shear: 0.0, rotary: 0.0, axial: 0.0, foundation: 0.0, stations };
+                let ritz = tapered.ritz(18, 4).unwrap();
+                for ((root, lambda), shape) in
+                    exact.roots(4).unwrap().into_iter().zip(&ritz.lambdas).zip(&ritz.shapes)
+                {
+                    assert!((lambda / root.powi(4) - 1.0).abs() < 1e-9, "{lambda} {}", root.powi(4));
+                    let quotient = tapered.moment_quotient(shape).unwrap();
+                    assert!((lambda / quotient - 1.0).abs() < 1e-9, "{left:?} {right:?} {lambda} {quotient}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn pointed_cantilevers_by_their_bessel_functions() {
+        // Kirchhoff's wedge and cone (Timoshenko, Vibration Problems, art. on beams of variable section):
+        // √λ = 5.315 and 8.719.
+        let cantilever = [Support::Clamped, Support::Free];
+        for (width, expected) in [(1.0, 5.3151), (0.0, 8.7193)] {
+            let pointed = Tapered { width, depth: 0.0, supports: cantilever };
+            let ritz = pointed.ritz(16, 3).unwrap();
+            assert!((ritz.lambdas[0].sqrt() / expected - 1.0).abs() < 2e-5, "{}", ritz.lambdas[0].sqrt());
+            for (lambda, shape) in ritz.lambdas.iter().zip(&ritz.shapes) {
+                let quotient = pointed.moment_quotient(shape).unwrap();
+                assert!((lambda / quotient - 1.0).abs() < 1e-9, "{lambda} {quotient}");
+            }
+        }
+    }
+
+    /// From above by the curvature of the shapes, from below by the moments of their inertia forces.
+    #[test]
+    fn a_strong_taper_is_enclosed() {
+        let beam = Tapered { width: 5.0, depth: 4.0, supports: [Support::Free, Support::Clamped] };
+        let mut before = [0.0; 5];
+        for terms in [12, 16, 20, 24] {
+            let ritz = beam.ritz(terms, 5).unwrap();
+            for ((lambda, shape), before) in ritz.lambdas.iter().zip(&ritz.shapes).zip(&mut before) {
+                *before = beam.moment_quotient(shape).unwrap() / lambda - 1.0;
+                assert!(*before < 1e-12, "{before}");
+            }
+        }
+        assert!(before.iter().all(|gap| gap.abs() < 1e-12), "{before:?}");
+    }
+
+    #[test]
+    fn more_terms_never_raise_a_frequency() {
+        for supports in [[Support::Clamped, Support::Free], [Support::Pinned, Support::Clamped]] {
+            let beam = Tapered { width: 0.2, depth: 0.25, supports };
+            let mut before = vec![f64::INFINITY; 5];
+            for terms in 6..22 {
+                let ritz = beam.ritz(terms, 5).unwrap();
+                for (before, now) in before.iter_mut().zip(ritz.lambdas) {
+                    assert!(now <= *before * (1.0 + 1e-10));
+                    *before = now;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Point masses on an elastic body without mass, by its influence coefficients `a_ij` (m/N): `x = ω² a m x`.
+
+use nalgebra::DMatrix;
+
+use crate::linalg::{self, LinalgError};
+
+/// One round of matrix iteration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Round {
+    /// Frequency by Rayleigh's quotient of the deflections before and after, rad/s.
+    pub frequency: f64,
+    /// Deflections after the round, the largest one.
+    pub shape: Vec<f64>,
+}
+
+/// The lowest frequency, rad/s, by the eigenvalues of `√m a √m`.
+///
+/// # Errors
+/// Those of [`linalg::symmetric_eigen`]; `NotFinite` where no mass can move.
+pub fn lowest_frequency(influence: &[Vec<f64>], masses: &[f64]) -> Result<f64, LinalgError> {
+    let count = masses.len();
+    let matrix = DMatrix::from_fn(count, count, |i, j| masses[i].sqrt() * influence[i][j] * masses[j].sqrt());
+    let eigen = linalg::symmetric_eigen(&matrix)?;
+    let frequency = eigen.values.max().sqrt().recip();
+    if frequency.is_finite() && frequency > 0.0 { Ok(frequency) } else { Err(LinalgError::NotFinite) }
+}
+
+/// Matrix iteration (Stodola) from equal deflections: at most so many rounds, fewer where it no longer changes.
+///
+/// S. S. Rao, *Mechanical Vibrations*, 5th ed., §7.5.
+pub fn matrix_iteration(influence: &[Vec<f64>], masses: &[f64], rounds: usize) -> Vec<Round> {
+    let mut shape = vec![1.0; masses.len()];
+    let mut found: Vec<Round> = Vec::new();
+    for _ in 0..rounds {
+        let deflection =
+            |row: &Vec<f64>| -> f64 { row.iter().zip(masses).zip(&shape).map(|((a, m), x)| a * m * x).sum() };
+        let next: Vec<f64> = influence.iter().map(deflection).collect();
+        let product =
+            |a: &[f64], b: &[f64]| -> f64 { masses.iter().zip(a).zip(b).map(|((m, a), b)| m * a * b).sum() };
+        let frequency = (product(&shape, &next) / product(&next, &next)).sqrt();
+        let largest = next.iter().fold(0.0f64, |a, b| if b.abs() > a.abs() { *b } else { a });
+        shape = next.iter().map(|x| x / largest).collect();
+        if !(frequency.is_finite() && shape.iter().all(|x| x.is_finite())) {
+            break;
+        }
+        let settled =
+            found.last().is_some_and(|last| (frequency - last.frequency).abs() <= 1e-15 * frequency);
+        found.push(Round { frequency, shape: shape.clone() });
+        if settled {
+            break;
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::beam::influence;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(60))]
+
+        /// Discs on a simply supported shaft: Dunkerley ≤ exact ≤ Rayleigh.
+        #[test]
+        fn bounds_hold(discs in prop::collection::vec((0.05..0.95f64, 0.1..10.0f64), 1..6)) {
+            let masses: Vec<f64> = discs.iter().map(|disc| disc.1).collect();
+            let coefficient = |x: f64, a: f64| influence::simply_supported(1.0, 1.0, x.min(a), x.max(a));
+            let rows: Vec<Vec<f64>> =
+                discs.iter().map(|(x, _)| discs.iter().map(|(a, _)| coefficient(*x, *a)).collect()).collect();
+            let exact = lowest_frequency(&rows, &masses).unwrap();
+            let dunkerley = (0..masses.len()).map(|n| rows[n][n] * masses[n]).sum::<f64>().sqrt().recip();
+            let rounds = matrix_iteration(&rows, &masses, 2000);
+            prop_assert!(dunkerley <= exact * (1.0 + 1e-12));
+            // Every round is a quotient of Rayleigh's, and comes nearer.
+            let mut before = f64::INFINITY;
+            for round in &rounds {
+                prop_assert!(round.frequency >= exact * (1.0 - 1e-12) && round.frequency <= before * (1.0 + 1e-12));
+                before = round.frequency;
+            }
+            prop_assert!((before / exact - 1.0).abs() < 1e-10);
+        }
+    }
+}

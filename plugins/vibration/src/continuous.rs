@@ -1,0 +1,231 @@
+//! What continuous bodies have in common: material, section, mass for each length, and pictures of their shapes.
+
+use dalembert_core::{Axis, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet};
+use dalembert_mechanics::{Real, section};
+
+use crate::sources::{BEER, COWPER};
+
+/// Shear modulus of a material.
+#[derive(Clone, Debug, Inputs)]
+pub enum ShearModulus {
+    /// Shear modulus given
+    Given {
+        /// Shear modulus.
+        #[input("G", "Pa", positive)]
+        shear: f64,
+    },
+    /// From Young's modulus and Poisson's ratio
+    Isotropic {
+        /// Young's modulus.
+        #[input("E", "Pa", positive)]
+        young: f64,
+        /// Poisson's ratio.
+        #[input("ν", "1", min = 0, max = 0.5)]
+        poisson: f64,
+    },
+}
+
+/// Mass of each length of a body.
+#[derive(Clone, Debug, Inputs)]
+pub enum LineMass {
+    /// Density given
+    Density {
+        /// Density.
+        #[input("ρ", "kg/m^3", positive)]
+        density: f64,
+    },
+    /// Mass of each length given
+    PerLength {
+        /// Mass of each length.
+        #[input("m̄", "kg/m", positive)]
+        mass: f64,
+    },
+    /// Weight of each length given
+    Weight {
+        /// Weight of each length.
+        #[input("w", "N/m", positive)]
+        weight: f64,
+        /// Gravity.
+        #[input("g", "m/s^2", positive, default = "9.80665 m/s^2")]
+        gravity: f64,
+    },
+}
+
+/// The cross-section of a beam that has mass.
+#[derive(Clone, Debug, Inputs)]
+pub enum Profile {
+    /// Area and second moment given
+    Given {
+        /// Area of the section.
+        #[input("A", "m^2", positive)]
+        area: f64,
+        /// Second moment of area.
+        #[input("I", "m^4", positive)]
+        second_moment: f64,
+    },
+    /// Round
+    Round {
+        /// Diameter.
+        #[input("d", "m", positive)]
+        diameter: f64,
+    },
+    /// Tube
+    Tube {
+        /// Outer diameter.
+        #[input("D", "m", positive)]
+        outer: f64,
+        /// Inner diameter.
+        #[input("d", "m", positive)]
+        inner: f64,
+    },
+    /// Rectangle
+    Rectangle {
+        /// Breadth.
+        /// Across the plane of bending.
+        #[input("b", "m", positive)]
+        breadth: f64,
+        /// Height.
+        /// In the plane of bending.
+        #[input("h", "m", positive)]
+        height: f64,
+    },
+}
+
+/// The shear modulus, Pa.
+pub(crate) fn shear_modulus<W: Worksheet>(given: &ShearModulusGiven<W>, sheet: W) -> W::Num {
+    match given {
+        ShearModulusGiven::Given { shear } => *shear,
+        ShearModulusGiven::Isotropic { young, poisson } => {
+            let modulus = *young / ((*poisson + 1.0) * 2.0);
+            sheet.step("G", "GPa", modulus, ("Shear modulus of an isotropic material", BEER.at("§2.14")))
+        }
+    }
+}
+
+/// The mass of each length, kg/m, of a body with that area.
+pub(crate) fn line_mass<W: Worksheet>(given: &LineMassGiven<W>, area: W::Num, sheet: W) -> W::Num {
+    match given {
+        LineMassGiven::Density { density } => {
+            sheet.step("m̄", "kg/m", *density * area, "Mass of each length: density times area")
+        }
+        LineMassGiven::PerLength { mass } => *mass,
+        LineMassGiven::Weight { weight, gravity } => {
+            sheet.step("m̄", "kg/m", *weight / *gravity, "Mass of each length: weight over gravity")
+        }
+    }
+}
+
+/// Area, m², and second moment of area, m⁴, of a section.
+///
+/// # Errors
+/// A tube whose inner diameter is not below the outer one.
+pub(crate) fn profile<W: Worksheet>(given: &ProfileGiven<W>, sheet: W) -> Result<(W::Num, W::Num), Refusal> {
+    let (area, second_moment) = match given {
+        ProfileGiven::Given { area, second_moment } => return Ok((*area, *second_moment)),
+        ProfileGiven::Round { diameter } => {
+            (section::round_area(*diameter), section::round_second_moment(*diameter))
+        }
+        ProfileGiven::Tube { outer, inner } => {
+            wall(outer.value(), inner.value())?;
+            (section::tube_area(*outer, *inner), section::tube_second_moment(*outer, *inner))
+        }
+        ProfileGiven::Rectangle { breadth, height } => {
+            (section::rectangle_area(*breadth, *height), section::rectangle_second_moment(*breadth, *height))
+        }
+    };
+    let area = sheet.step("A", "cm^2", area, ("Area of the section", BEER.at("app. A")));
+    let second_moment = sheet.step("I", "cm^4", second_moment, ("Second moment of area", BEER.at("app. A")));
+    Ok((area, second_moment))
+}
+
+/// Refuses a tube without a wall.
+pub(crate) fn wall(outer: f64, inner: f64) -> Result<(), Refusal> {
+    if inner < outer {
+        return Ok(());
+    }
+    Err(Refusal::because(
+        "the inner diameter of the tube is not below the outer one: write the larger one as the outer",
+    ))
+}
+
+/// Cowper's shear coefficient of a section; `None` for one that is not known by its shape.
+pub(crate) fn shear_coefficient<W: Worksheet>(
+    given: &ProfileGiven<W>,
+    poisson: W::Num,
+    sheet: W,
+) -> Option<W::Num> {
+    let coefficient = match given {
+        ProfileGiven::Given { .. } => return None,
+        ProfileGiven::Round { .. } => section::shear::round(poisson),
+        ProfileGiven::Tube { outer, inner } => {
+            let ratio = sheet.step("m", "1", *inner / *outer, "Ratio of the diameters");
+            section::shear::tube(poisson, ratio)
+        }
+        ProfileGiven::Rectangle { .. } => section::shear::rectangle(poisson),
+    };
+    Some(sheet.step("κ", "1", coefficient, ("Shear coefficient of the section", COWPER.at("pp. 335–340"))))
+}
+
+/// A shape for pictures: points from 0 to the length, deflections at most one.
+pub(crate) struct Sampled {
+    /// Number of the shape, counted from 1.
+    pub(crate) number: usize,
+    /// Its points: place in m, deflection.
+    pub(crate) points: Vec<(f64, f64)>,
+}
+
+impl Sampled {
+    /// A shape at equal steps.
+    pub(crate) fn new(number: usize, length: f64, deflection: impl Fn(f64) -> f64) -> Self {
+        let parts = 24 + 12 * number;
+        let xi = |n: usize| n as f64 / parts as f64;
+        Sampled { number, points: (0..=parts).map(|n| (xi(n) * length, deflection(xi(n)))).collect() }
+    }
+}
+
+/// The shapes over the length.
+pub(crate) fn shapes_plot(shapes: &[Sampled]) -> Exhibit {
+    let line =
+        |shape: &Sampled| Series::line(Text::new("mode {n}").with("n", shape.number), shape.points.clone());
+    Exhibit::Plot(
+        Plot::new(
+            "Mode shapes",
+            Axis::linear("distance from the left end", "m"),
+            Axis::linear("deflection over the largest", "1"),
+            shapes.iter().take(5).map(line).collect(),
+        )
+        .level("at rest", 0.0),
+    )
+}
+
+/// The first shapes one above the other, in motion; `ends` draws what holds a body with its left end at a point and
+/// its right end at another.
+pub(crate) fn shapes_film(
+    shapes: &[Sampled],
+    length: f64,
+    ends: impl Fn(f64, f64) -> Vec<DrawnShape>,
+) -> Exhibit {
+    const FRAMES: u16 = 24;
+    let shown = shapes.len().min(4);
+    let width = 6.0;
+    let frame = |n: u16| {
+        let phase = (std::f64::consts::TAU * f64::from(n) / f64::from(FRAMES)).cos();
+        let row = |(at, shape): (usize, &Sampled)| {
+            let y = 2.0 * (shown - 1 - at) as f64;
+            let point = |(x, w): &(f64, f64)| (x / length * width, y + 0.7 * w * phase);
+            let mut parts = vec![
+                DrawnShape::Polyline(vec![(0.0, y), (width, y)], Ink::Faint),
+                DrawnShape::Polyline(shape.points.iter().map(point).collect(), Ink::Motion),
+                DrawnShape::Label((width + 0.4, y), Text::new("mode {n}").with("n", shape.number)),
+            ];
+            parts.extend(ends(width, y));
+            parts
+        };
+        shapes.iter().take(shown).enumerate().flat_map(row).collect()
+    };
+    Exhibit::Film(Film {
+        title: "Mode shapes in motion".into(),
+        frames: (0..FRAMES).map(frame).collect(),
+        period: 2.0,
+    })
+}
