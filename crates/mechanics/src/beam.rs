@@ -10,6 +10,7 @@ use crate::Real;
 pub mod dynamic_stiffness;
 pub mod influence;
 pub mod tapered;
+pub mod tip_body;
 
 /// Cantilever, force at the distance `a` from the clamp: `k = 3EI/a³`; at the tip `a` is the length. What lies
 /// beyond the force bends nothing.

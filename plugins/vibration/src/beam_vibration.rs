@@ -217,7 +217,8 @@ impl Analysis for BeamVibration {
                     );
                 }
                 sheet.check(
-                    Text::new("shape {n}: its strain energy over its kinetic energy gives the root back").with("n", n),
+                    Text::new("shape {n}: its strain energy over its kinetic energy gives the root back")
+                        .with("n", n),
                     W::Num::from(shape.rayleigh_quotient()),
                     beta.powi(4),
                 );
@@ -382,7 +383,9 @@ impl BeamVibration {
             }
             (Support::Pinned, Support::Pinned) | (Support::Guided, Support::Guided) => "Root of sin β = 0",
             (Support::Pinned, Support::Guided) | (Support::Guided, Support::Pinned) => "Root of cos β = 0",
-            (Support::Guided, _) | (_, Support::Guided) => "Root of tan β = −tanh β, the equation of a guided end",
+            (Support::Guided, _) | (_, Support::Guided) => {
+                "Root of tan β = −tanh β, the equation of a guided end"
+            }
             _ => "Root of tan β = tanh β, the equation of a pinned end",
         };
         (Text::new(text), true)

@@ -97,7 +97,7 @@ pub(crate) fn shear_modulus<W: Worksheet>(given: &ShearModulusGiven<W>, sheet: W
         ShearModulusGiven::Given { shear } => *shear,
         ShearModulusGiven::Isotropic { young, poisson } => {
             let modulus = *young / ((*poisson + 1.0) * 2.0);
-            sheet.step("G", "GPa", modulus, ("Shear modulus of an isotropic material", BEER.at("§2.14")))
+            sheet.step("G", "GPa", modulus, ("Shear modulus of an isotropic material", BEER.at("ch. 2")))
         }
     }
 }

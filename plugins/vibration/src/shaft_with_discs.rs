@@ -404,7 +404,7 @@ impl<W: Worksheet> Shaft<'_, W> {
             lowest,
             (
                 "Exact: 1/ω² is the largest eigenvalue of the influence coefficients times the masses",
-                RAO.at("§6.7"),
+                RAO.at("§6.4"),
             ),
         );
         let last = lumped::matrix_iteration(&rows, &masses, 5000).pop();

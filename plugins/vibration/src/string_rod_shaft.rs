@@ -286,7 +286,8 @@ impl Analysis for StringRodShaft {
             let frequency = sheet.step(("f", n), "Hz", omega, "In cycles for each second");
             sheet.verify(|| {
                 sheet.check(
-                    Text::new("shape {n}: its strain energy over its kinetic energy gives the root back").with("n", n),
+                    Text::new("shape {n}: its strain energy over its kinetic energy gives the root back")
+                        .with("n", n),
                     W::Num::from(shape.rayleigh_quotient(ends)),
                     beta.powi(2),
                 );
@@ -511,7 +512,7 @@ fn torsion_section<W: Worksheet>(
                 "J",
                 "cm^4",
                 constant,
-                ("Torsion constant of a rectangle, by Saint-Venant's series", BEER.at("§3.10")),
+                ("Torsion constant of a rectangle, by Saint-Venant's series", BEER.at("ch. 3")),
             );
             let polar = a * b * (a.powi(2) + b.powi(2)) / 12.0;
             let polar = sheet.step("I_p", "cm^4", polar, ("Polar second moment of area", BEER.at("app. A")));

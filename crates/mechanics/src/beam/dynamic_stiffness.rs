@@ -577,7 +577,8 @@ impl Banded {
             }
         }
         for row in (0..size).rev() {
-            let known: f64 = (1..7).filter(|k| row + k < size).map(|k| self.rows[row][3 + k] * x[row + k]).sum();
+            let known: f64 =
+                (1..7).filter(|k| row + k < size).map(|k| self.rows[row][3 + k] * x[row + k]).sum();
             x[row] = (x[row] - known) / self.rows[row][3];
         }
     }

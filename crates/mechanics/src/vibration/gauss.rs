@@ -54,7 +54,8 @@ mod tests {
             assert!((integral * f64::from(power + 1) - 1.0).abs() < 1e-14, "{power}: {integral}");
         }
         for power in 0..64 {
-            let integral: f64 = super::legendre(32).into_iter().map(|(xi, weight)| weight * xi.powi(power)).sum();
+            let integral: f64 =
+                super::legendre(32).into_iter().map(|(xi, weight)| weight * xi.powi(power)).sum();
             assert!((integral * f64::from(power + 1) - 1.0).abs() < 1e-13, "{power}: {integral}");
         }
     }

@@ -151,9 +151,7 @@ impl Shape {
     pub fn inertia_product(&self, other: &Shape, ends: [End; 2]) -> f64 {
         let panels = 1 + ((self.wave_number + other.wave_number) / 3.0) as usize;
         let product = |xi: f64| self.deflection(xi) * other.deflection(xi);
-        gauss::integral(panels, product)
-            + ends[0].mass * product(0.0)
-            + ends[1].mass * product(1.0)
+        gauss::integral(panels, product) + ends[0].mass * product(0.0) + ends[1].mass * product(1.0)
     }
 }
 

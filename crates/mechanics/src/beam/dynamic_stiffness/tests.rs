@@ -50,7 +50,8 @@ fn every_pair_of_supports_satisfies_its_equation() {
     for (left, right, residual) in residuals {
         for (left, right) in [(left, right), (right, left)] {
             let roots = beam(left, right).roots(12).unwrap();
-            let shapes: Vec<Shape> = roots.iter().map(|root| beam(left, right).shape(*root).unwrap()).collect();
+            let shapes: Vec<Shape> =
+                roots.iter().map(|root| beam(left, right).shape(*root).unwrap()).collect();
             for (n, shape) in shapes.iter().enumerate() {
                 close(shape.rayleigh_quotient(), roots[n].powi(4), 1e-12);
                 for other in &shapes[..n] {

@@ -1,0 +1,276 @@
+//! Free vibration of a uniform cantilever with a rigid body at its tip: bending in two planes, stretching and
+//! torsion, coupled by what of the body stands beside the axis.
+//!
+//! The beam lies along `x` from the clamp to the tip; the motion of the tip is `(u_x, u_y, u_z, θ_x, θ_y, θ_z)`. Its
+//! dynamic stiffness is exact, and the frequencies below a trial one are counted as in
+//! [`dynamic_stiffness`](super::dynamic_stiffness). SI throughout.
+
+use std::f64::consts::PI;
+
+use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
+
+use super::dynamic_stiffness::{Beam, BeamError, Station};
+use crate::linalg;
+
+/// A cantilever.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cantilever {
+    /// Length, m.
+    pub length: f64,
+    /// Mass of each length, kg/m.
+    pub line_mass: f64,
+    /// Stiffness along the axis `EA`, N.
+    pub axial: f64,
+    /// Torsional stiffness `GJ`, N·m².
+    pub torsion: f64,
+    /// Moment of inertia of each length about the axis `ρ I_p`, kg·m.
+    pub polar: f64,
+    /// Bending in the planes `xy` and `xz`.
+    pub bending: [Bending; 2],
+}
+
+/// Bending in one plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bending {
+    /// `EI`, N·m².
+    pub stiffness: f64,
+    /// Shear flexibility `EI/(κ G A L²)`; zero for Euler–Bernoulli.
+    pub shear: f64,
+    /// Rotary inertia `I/(A L²)`; zero for Euler–Bernoulli.
+    pub rotary: f64,
+}
+
+/// A point of the body: its mass, kg, and where it stands from the tip, m.
+pub type Point = (f64, Vector3<f64>);
+
+/// A vibration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mode {
+    /// Frequency, rad/s.
+    pub frequency: f64,
+    /// Motion of the tip, rotations times the length, the largest one.
+    pub tip: Vector6<f64>,
+    /// What is left of the forces at the tip, over the size of the stiffness.
+    pub residual: f64,
+}
+
+impl Cantilever {
+    /// The first `count` vibrations.
+    ///
+    /// # Errors
+    /// `OutOfRange` for data that are not positive and finite; others of [`BeamError`].
+    pub fn modes(&self, body: &[Point], count: usize) -> Result<Vec<Mode>, BeamError> {
+        let mass = self.mass_matrix(body)?;
+        let unit = (self.bending[0].stiffness.min(self.bending[1].stiffness)
+            / (self.line_mass * self.length.powi(4)))
+        .sqrt();
+        let mut frequencies: Vec<f64> = Vec::with_capacity(count);
+        for n in 1..=count {
+            let (mut low, mut high) = (frequencies.last().map_or(0.0, |last| last * (1.0 - 1e-11)), unit);
+            high = high.max(2.0 * low);
+            while self.count(&mass, high)? < n {
+                low = high;
+                high *= 1.5;
+            }
+            let mut rounds = 0;
+            while high - low > 4.0 * f64::EPSILON * high {
+                let middle = if low == 0.0 { high / 8.0 } else { 0.5 * (low + high) };
+                rounds += 1;
+                if rounds > 500 || middle < 1e-30 * unit {
+                    return Err(BeamError::NotConverged);
+                }
+                if self.count(&mass, middle)? < n { low = middle } else { high = middle }
+            }
+            frequencies.push(0.5 * (low + high));
+        }
+        (0..count)
+            .map(|n| {
+                // Of frequencies that fall together each takes a direction of its own.
+                let same = |m: &usize| (frequencies[*m] / frequencies[n] - 1.0).abs() < 1e-7;
+                let first = (0..n).find(same).unwrap_or(n);
+                let mode = self.mode(&mass, frequencies[first], n - first)?;
+                Ok(Mode { frequency: frequencies[n], ..mode })
+            })
+            .collect()
+    }
+
+    /// Frequencies below a trial one.
+    fn count(&self, mass: &Matrix6<f64>, frequency: f64) -> Result<usize, BeamError> {
+        let (mut stiffness, below) = self.tip(frequency)?;
+        stiffness -= mass * frequency.powi(2);
+        Ok(below + negatives(stiffness))
+    }
+
+    /// Stiffness at the tip, rotations times the length, and the frequencies below the trial one with the tip held.
+    fn tip(&self, frequency: f64) -> Result<(Matrix6<f64>, usize), BeamError> {
+        let mut stiffness = Matrix6::zeros();
+        let mut below = 0;
+        let length = self.length;
+        let mut wave = |at: usize, whole: f64, beta: f64| {
+            stiffness[(at, at)] = whole * if beta == 0.0 { 1.0 } else { beta / beta.tan() };
+            below += (beta / PI).floor() as usize;
+        };
+        wave(0, self.axial / length, frequency * length * (self.line_mass / self.axial).sqrt());
+        wave(3, self.torsion / length.powi(3), frequency * length * (self.polar / self.torsion).sqrt());
+        // Turning from y to x is positive about z; turning from z to x is negative about y.
+        for (bending, deflection, rotation, sign) in
+            [(self.bending[0], 1, 5, 1.0), (self.bending[1], 2, 4, -1.0)]
+        {
+            let lambda = self.line_mass * frequency.powi(2) * length.powi(4) / bending.stiffness;
+            let (tip, held) = bending.beam().tip_stiffness(lambda)?;
+            let scaled = tip * (bending.stiffness / length.powi(3));
+            stiffness[(deflection, deflection)] = scaled[(0, 0)];
+            stiffness[(rotation, rotation)] = scaled[(1, 1)];
+            stiffness[(deflection, rotation)] = sign * scaled[(0, 1)];
+            stiffness[(rotation, deflection)] = sign * scaled[(0, 1)];
+            below += held;
+        }
+        Ok((stiffness, below))
+    }
+
+    fn mode(&self, mass: &Matrix6<f64>, frequency: f64, repeated: usize) -> Result<Mode, BeamError> {
+        let (stiffness, _) = self.tip(frequency)?;
+        let whole = stiffness - mass * frequency.powi(2);
+        let matrix = DMatrix::from_fn(6, 6, |i, j| whole[(i, j)]);
+        let eigen = linalg::symmetric_eigen(&matrix).map_err(|_| BeamError::NotConverged)?;
+        let mut order: Vec<usize> = (0..6).collect();
+        order.sort_by(|&a, &b| eigen.values[a].abs().total_cmp(&eigen.values[b].abs()));
+        let column = order[repeated.min(5)];
+        let direction = Vector6::from_fn(|row, _| eigen.vectors[(row, column)]);
+        let largest = direction.iter().fold(0.0f64, |a, b| if b.abs() > a.abs() { *b } else { a });
+        let residual = (whole * direction).norm() / (stiffness.norm() + (mass * frequency.powi(2)).norm());
+        Ok(Mode { frequency, tip: direction / largest, residual })
+    }
+
+    /// `T = ½ Σ m |v + θ × r|²` as a matrix, rotations times the length.
+    fn mass_matrix(&self, body: &[Point]) -> Result<Matrix6<f64>, BeamError> {
+        let positive = |x: f64| x.is_finite() && x > 0.0;
+        let beam = [self.length, self.line_mass, self.axial, self.torsion, self.polar];
+        let bending = self.bending.map(|bending| bending.stiffness);
+        let points = body.iter().all(|(m, r)| positive(*m) && r.iter().all(|x| x.is_finite()));
+        if !(points && beam.into_iter().chain(bending).all(positive)) {
+            return Err(BeamError::OutOfRange);
+        }
+        let mut mass = Matrix6::zeros();
+        for (m, r) in body {
+            let cross = (r / self.length).cross_matrix();
+            let mut add = |row: usize, column: usize, block: Matrix3<f64>| {
+                let mut view = mass.fixed_view_mut::<3, 3>(row, column);
+                view += block * *m;
+            };
+            add(0, 0, Matrix3::identity());
+            add(0, 3, -cross);
+            add(3, 0, cross);
+            add(3, 3, -cross * cross);
+        }
+        Ok(mass)
+    }
+}
+
+impl Bending {
+    fn beam(&self) -> Beam {
+        let clamp = Station { held: true, clamped: true, ..Station::default() };
+        let tip = Station { at: 1.0, ..Station::default() };
+        Beam {
+            shear: self.shear,
+            rotary: self.rotary,
+            axial: 0.0,
+            foundation: 0.0,
+            stations: vec![clamp, tip],
+        }
+    }
+}
+
+/// Negative eigenvalues of a symmetric matrix, by its pivots.
+fn negatives(mut a: Matrix6<f64>) -> usize {
+    let mut count = 0;
+    for k in 0..6 {
+        // The largest of the pivots that are left keeps the elimination stable where one vanishes.
+        let best = (k..6).max_by(|&i, &j| a[(i, i)].abs().total_cmp(&a[(j, j)].abs())).unwrap_or(k);
+        a.swap_rows(k, best);
+        a.swap_columns(k, best);
+        let pivot = a[(k, k)];
+        count += usize::from(pivot < 0.0);
+        if pivot == 0.0 {
+            continue;
+        }
+        for i in k + 1..6 {
+            let multiple = a[(i, k)] / pivot;
+            for j in k + 1..6 {
+                a[(i, j)] -= multiple * a[(k, j)];
+            }
+        }
+    }
+    count
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn round(length: f64, diameter: f64, timoshenko: bool) -> Cantilever {
+        let (young, poisson, density) = (200e9, 0.3, 8000.0);
+        let shear = young / (2.0 * (1.0 + poisson));
+        let area = PI * diameter.powi(2) / 4.0;
+        let moment = PI * diameter.powi(4) / 64.0;
+        let kappa = crate::section::shear::round(poisson);
+        let bending = Bending {
+            stiffness: young * moment,
+            shear: if timoshenko { young * moment / (kappa * shear * area * length.powi(2)) } else { 0.0 },
+            rotary: if timoshenko { moment / (area * length.powi(2)) } else { 0.0 },
+        };
+        Cantilever {
+            length,
+            line_mass: density * area,
+            axial: young * area,
+            torsion: 2.0 * shear * moment,
+            polar: 2.0 * density * moment,
+            bending: [bending; 2],
+        }
+    }
+
+    #[test]
+    fn with_next_to_no_body_it_is_the_cantilever() {
+        let beam = round(1.0, 0.2, false);
+        let modes = beam.modes(&[(1e-9, Vector3::zeros())], 8).unwrap();
+        let bending = |beta: f64| beta.powi(2) * (beam.bending[0].stiffness / beam.line_mass).sqrt();
+        let axial = 0.5 * PI * (beam.axial / beam.line_mass).sqrt();
+        let torsion = 0.5 * PI * (beam.torsion / beam.polar).sqrt();
+        let mut expected =
+            vec![bending(1.875104068711961), bending(4.694091132974175), bending(7.854757438237613)]
+                .repeat(2);
+        expected.extend([axial, torsion, 3.0 * torsion, 3.0 * axial]);
+        expected.sort_by(f64::total_cmp);
+        for (mode, expected) in modes.iter().zip(expected) {
+            assert!((mode.frequency / expected - 1.0).abs() < 1e-8, "{} {expected}", mode.frequency);
+        }
+    }
+
+    #[test]
+    fn a_heavy_point_at_the_tip_is_a_mass_on_springs() {
+        let beam = round(2.0, 0.05, false);
+        let modes = beam.modes(&[(1e6, Vector3::zeros())], 3).unwrap();
+        let expected = (3.0 * beam.bending[0].stiffness / (8.0 * 1e6)).sqrt();
+        for mode in &modes[..2] {
+            assert!((mode.frequency / expected - 1.0).abs() < 1e-4);
+            assert!(mode.residual < 1e-12, "{}", mode.residual);
+        }
+        // The two shapes stand across each other.
+        assert!(modes[0].tip.dot(&modes[1].tip).abs() < 1e-6);
+    }
+
+    #[test]
+    fn nafems_four() {
+        let body = [(1e4, Vector3::new(0.0, 2.0, 0.0)), (1e3, Vector3::new(0.0, -2.0, 0.0))];
+        let frequencies = |timoshenko: bool| {
+            let modes = round(10.0, 0.5, timoshenko).modes(&body, 6).unwrap();
+            modes.into_iter().map(|mode| mode.frequency / (2.0 * PI)).collect::<Vec<_>>()
+        };
+        // Converged frames of Euler–Bernoulli elements.
+        let frames = [1.723278, 1.726843, 7.413388, 9.974768, 18.1816, 26.98553];
+        for ((plain, frame), shearing) in frequencies(false).iter().zip(frames).zip(frequencies(true)) {
+            assert!((plain / frame - 1.0).abs() < 3e-6, "{plain} {frame}");
+            assert!(shearing < *plain && shearing > 0.98 * plain, "{shearing} {plain}");
+        }
+    }
+}
