@@ -79,6 +79,8 @@ pub(crate) static NAYFEH: Source = Source {
 pub(crate) static CLOUGH: Source = Source {
     short: "Clough & Penzien",
     full: "R. W. Clough and J. Penzien, Dynamics of Structures, 2nd ed., McGraw-Hill, 1993",
+};
+
 /// R. D. Blevins, Formulas for Natural Frequency and Mode Shape.
 pub(crate) static BLEVINS: Source = Source {
     short: "Blevins",
