@@ -482,7 +482,7 @@ fn frequency_function(beam: &Beam, roots: &[f64]) -> Exhibit {
     let last = 1.05 * roots.last().copied().unwrap_or(1.0);
     let first = 0.02 * last;
     let at = |n: u16| {
-        let beta = first + (last - first) * f64::from(n) / 300.0;
+        let beta = first + (last - first) * f64::from(n) / 180.0;
         (beta, beam.characteristic(beta).unwrap_or(f64::NAN))
     };
     let roots = roots.iter().map(|root| (*root, 0.0)).collect();
@@ -492,7 +492,7 @@ fn frequency_function(beam: &Beam, roots: &[f64]) -> Exhibit {
             Axis::linear("β, with ω = β²√(EI/(m̄L⁴))", "1"),
             Axis::linear("frequency function", "1"),
             vec![
-                Series::line("frequency function", (0..=300).map(at).collect()),
+                Series::line("frequency function", (0..=180).map(at).collect()),
                 Series::dots("roots", roots),
             ],
         )

@@ -16,8 +16,8 @@ use crate::vibration::gauss;
 /// one serves where the first one cuts the beam so that a part of it resonates by itself.
 const SEGMENTS: [f64; 2] = [1.5, 1.13];
 
-/// Most segments of a beam.
-const MOST_SEGMENTS: f64 = 4000.0;
+/// Largest wave angle over the whole beam.
+const MOST_WAVES: f64 = 500.0;
 
 /// A uniform beam.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,6 +69,9 @@ pub enum BeamError {
     #[error("the search for the frequencies did not converge")]
     NotConverged,
 }
+
+/// Where a segment is looked at.
+const EIGHTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875];
 
 /// The shape of a vibration, largest deflection one.
 #[derive(Clone, Debug, PartialEq)]
@@ -142,34 +145,58 @@ impl Beam {
 
     /// The lowest β with `wanted` frequencies below it.
     fn root(&self, wanted: usize, lower: f64, angle: f64) -> Result<f64, BeamError> {
-        let mut low = lower;
+        let (mut low, mut below) = (lower, 0);
         let mut high = lower + 4.0;
-        while self.count_below(high.powi(4), angle)? < wanted {
-            low = high;
+        let mut above = self.count_below(high.powi(4), angle)?;
+        while above < wanted {
+            (low, below) = (high, above);
             high *= 1.5;
+            above = self.count_below(high.powi(4), angle)?;
         }
         for _ in 0..400 {
-            if high - low <= 1e-9 * high {
-                return self.polished(0.5 * (low + high));
+            let width = high - low;
+            // Alone between the bounds, a root is found from its shape.
+            if width <= 0.05 * high && above == wanted && below + 1 == wanted {
+                if let Some(root) = self.polished([low, high]) {
+                    return Ok(root);
+                }
+            }
+            if width <= 1e-9 * high {
+                return self.polished([low, high]).ok_or(BeamError::NotConverged);
             }
             // A root far below one is found by its order of size first.
             let middle = if low == 0.0 { high / 8.0 } else { 0.5 * (low + high) };
             if middle < 1e-60 {
                 return Err(BeamError::NotConverged);
             }
-            if self.count_below(middle.powi(4), angle)? < wanted {
-                low = middle;
+            let count = self.count_below(middle.powi(4), angle)?;
+            if count < wanted {
+                (low, below) = (middle, count);
             } else {
-                high = middle;
+                (high, above) = (middle, count);
             }
         }
         Err(BeamError::NotConverged)
     }
 
-    /// A root from its shape: the error of Rayleigh's quotient is the square of that of the shape.
-    fn polished(&self, root: f64) -> Result<f64, BeamError> {
-        let polished = self.shape(root)?.rayleigh_quotient().sqrt().sqrt();
-        if (polished - root).abs() <= 1e-6 * root { Ok(polished) } else { Err(BeamError::NotConverged) }
+    /// The root between two bounds from its shape: the error of Rayleigh's quotient is the square of that of the
+    /// shape, and each round is of the next one's.
+    fn polished(&self, [low, high]: [f64; 2]) -> Option<f64> {
+        let slack = 1e-6 * high;
+        let mut root = 0.5 * (low + high);
+        for _ in 0..6 {
+            let next = self.unscaled(root).ok()?.rayleigh_quotient().sqrt().sqrt();
+            if !(low - slack..=high + slack).contains(&next) {
+                return None;
+            }
+            let step = (next - root).abs();
+            root = next;
+            // Beyond this, the next round changes nothing any more.
+            if step <= 1e-8 * root {
+                return Some(root);
+            }
+        }
+        None
     }
 
     /// How many `λ` of the beam lie below this one.
@@ -266,6 +293,15 @@ impl Beam {
     /// # Errors
     /// `TooSlender`; `NotConverged` where the shape is not a finite number.
     pub fn shape(&self, root: f64) -> Result<Shape, BeamError> {
+        let mut shape = self.unscaled(root)?;
+        let crest = shape.crest();
+        let scale = if crest == 0.0 { f64::NAN } else { 1.0 / crest };
+        shape.starts.iter_mut().for_each(|(_, state)| *state *= scale);
+        let finite = shape.starts.iter().all(|(_, state)| state.iter().all(|x| x.is_finite()));
+        if finite { Ok(shape) } else { Err(BeamError::NotConverged) }
+    }
+
+    fn unscaled(&self, root: f64) -> Result<Shape, BeamError> {
         let lambda = root.powi(4);
         let chain = self.chain(lambda, SEGMENTS[0])?;
         let displacements = chain.shape();
@@ -278,12 +314,7 @@ impl Beam {
                 (segment.start, Vector4::new(ends[0].x, ends[0].y, forces.x, forces.y))
             })
             .collect();
-        let mut shape = Shape { beam: self.clone(), lambda, starts };
-        let crest = shape.crest();
-        let scale = if crest == 0.0 { f64::NAN } else { 1.0 / crest };
-        shape.starts.iter_mut().for_each(|(_, state)| *state *= scale);
-        let finite = shape.starts.iter().all(|(_, state)| state.iter().all(|x| x.is_finite()));
-        if finite { Ok(shape) } else { Err(BeamError::NotConverged) }
+        Ok(Shape { beam: self.clone(), lambda, starts })
     }
 
     /// Stiffness at the far end seen from outside, `λ` of the tip included, and the number of frequencies below `λ`
@@ -394,7 +425,7 @@ impl Beam {
 
     fn chain(&self, lambda: f64, angle: f64) -> Result<Chain, BeamError> {
         let wave = self.largest_wave_number(lambda);
-        if !(wave.is_finite() && wave <= MOST_SEGMENTS) {
+        if !(wave.is_finite() && wave <= MOST_WAVES) {
             return Err(BeamError::TooSlender(wave));
         }
         let size = wave.max(1.0);
@@ -460,27 +491,28 @@ impl Chain {
 
     /// Coupling of a node with the next.
     fn coupling(&self, node: usize) -> Matrix2<f64> {
-        let mut coupling = -self.segments[node].inverse;
-        for n in [0, 1] {
-            if self.nodes[node].held[n] {
-                coupling.row_mut(n).fill(0.0);
-            }
-            if self.nodes[node + 1].held[n] {
-                coupling.column_mut(n).fill(0.0);
-            }
-        }
-        coupling
+        let [here, next] = [self.nodes[node].held, self.nodes[node + 1].held];
+        let inverse = &self.segments[node].inverse;
+        let entry = |row: usize, column: usize| {
+            if here[row] || next[column] { 0.0 } else { -inverse[(row, column)] }
+        };
+        Matrix2::new(entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1))
     }
 
     /// The pivots of the elimination from the first node on.
     fn pivots(&self) -> Vec<Matrix2<f64>> {
         let mut pivots: Vec<Matrix2<f64>> = Vec::with_capacity(self.nodes.len());
         for (n, node) in self.nodes.iter().enumerate() {
-            let before = pivots.last().map_or_else(Matrix2::zeros, |pivot| {
-                let coupling = self.coupling(n - 1);
-                coupling.transpose() * inverse(pivot) * coupling
-            });
-            pivots.push(node.stiffness - symmetric(&before));
+            let mut stiffness = node.stiffness;
+            if let Some(pivot) = pivots.last() {
+                // Written out, since this is done more often than all the rest.
+                let [a, c, b, d]: [f64; 4] = flat(&self.coupling(n - 1));
+                let [p, q, _, r]: [f64; 4] = flat(&inverse(pivot));
+                let (pa, qa, pb, qb) = (p * a + q * c, q * a + r * c, p * b + q * d, q * b + r * d);
+                let off = 0.5 * (a * pb + c * qb + b * pa + d * qa);
+                stiffness -= Matrix2::new(a * pa + c * qa, off, off, b * pb + d * qb);
+            }
+            pivots.push(stiffness);
         }
         pivots
     }
@@ -595,10 +627,11 @@ impl Shape {
 
     /// Points inside the beam where the deflection passes through zero, ascending; supports are not among them.
     pub fn nodes(&self) -> Vec<f64> {
-        let parts = 12 * self.starts.len();
-        let sampled: Vec<(f64, f64)> = (0..=parts)
-            .map(|n| n as f64 / parts as f64)
-            .map(|xi| (xi, self.state(xi).deflection))
+        let sampled: Vec<(f64, f64)> = self
+            .along(&EIGHTHS)
+            .into_iter()
+            .map(|(xi, _, state)| (xi, state.deflection))
+            .chain([(1.0, self.state(1.0).deflection)])
             .filter(|(_, w)| w.abs() > 1e-9)
             .collect();
         let held =
@@ -608,7 +641,7 @@ impl Shape {
             .filter(|pair| (pair[0].1 > 0.0) != (pair[1].1 > 0.0) && !held(pair[0].0, pair[1].0))
             .map(|pair| {
                 let (mut low, mut high) = (pair[0].0, pair[1].0);
-                for _ in 0..60 {
+                for _ in 0..42 {
                     let middle = 0.5 * (low + high);
                     if (self.state(middle).deflection > 0.0) == (pair[0].1 > 0.0) {
                         low = middle;
@@ -626,7 +659,9 @@ impl Shape {
     pub fn rayleigh_quotient(&self) -> f64 {
         let beam = &self.beam;
         let (mut strain, mut kinetic) = (0.0, 0.0);
-        for (weight, at) in self.samples() {
+        let (parts, weights): (Vec<f64>, Vec<f64>) = gauss::points(1).unzip();
+        for ((_, length, at), weight) in self.along(&parts).into_iter().zip(weights.iter().cycle()) {
+            let weight = weight * length;
             let shear = (at.force - beam.axial * at.rotation) / (1.0 + beam.axial * beam.shear);
             let slope = at.rotation + beam.shear * shear;
             strain += weight
@@ -652,61 +687,61 @@ impl Shape {
             let (a, b) = (self.state(xi), other.state(xi));
             mass * a.deflection * b.deflection + inertia * a.rotation * b.rotation
         };
-        // No jump of the forces at a station lies inside a part.
+        // No jump of the forces at a station lies inside a panel; two segments fit into one.
         let parts = self.starts.len().max(other.starts.len());
         let between = beam.stations.windows(2).map(|ends| {
             let length = ends[1].at - ends[0].at;
-            let panels = (length * parts as f64).ceil() as usize;
+            let panels = (0.5 * length * parts as f64).ceil() as usize;
             length * gauss::integral(panels, |part| product(ends[0].at + length * part, 1.0, beam.rotary))
         });
         between.sum::<f64>() + beam.stations.iter().map(|at| product(at.at, at.mass, at.inertia)).sum::<f64>()
     }
 
-    /// The states at the points of a Gauss rule on each segment, with their weights.
-    fn samples(&self) -> Vec<(f64, State)> {
-        let mut samples = Vec::with_capacity(10 * self.starts.len());
-        let mut rule: (f64, Vec<(f64, Matrix4<f64>)>) = (0.0, Vec::new());
+    /// The states at the same parts of each segment: where, the length of the segment, and the state. Segments of one
+    /// length share their transfer matrices.
+    fn along(&self, parts: &[f64]) -> Vec<(f64, f64, State)> {
+        let mut all = Vec::with_capacity(parts.len() * self.starts.len());
+        let (mut of, mut transfers) = (0.0, Vec::new());
         let ends = self.starts.iter().skip(1).map(|(start, _)| *start).chain([1.0]);
         for ((start, state), end) in self.starts.iter().zip(ends) {
             let length = end - start;
-            if (length - rule.0).abs() > 1e-12 * length {
-                let transfer = |part: f64| self.beam.transfer(self.lambda, part * length);
-                let points = gauss::points(1).map(|(part, weight)| (weight * length, transfer(part)));
-                rule = (length, points.collect());
+            if (length - of).abs() > 1e-12 * length {
+                of = length;
+                transfers = parts.iter().map(|part| self.beam.transfer(self.lambda, part * length)).collect();
             }
-            samples.extend(rule.1.iter().map(|(weight, transfer)| (*weight, State::from(transfer * state))));
+            let here = parts.iter().zip(&transfers);
+            all.extend(here.map(|(part, to)| (start + part * length, length, State::from(to * state))));
         }
-        samples
+        all
     }
 
     /// The largest deflection, with the sign of it; where there is none but of rounding, the largest rotation.
     fn crest(&self) -> f64 {
-        let parts = 8 * self.starts.len();
-        let place = |n: usize| n as f64 / parts as f64;
         let deflection = |xi: f64| self.state(xi.clamp(0.0, 1.0)).deflection;
-        let (best, highest) = (0..=parts)
-            .map(|n| (n, deflection(place(n))))
-            .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
-            .unwrap_or_default();
-        let turned = self
-            .starts
+        let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+        let sampled = self.along(&EIGHTHS);
+        let end = (1.0, 0.0, self.state(1.0));
+        let (place, step, highest) = sampled
             .iter()
-            .map(|(_, state)| state[1])
-            .fold(0.0f64, |a, b| if b.abs() > a.abs() { b } else { a });
+            .chain([&end])
+            .map(|(xi, length, state)| (*xi, length / 8.0, state.deflection))
+            .max_by(|a, b| a.2.abs().total_cmp(&b.2.abs()))
+            .unwrap_or_default();
+        let turned = self.starts.iter().map(|(_, state)| state[1]).fold(0.0, larger);
         if highest.abs() < 1e-9 * turned.abs() {
             return turned;
         }
-        let (mut low, mut high) = (place(best.saturating_sub(1)), place((best + 1).min(parts)));
-        for _ in 0..40 {
-            let (a, b) = (low + 0.382 * (high - low), low + 0.618 * (high - low));
-            if deflection(a).abs() < deflection(b).abs() {
-                low = a;
-            } else {
-                high = b;
-            }
+        // The crest of a parabola through three points, twice, the second time through near ones.
+        let mut at = place;
+        let mut crest = highest;
+        for step in [step, step / 30.0] {
+            let (before, here, after) = (deflection(at - step), deflection(at), deflection(at + step));
+            let bend = before - 2.0 * here + after;
+            let shift = if bend == 0.0 { 0.0 } else { 0.5 * step * (before - after) / bend };
+            at = (at + shift.clamp(-step, step)).clamp(0.0, 1.0);
+            crest = larger(crest, deflection(at));
         }
-        let crest = deflection(0.5 * (low + high));
-        if crest.abs() > highest.abs() { crest } else { highest }
+        crest
     }
 }
 
@@ -728,6 +763,11 @@ fn inverse(k: &Matrix2<f64>) -> Matrix2<f64> {
     let least = f64::EPSILON.powi(2) * k.amax().powi(2).max(f64::MIN_POSITIVE);
     let determinant = if determinant == 0.0 { least } else { determinant };
     Matrix2::new(k[(1, 1)], -k[(0, 1)], -k[(1, 0)], k[(0, 0)]) / determinant
+}
+
+/// The entries, column by column.
+fn flat(k: &Matrix2<f64>) -> [f64; 4] {
+    [k[(0, 0)], k[(1, 0)], k[(0, 1)], k[(1, 1)]]
 }
 
 fn symmetric(k: &Matrix2<f64>) -> Matrix2<f64> {

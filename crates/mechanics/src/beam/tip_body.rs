@@ -83,15 +83,16 @@ impl Cantilever {
             }
             frequencies.push(0.5 * (low + high));
         }
-        (0..count)
-            .map(|n| {
-                // Of frequencies that fall together each takes a direction of its own.
-                let same = |m: &usize| (frequencies[*m] / frequencies[n] - 1.0).abs() < 1e-7;
-                let first = (0..n).find(same).unwrap_or(n);
-                let mode = self.mode(&mass, frequencies[first], n - first)?;
-                Ok(Mode { frequency: frequencies[n], ..mode })
-            })
-            .collect()
+        let mut modes = Vec::with_capacity(count);
+        for n in 0..count {
+            // Frequencies that fall together share their directions.
+            let same = |m: &usize| (frequencies[*m] / frequencies[n] - 1.0).abs() < 1e-7;
+            let together: Vec<usize> = (0..count).filter(same).collect();
+            let shapes = self.shapes(&mass, frequencies[together[0]], together.len())?;
+            let (tip, residual) = shapes[n - together[0]];
+            modes.push(Mode { frequency: frequencies[n], tip, residual });
+        }
+        Ok(modes)
     }
 
     /// Frequencies below a trial one.
@@ -106,12 +107,19 @@ impl Cantilever {
         let mut stiffness = Matrix6::zeros();
         let mut below = 0;
         let length = self.length;
+        let waves = [
+            frequency * length * (self.line_mass / self.axial).sqrt(),
+            frequency * length * (self.polar / self.torsion).sqrt(),
+        ];
+        if let Some(wave) = waves.into_iter().find(|wave| !(*wave < 1e4)) {
+            return Err(BeamError::TooSlender(wave));
+        }
         let mut wave = |at: usize, whole: f64, beta: f64| {
             stiffness[(at, at)] = whole * if beta == 0.0 { 1.0 } else { beta / beta.tan() };
             below += (beta / PI).floor() as usize;
         };
-        wave(0, self.axial / length, frequency * length * (self.line_mass / self.axial).sqrt());
-        wave(3, self.torsion / length.powi(3), frequency * length * (self.polar / self.torsion).sqrt());
+        wave(0, self.axial / length, waves[0]);
+        wave(3, self.torsion / length.powi(3), waves[1]);
         // Turning from y to x is positive about z; turning from z to x is negative about y.
         for (bending, deflection, rotation, sign) in
             [(self.bending[0], 1, 5, 1.0), (self.bending[1], 2, 4, -1.0)]
@@ -128,18 +136,28 @@ impl Cantilever {
         Ok((stiffness, below))
     }
 
-    fn mode(&self, mass: &Matrix6<f64>, frequency: f64, repeated: usize) -> Result<Mode, BeamError> {
+    /// The directions of the tip that no force holds, so many of them, and what is left of the forces.
+    fn shapes(
+        &self,
+        mass: &Matrix6<f64>,
+        frequency: f64,
+        count: usize,
+    ) -> Result<Vec<(Vector6<f64>, f64)>, BeamError> {
         let (stiffness, _) = self.tip(frequency)?;
         let whole = stiffness - mass * frequency.powi(2);
         let matrix = DMatrix::from_fn(6, 6, |i, j| whole[(i, j)]);
         let eigen = linalg::symmetric_eigen(&matrix).map_err(|_| BeamError::NotConverged)?;
         let mut order: Vec<usize> = (0..6).collect();
         order.sort_by(|&a, &b| eigen.values[a].abs().total_cmp(&eigen.values[b].abs()));
-        let column = order[repeated.min(5)];
-        let direction = Vector6::from_fn(|row, _| eigen.vectors[(row, column)]);
-        let largest = direction.iter().fold(0.0f64, |a, b| if b.abs() > a.abs() { *b } else { a });
-        let residual = (whole * direction).norm() / (stiffness.norm() + (mass * frequency.powi(2)).norm());
-        Ok(Mode { frequency, tip: direction / largest, residual })
+        let direction = |column: &usize| Vector6::from_fn(|row, _| eigen.vectors[(row, *column)]);
+        let mut shapes: Vec<Vector6<f64>> = order.iter().take(count).map(direction).collect();
+        part(&mut shapes);
+        let size = stiffness.norm() + (mass * frequency.powi(2)).norm();
+        let scaled = |shape: Vector6<f64>| {
+            let largest = shape.iter().fold(0.0f64, |a, b| if b.abs() > a.abs() { *b } else { a });
+            (shape / largest, (whole * shape).norm() / (size * shape.norm()))
+        };
+        Ok(shapes.into_iter().map(scaled).collect())
     }
 
     /// `T = ½ Σ m |v + θ × r|²` as a matrix, rotations times the length.
@@ -178,6 +196,29 @@ impl Bending {
             foundation: 0.0,
             stations: vec![clamp, tip],
         }
+    }
+}
+
+/// Of directions that may be mixed at will, those of which each has a motion of its own that the others have not:
+/// deflections along y, then along z, before all others.
+fn part(shapes: &mut [Vector6<f64>]) {
+    let mut done = 0;
+    for row in [1, 2, 0, 3, 4, 5] {
+        let best =
+            (done..shapes.len()).max_by(|&a, &b| shapes[a][row].abs().total_cmp(&shapes[b][row].abs()));
+        let Some(best) = best else { return };
+        if shapes[best][row].abs() <= 1e-6 * shapes[best].norm() || shapes.len() == 1 {
+            continue;
+        }
+        shapes.swap(done, best);
+        let pivot = shapes[done] / shapes[done][row];
+        for (n, shape) in shapes.iter_mut().enumerate() {
+            let share = shape[row];
+            if n != done {
+                *shape -= pivot * share;
+            }
+        }
+        done += 1;
     }
 }
 
