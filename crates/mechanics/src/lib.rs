@@ -12,6 +12,7 @@ pub mod linalg;
 pub mod polynomial;
 pub mod rigid;
 pub mod roots;
+pub mod rotor;
 pub mod sdof;
 pub mod section;
 pub mod slider_crank;

@@ -1,0 +1,201 @@
+//! Lateral vibration of rotors by finite elements: shaft, discs, bearings, unbalances, gyroscopic action.
+//!
+//! The shaft axis is `z` and the shaft spins from `x` to `y` at the speed `Ω`. Every node moves sideways by `x` and
+//! `y` and tilts by the slopes `φ = dx/dz` and `ψ = dy/dz`. In each of the two planes the shaft has the same
+//! matrices, so they are kept once ([`Plane`]); rotation couples the planes:
+//!
+//! `M ü + Ω G v̇ + C u̇ + K u + (Ω Hᵥ + Hₕ) v = f_x`, `M v̈ − Ω G u̇ + C v̇ + K v − (Ω Hᵥ + Hₕ) u = f_y`
+//!
+//! with `u = (x₁, φ₁, x₂, φ₂, …)` and `v` alike, `G` the polar inertia on the slopes, `Hᵥ` and `Hₕ` the circulatory
+//! matrices of internal viscous and hysteretic damping, and the bearings in `C` and `K`.
+//!
+//! Nelson and McVaugh, J. Eng. Ind. 98 (1976) 593–600; Zorzi and Nelson, J. Eng. Power 99 (1977) 71–76; Friswell,
+//! Penny, Garvey and Lees, *Dynamics of Rotating Machines*, ch. 5 and 6.
+
+pub mod campbell;
+pub mod critical;
+pub mod disc;
+pub mod element;
+pub mod mesh;
+pub mod modes;
+pub mod overhung;
+pub mod response;
+
+mod assembled;
+mod basis;
+mod plane;
+mod stiffness;
+
+pub use assembled::Assembled;
+pub use nalgebra::Complex;
+pub use plane::Plane;
+
+use crate::linalg::LinalgError;
+
+/// A rotor as finite elements.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rotor {
+    /// The shaft, from left to right; element `n` lies between the nodes `n` and `n + 1`.
+    pub elements: Vec<element::Element>,
+    /// Whether shear is counted.
+    pub theory: element::Theory,
+    /// Axial tension of the shaft, N; negative for compression.
+    pub tension: f64,
+    /// Rigid discs.
+    pub discs: Vec<Disc>,
+    /// What holds the shaft.
+    pub supports: Vec<Support>,
+}
+
+/// A rigid disc at a node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Disc {
+    /// The node.
+    pub node: usize,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Moment of inertia about a diameter, kg·m².
+    pub diametral: f64,
+    /// Moment of inertia about the axis, kg·m².
+    pub polar: f64,
+}
+
+/// What holds the shaft at a node.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Support {
+    /// The node.
+    pub node: usize,
+    /// How it holds.
+    pub hold: Hold,
+}
+
+/// How a support holds the shaft.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Hold {
+    /// Bearing: its coefficients at one or more speeds (rad/s), ascending; linear between them, constant beyond.
+    Bearing(Vec<(f64, Coefficients)>),
+    /// No sideways motion.
+    Pinned,
+    /// No sideways motion and no tilt.
+    Clamped,
+}
+
+/// The linear coefficients of a bearing: force on the shaft `−k (x, y) − c (ẋ, ẏ)`.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Coefficients {
+    /// Stiffness `[[kxx, kxy], [kyx, kyy]]`, N/m.
+    pub stiffness: [[f64; 2]; 2],
+    /// Damping `[[cxx, cxy], [cyx, cyy]]`, N·s/m.
+    pub damping: [[f64; 2]; 2],
+}
+
+/// Why a rotor has no answer.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum RotorError {
+    /// A number is not finite or an element has no length, stiffness or mass.
+    #[error("{what} is {value}, which makes no rotor; it must be positive and finite")]
+    Value {
+        /// What it is.
+        what: &'static str,
+        /// Its value, SI.
+        value: f64,
+    },
+    /// A disc, bearing or unbalance stands at a node that is not there.
+    #[error("node {node} is not on the shaft, which has nodes 0 to {last}")]
+    Node {
+        /// The node.
+        node: usize,
+        /// The last node.
+        last: usize,
+    },
+    /// Compression beyond buckling, or bearings that push the shaft away more than it resists.
+    #[error("the rotor is statically unstable: it buckles or its bearings push it away")]
+    Buckled,
+    /// An undamped rotor driven at its natural frequency.
+    #[error("the response at {speed} rad/s grows without bound: an undamped critical speed")]
+    Unbounded {
+        /// The speed, rad/s.
+        speed: f64,
+    },
+    /// A decomposition failed.
+    #[error(transparent)]
+    Linalg(#[from] LinalgError),
+}
+
+impl Coefficients {
+    /// The same stiffness `k` and damping `c` in every direction.
+    pub fn isotropic(k: f64, c: f64) -> Self {
+        Self::orthotropic([k, k], [c, c])
+    }
+
+    /// Different stiffness and damping along `x` and `y`, uncoupled.
+    pub fn orthotropic(k: [f64; 2], c: [f64; 2]) -> Self {
+        Self { stiffness: [[k[0], 0.0], [0.0, k[1]]], damping: [[c[0], 0.0], [0.0, c[1]]] }
+    }
+
+    fn between(self, other: Self, share: f64) -> Self {
+        let mix = |a: [[f64; 2]; 2], b: [[f64; 2]; 2]| {
+            [0, 1].map(|i| [0, 1].map(|j| a[i][j] + share * (b[i][j] - a[i][j])))
+        };
+        Self { stiffness: mix(self.stiffness, other.stiffness), damping: mix(self.damping, other.damping) }
+    }
+}
+
+impl Support {
+    /// A bearing whose coefficients do not depend on speed.
+    pub fn bearing(node: usize, coefficients: Coefficients) -> Self {
+        Self { node, hold: Hold::Bearing(vec![(0.0, coefficients)]) }
+    }
+
+    /// The coefficients of a bearing at a speed; `None` for a rigid support.
+    pub fn at(&self, speed: f64) -> Option<Coefficients> {
+        let Hold::Bearing(table) = &self.hold else { return None };
+        let after = table.iter().position(|(here, _)| *here > speed);
+        Some(match after {
+            None => table.last()?.1,
+            Some(0) => table[0].1,
+            Some(n) => {
+                let ((a, left), (b, right)) = (table[n - 1], table[n]);
+                left.between(right, (speed - a) / (b - a))
+            }
+        })
+    }
+}
+
+impl Rotor {
+    /// The number of nodes.
+    pub fn nodes(&self) -> usize {
+        self.elements.len() + 1
+    }
+
+    /// Distances of the nodes from the left end, m.
+    pub fn positions(&self) -> Vec<f64> {
+        let mut at = 0.0;
+        std::iter::once(0.0)
+            .chain(self.elements.iter().map(|element| {
+                at += element.length;
+                at
+            }))
+            .collect()
+    }
+
+    /// Whether nothing dissipates or feeds energy, and no bearing depends on speed: then natural frequencies are
+    /// those of a Hermitian problem and critical speeds can be found directly.
+    pub fn is_conservative(&self) -> bool {
+        let bearing = |support: &Support| match &support.hold {
+            Hold::Bearing(table) => {
+                table.len() == 1
+                    && table[0].1.stiffness[0][1] == table[0].1.stiffness[1][0]
+                    && table[0].1.damping == [[0.0; 2]; 2]
+            }
+            _ => true,
+        };
+        let material = |element: &element::Element| {
+            element.material.viscous_damping == 0.0 && element.material.loss_factor == 0.0
+        };
+        self.supports.iter().all(bearing) && self.elements.iter().all(material)
+    }
+}
+
+#[cfg(test)]
+mod tests;

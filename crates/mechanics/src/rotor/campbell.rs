@@ -1,0 +1,92 @@
+//! Natural frequencies against speed, each mode followed by its shape.
+
+use super::{
+    RotorError,
+    modes::{Mode, Reduced},
+};
+
+/// Modes over speeds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Campbell {
+    /// The speeds, rad/s, ascending.
+    pub speeds: Vec<f64>,
+    /// The modes, each at every speed where it oscillates and is among those computed.
+    pub branches: Vec<Vec<Option<Mode>>>,
+    /// Real eigenvalues at every speed, s⁻¹.
+    pub overdamped: Vec<Vec<f64>>,
+}
+
+/// Follows the modes over ascending speeds.
+///
+/// A mode is known again by its shape (modal assurance criterion), from the highest speed down, since at rest the
+/// shapes of a symmetric rotor are arbitrary. Where two shapes are too unlike, speeds between are looked at.
+///
+/// # Errors
+/// `Linalg`.
+pub fn campbell(reduced: &Reduced<'_>, speeds: &[f64]) -> Result<Campbell, RotorError> {
+    let mut branches: Vec<Vec<Option<Mode>>> = Vec::new();
+    let mut overdamped = vec![Vec::new(); speeds.len()];
+    // The last sight of every branch.
+    let mut seen: Vec<Option<Mode>> = Vec::new();
+    for at in (0..speeds.len()).rev() {
+        let spectrum = reduced.modes(speeds[at])?;
+        let mut modes: Vec<Option<Mode>> = spectrum.modes.into_iter().map(Some).collect();
+        overdamped[at] = spectrum.overdamped;
+        if let Some(&above) = speeds.get(at + 1) {
+            let places = follow(reduced, &seen, (above, speeds[at]), &modes, 5)?;
+            for (branch, place) in places.into_iter().enumerate() {
+                seen[branch] = place.and_then(|place| modes[place].take());
+                branches[branch][at].clone_from(&seen[branch]);
+            }
+        }
+        for mode in modes.into_iter().flatten() {
+            let mut branch = vec![None; speeds.len()];
+            branch[at] = Some(mode.clone());
+            branches.push(branch);
+            seen.push(Some(mode));
+        }
+    }
+    let first =
+        |branch: &Vec<Option<Mode>>| branch.iter().flatten().next().map_or(f64::INFINITY, Mode::frequency);
+    branches.sort_by(|a, b| first(a).total_cmp(&first(b)));
+    Ok(Campbell { speeds: speeds.to_vec(), branches, overdamped })
+}
+
+/// For each branch, the place of its mode among `modes`, one step of speed further on.
+fn follow(
+    reduced: &Reduced<'_>,
+    seen: &[Option<Mode>],
+    (from, to): (f64, f64),
+    modes: &[Option<Mode>],
+    depth: u8,
+) -> Result<Vec<Option<usize>>, RotorError> {
+    let mut pairs = Vec::new();
+    for (branch, before) in seen.iter().enumerate() {
+        let Some(before) = before else { continue };
+        for (place, after) in modes.iter().enumerate() {
+            let Some(after) = after else { continue };
+            pairs.push((before.assurance(after), branch, place));
+        }
+    }
+    pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut places = vec![None; seen.len()];
+    let mut taken = vec![false; modes.len()];
+    let mut worst = 1.0f64;
+    for (assurance, branch, place) in pairs {
+        if places[branch].is_none() && !taken[place] && assurance > 0.1 {
+            places[branch] = Some(place);
+            taken[place] = true;
+            worst = worst.min(assurance);
+        }
+    }
+    // At rest two planes of equal frequency have no shapes of their own: no speed between would help.
+    if worst < 0.7 && depth > 0 && to > 0.0 {
+        let middle = 0.5 * (from + to);
+        let between: Vec<Option<Mode>> = reduced.modes(middle)?.modes.into_iter().map(Some).collect();
+        let first = follow(reduced, seen, (from, middle), &between, depth - 1)?;
+        let mid: Vec<Option<Mode>> =
+            first.iter().map(|place| place.and_then(|place| between[place].clone())).collect();
+        return follow(reduced, &mid, (middle, to), modes, depth - 1);
+    }
+    Ok(places)
+}

@@ -1,0 +1,340 @@
+//! Natural frequencies, damping and whirl of a rotor at a speed.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Complex, DMatrix, DVector};
+
+use super::{
+    Assembled, RotorError,
+    basis::Basis,
+    response::Orbit,
+    stiffness::{Node, Stiffness},
+};
+use crate::linalg;
+
+/// Where a share of the square of a natural frequency is as good as exact.
+const EXACT: f64 = 1e-11;
+
+/// A motion whose frequency is below this share of the size of its eigenvalue (ζ > 0.954) creeps rather than swings.
+/// Internal damping gives such motions a slow turn with the spin, which is no vibration.
+const SWING: f64 = 0.3;
+
+/// A mode of free vibration `Re(shape · e^{λt})` with `Im λ > 0`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mode {
+    /// The eigenvalue, s⁻¹.
+    pub lambda: Complex<f64>,
+    /// Deflection and slope of every node, in the plane of `x` and then of `y`.
+    pub shape: Vec<[Complex<f64>; 4]>,
+    /// The mode in the coordinates of the reduced model, of unit length.
+    pub(super) coordinates: DVector<Complex<f64>>,
+}
+
+/// Which way a mode turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// With the spin, at every node.
+    Forward,
+    /// Against the spin, at every node.
+    Backward,
+    /// With the spin at some nodes, against it at others.
+    Mixed,
+    /// Neither: every node moves along a straight line.
+    Planar,
+}
+
+/// The modes of a rotor at a speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spectrum {
+    /// Speed, rad/s.
+    pub speed: f64,
+    /// The lowest modes that oscillate, by damped frequency.
+    pub modes: Vec<Mode>,
+    /// Real parts of the eigenvalues no larger than the largest of those that hardly swing, s⁻¹: motions that creep
+    /// back or away.
+    pub overdamped: Vec<f64>,
+}
+
+/// A rotor in the coordinates of a few shapes, as many as its lowest modes need.
+pub struct Reduced<'a> {
+    pub(super) rotor: &'a Assembled,
+    basis: Basis,
+    count: usize,
+}
+
+impl Mode {
+    /// Damped natural frequency `ω_d = Im λ`, rad/s.
+    pub fn frequency(&self) -> f64 {
+        self.lambda.im
+    }
+
+    /// `ζ = −Re λ/|λ|`; negative where the mode grows.
+    pub fn damping_ratio(&self) -> f64 {
+        -self.lambda.re / self.lambda.norm()
+    }
+
+    /// Logarithmic decrement `δ = −2π Re λ/Im λ`.
+    pub fn log_decrement(&self) -> f64 {
+        -TAU * self.lambda.re / self.lambda.im
+    }
+
+    /// The orbit of a node.
+    pub fn orbit(&self, node: usize) -> Orbit {
+        Orbit::of(self.shape[node][0], self.shape[node][2])
+    }
+
+    /// Which way it turns; nodes that hardly move do not count.
+    pub fn direction(&self) -> Direction {
+        let orbits: Vec<Orbit> = (0..self.shape.len()).map(|node| self.orbit(node)).collect();
+        let largest = orbits.iter().fold(0.0, |size: f64, orbit| size.max(orbit.major));
+        let turning = |sign: f64| {
+            orbits.iter().any(|orbit| orbit.major > 1e-4 * largest && sign * orbit.minor > 1e-6 * orbit.major)
+        };
+        match (turning(1.0), turning(-1.0)) {
+            (true, false) => Direction::Forward,
+            (false, true) => Direction::Backward,
+            (true, true) => Direction::Mixed,
+            (false, false) => Direction::Planar,
+        }
+    }
+
+    /// Modal assurance criterion of two modes of the same reduced model: 1 for the same shape, 0 for a foreign one.
+    pub(super) fn assurance(&self, other: &Mode) -> f64 {
+        self.coordinates.dotc(&other.coordinates).norm_sqr()
+    }
+}
+
+impl<'a> Reduced<'a> {
+    /// Takes shapes until the `count` lowest modes at each of the speeds are exact to ten digits.
+    ///
+    /// # Errors
+    /// `Buckled` where the rotor is statically unstable; `Linalg`.
+    pub fn new(rotor: &'a Assembled, count: usize, speeds: &[f64]) -> Result<Self, RotorError> {
+        Self::to_within(rotor, count, speeds, EXACT)
+    }
+
+    /// The same, exact to within a share of the squares of the natural frequencies.
+    pub fn to_within(
+        rotor: &'a Assembled,
+        count: usize,
+        speeds: &[f64],
+        share: f64,
+    ) -> Result<Self, RotorError> {
+        let middle = speeds.iter().sum::<f64>() / speeds.len().max(1) as f64;
+        let mut reduced = Self { rotor, basis: Basis::new(rotor, middle)?, count };
+        for &speed in speeds {
+            // Each round squares the error or so; more than a few mean that rounding is the limit.
+            for _ in 0..10 {
+                let mut answers = Vec::new();
+                for mode in reduced.modes(speed)?.modes {
+                    let residual = Stiffness::new(rotor, mode.lambda, speed).times(&mode.shape);
+                    let (error, shapes) = reduced.basis.error(&mode.shape, &residual);
+                    if error > share {
+                        answers.extend(shapes);
+                    }
+                }
+                if answers.is_empty() || !reduced.basis.improve(rotor, answers, share)? {
+                    break;
+                }
+            }
+        }
+        Ok(reduced)
+    }
+
+    /// The number of shapes in each plane.
+    pub fn shapes(&self) -> usize {
+        self.basis.len()
+    }
+
+    /// The lowest modes at a speed.
+    ///
+    /// # Errors
+    /// `Linalg`.
+    pub fn modes(&self, speed: f64) -> Result<Spectrum, RotorError> {
+        let (stiffness, damping) = self.matrices(speed);
+        let frequencies = &self.basis.frequencies;
+        let m = frequencies.len();
+        let coupled = (0..m).any(|i| {
+            (m..2 * m).any(|j| {
+                [&stiffness, &damping]
+                    .into_iter()
+                    .any(|matrix| matrix[(i, j)] != 0.0 || matrix[(j, i)] != 0.0)
+            })
+        });
+        let even = coupled && alike(&stiffness) && alike(&damping);
+        // Where no direction is preferred, whirls with and against the spin may have equal frequencies and their vectors
+        // would be arbitrary. Seen from a frame that turns at `turn`, the ones are slower and the others faster.
+        let turn = if even { 0.0613 * frequencies[0] } else { 0.0 };
+        // Planes without coupling may have equal eigenvalues, whose vectors would be arbitrary: each on its own.
+        let blocks = if coupled { vec![0..2 * m] } else { vec![0..m, m..2 * m] };
+        let mut values = Vec::with_capacity(4 * m);
+        let mut coordinates = Vec::with_capacity(4 * m);
+        for block in blocks {
+            let (first, size) = (block.start, block.len());
+            // In the coordinates (ω q, q̇) an undamped rotor at rest has a skew-symmetric state matrix: well scaled.
+            let mut state = DMatrix::zeros(2 * size, 2 * size);
+            for i in 0..size {
+                state[(i, size + i)] = frequencies[i % m];
+                for j in 0..size {
+                    state[(size + i, j)] = -stiffness[(first + i, first + j)] / frequencies[j % m];
+                    state[(size + i, size + j)] = -damping[(first + i, first + j)];
+                }
+            }
+            if even {
+                for i in 0..m {
+                    for (x, y) in [(i, m + i), (2 * m + i, 3 * m + i)] {
+                        state[(x, y)] += turn;
+                        state[(y, x)] -= turn;
+                    }
+                }
+            }
+            let eigen = linalg::complex_eigen(&state)?;
+            for (mut value, vector) in eigen.values.into_iter().zip(eigen.vectors.column_iter()) {
+                if even {
+                    // `y = −ix` turns with the spin.
+                    let spin: f64 = (0..m).map(|i| (vector[i].conj() * vector[m + i]).im).sum();
+                    value.im += turn * -spin.signum();
+                }
+                values.push(value);
+                coordinates.push(DVector::from_fn(2 * m, |i, _| {
+                    if block.contains(&i) {
+                        vector[i - first] / frequencies[i % m]
+                    } else {
+                        Complex::new(0.0, 0.0)
+                    }
+                }));
+            }
+        }
+        let least = 1e-3 * self.basis.shift.sqrt();
+        let swings = |value: &Complex<f64>| value.im > SWING * value.norm() && value.norm() > least;
+        let mut order: Vec<usize> = (0..values.len()).filter(|&n| swings(&values[n])).collect();
+        order.sort_by(|&a, &b| values[a].im.total_cmp(&values[b].im));
+        order.truncate(self.count);
+        let modes: Vec<Mode> = order.iter().map(|&n| self.mode(values[n], &coordinates[n])).collect();
+        let largest = modes.iter().fold(0.0, |size: f64, mode| size.max(mode.lambda.norm()));
+        let creeps = |value: &&Complex<f64>| {
+            value.im >= 0.0
+                && value.im <= SWING * value.norm()
+                && value.norm() <= largest
+                && value.norm() > least
+        };
+        let mut overdamped: Vec<f64> = values.iter().filter(creeps).map(|value| value.re).collect();
+        overdamped.sort_by(f64::total_cmp);
+        Ok(Spectrum { speed, modes, overdamped })
+    }
+
+    /// Stiffness and damping in the coordinates of the shapes, both planes.
+    pub(super) fn matrices(&self, speed: f64) -> (DMatrix<f64>, DMatrix<f64>) {
+        let Basis { vectors, frequencies, shift, mean, gyroscopic, viscous, hysteretic, .. } = &self.basis;
+        let m = frequencies.len();
+        let mut stiffness = DMatrix::zeros(2 * m, 2 * m);
+        let mut damping = DMatrix::zeros(2 * m, 2 * m);
+        for i in 0..m {
+            for plane in [0, m] {
+                stiffness[(plane + i, plane + i)] = frequencies[i].powi(2) - shift;
+            }
+            for j in 0..m {
+                let gyroscopic = speed * gyroscopic[(i, j)];
+                damping[(i, m + j)] += gyroscopic;
+                damping[(m + i, j)] -= gyroscopic;
+                if self.rotor.internal {
+                    let circulatory = speed * viscous[(i, j)] + hysteretic[(i, j)];
+                    stiffness[(i, m + j)] += circulatory;
+                    stiffness[(m + i, j)] -= circulatory;
+                    damping[(i, j)] += viscous[(i, j)];
+                    damping[(m + i, m + j)] += viscous[(i, j)];
+                }
+            }
+        }
+        for (node, here) in self.rotor.bearings(speed) {
+            let counted = mean.iter().find(|(other, _)| *other == node).map_or(0.0, |(_, k)| *k);
+            // Two bearings at one node were counted once each.
+            let row = vectors.row(2 * node);
+            for p in 0..2 {
+                for q in 0..2 {
+                    let k = here.stiffness[p][q] - if p == q { counted } else { 0.0 };
+                    let c = here.damping[p][q];
+                    for i in 0..m {
+                        for j in 0..m {
+                            let both = row[i] * row[j];
+                            stiffness[(p * m + i, q * m + j)] += k * both;
+                            damping[(p * m + i, q * m + j)] += c * both;
+                        }
+                    }
+                }
+            }
+        }
+        (stiffness, damping)
+    }
+
+    /// Polar inertia between the planes, in the coordinates of the shapes.
+    pub(super) fn gyroscopic(&self) -> &DMatrix<f64> {
+        &self.basis.gyroscopic
+    }
+
+    /// The full mode of some coordinates.
+    pub(super) fn mode(&self, lambda: Complex<f64>, coordinates: &DVector<Complex<f64>>) -> Mode {
+        let m = self.basis.frequencies.len();
+        let size = coordinates.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
+        let coordinates = coordinates.map(|x| x / size);
+        let vectors = &self.basis.vectors;
+        let freedom = |row: usize, plane: usize| -> Complex<f64> {
+            (0..m).map(|i| coordinates[plane * m + i] * vectors[(row, i)]).sum()
+        };
+        let shape = (0..self.rotor.nodes())
+            .map(|node| {
+                [(2 * node, 0), (2 * node + 1, 0), (2 * node, 1), (2 * node + 1, 1)]
+                    .map(|(row, plane)| freedom(row, plane))
+            })
+            .collect();
+        Mode { lambda, shape, coordinates }
+    }
+}
+
+/// Whether a matrix of both planes is the same however the planes are turned about the axis: `[[A, B], [−B, A]]`.
+fn alike(matrix: &DMatrix<f64>) -> bool {
+    let m = matrix.nrows() / 2;
+    let least = 1e-14 * matrix.amax();
+    let off = |i: usize, j: usize| {
+        (matrix[(i, j)] - matrix[(m + i, m + j)]).abs().max((matrix[(i, m + j)] + matrix[(m + i, j)]).abs())
+    };
+    (0..m).all(|i| (0..m).all(|j| off(i, j) <= least))
+}
+
+/// The eigenvalue nearest to that of a mode, by a step of inverse iteration on all equations of the rotor at a speed.
+///
+/// # Errors
+/// `Linalg` where the equations cannot be factorised.
+pub fn polished(rotor: &Assembled, mode: &Mode, speed: f64) -> Result<Complex<f64>, RotorError> {
+    let mut lambda = mode.lambda;
+    let mut shape: Vec<Node> = mode.shape.clone();
+    for offset in [1e-5, 1e-7] {
+        let near = lambda * (1.0 + offset);
+        let right = Stiffness::derivative(rotor, near, speed).times(&shape);
+        let factors = Stiffness::new(rotor, near, speed).factors();
+        let turned = factors.ok_or(linalg::LinalgError::NotConverged)?.solve(&right);
+        let inner = |a: &[Node], b: &[Node]| -> Complex<f64> {
+            let plane = |of: &[Node], plane: usize, part: fn(&Complex<f64>) -> f64| {
+                DVector::from_fn(2 * of.len(), |n, _| part(&of[n / 2][2 * plane + n % 2]))
+            };
+            let mut sum = Complex::new(0.0, 0.0);
+            for p in 0..2 {
+                let (re, im) = (plane(a, p, |x| x.re), plane(a, p, |x| x.im));
+                let weighted_re = rotor.mass.times(&plane(b, p, |x| x.re));
+                let weighted_im = rotor.mass.times(&plane(b, p, |x| x.im));
+                sum += Complex::new(
+                    re.dot(&weighted_re) + im.dot(&weighted_im),
+                    re.dot(&weighted_im) - im.dot(&weighted_re),
+                );
+            }
+            sum
+        };
+        lambda = near - inner(&shape, &shape) / inner(&shape, &turned);
+        shape = turned;
+    }
+    if lambda.re.is_finite() && lambda.im.is_finite() {
+        Ok(lambda)
+    } else {
+        Err(linalg::LinalgError::NotConverged.into())
+    }
+}
