@@ -54,6 +54,24 @@ pub(crate) static DEN_HARTOG_1931: Source = Source {
 pub(crate) static BEVAN: Source =
     Source { short: "Bevan", full: "T. Bevan, The Theory of Machines, 3rd ed., Longmans, 1956" };
 
+/// M. I. Friswell and others, Dynamics of Rotating Machines.
+pub(crate) static FRISWELL: Source = Source {
+    short: "Friswell",
+    full: "M. I. Friswell, J. E. T. Penny, S. D. Garvey and A. W. Lees, Dynamics of Rotating Machines, Cambridge University Press, 2010",
+};
+
+/// H. D. Nelson and J. M. McVaugh on rotors by finite elements.
+pub(crate) static NELSON: Source = Source {
+    short: "Nelson & McVaugh",
+    full: "H. D. Nelson and J. M. McVaugh, The dynamics of rotor-bearing systems using finite elements, ASME Journal of Engineering for Industry 98 (1976) 593–600",
+};
+
+/// E. S. Zorzi and H. D. Nelson on internal damping.
+pub(crate) static ZORZI: Source = Source {
+    short: "Zorzi & Nelson",
+    full: "E. S. Zorzi and H. D. Nelson, Finite element simulation of rotor-bearing systems with internal damping, ASME Journal of Engineering for Power 99 (1977) 71–76",
+};
+
 /// J. P. Den Hartog, Mechanical Vibrations.
 pub(crate) static DEN_HARTOG: Source = Source {
     short: "Den Hartog",

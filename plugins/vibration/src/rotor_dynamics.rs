@@ -1,0 +1,710 @@
+//! A rotor of shaft, discs and bearings, by finite elements: whirl, critical speeds, unbalance response, stability.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{About, Analysis, Inputs, Refusal, Text, Worksheet, register};
+use dalembert_mechanics::{
+    Real,
+    rotor::{
+        Assembled, Disc, Hold, Rotor, RotorError, Support as Held,
+        campbell::{Campbell, campbell},
+        critical::{self, Critical},
+        element::{Material, Theory as Bending},
+        mesh::{Segment, mesh},
+        modes::{self, Direction, Mode, Reduced, Spectrum},
+        response::{Unbalance, residual, unbalance_response},
+    },
+};
+
+mod parts;
+mod pictures;
+
+pub use parts::{
+    Bearing, BearingGiven, DiscSize, DiscSizeGiven, InternalDamping, InternalDampingGiven, RotorDisc,
+    RotorDiscGiven, RotorSupport, RotorSupportGiven, RotorUnbalance, RotorUnbalanceGiven, ShaftMaterial,
+    ShaftMaterialGiven, ShaftSegment, ShaftSegmentGiven, SpeedRow, SpeedRowGiven, Theory,
+};
+
+use crate::sources::{FRISWELL, NELSON, ZORZI};
+
+/// The rotor, its mesh, and the speeds that are asked for.
+#[derive(Clone, Debug, Inputs)]
+pub struct RotorDynamics {
+    /// Shaft segments.
+    /// From left to right.
+    #[input(min = 1)]
+    pub segments: Vec<ShaftSegment>,
+    /// Material of the shaft.
+    pub material: ShaftMaterial,
+    /// Discs.
+    pub discs: Vec<RotorDisc>,
+    /// Supports.
+    #[input(min = 1)]
+    pub supports: Vec<RotorSupport>,
+    /// Unbalances.
+    pub unbalances: Vec<RotorUnbalance>,
+    /// Speed.
+    #[input("Ω", "rpm", nonnegative)]
+    pub speed: f64,
+    /// Highest speed of the diagrams.
+    /// Critical speeds and the threshold of stability are looked for up to it.
+    #[input("Ωₘₐₓ", "rpm", positive)]
+    pub highest_speed: f64,
+    /// Frequency of the excitation over the speed.
+    /// 1 for unbalance; 2 for a shaft that is not round; the slope of the line in the Campbell diagram.
+    #[input("s", "1", positive, default = "1")]
+    pub slope: f64,
+    /// Place of the response.
+    /// Distance from the left end; the first unbalance where it is left out.
+    #[input("z_R", "m", nonnegative)]
+    pub place: Option<f64>,
+    /// Axial tension of the shaft.
+    /// Negative for compression.
+    #[input("N", "N")]
+    pub tension: Option<f64>,
+    /// Bending of the shaft.
+    pub theory: Theory,
+    /// Elements in every stretch.
+    /// Between neighbouring steps of the shaft, discs, supports and unbalances.
+    #[input(min = 1, max = 40)]
+    pub elements: usize,
+    /// Modes.
+    #[input(min = 1, max = 10)]
+    pub modes: usize,
+}
+
+register!(RotorDynamics);
+
+/// Speeds of the Campbell diagram.
+const SPEEDS: usize = 14;
+/// The most elements of the whole shaft.
+const MOST_ELEMENTS: usize = 400;
+/// A real part that is this share of its eigenvalue is rounding.
+const STILL: f64 = 1e-10;
+
+impl Analysis for RotorDynamics {
+    const ABOUT: About = About {
+        id: "vibration/rotor-dynamics",
+        title: "Rotor on bearings by finite elements",
+        summary: "Natural frequencies with direction of whirl and damping, critical speeds, unbalance response and threshold of stability of a stepped shaft with discs on bearings.",
+        keywords: "rotor rotordynamics whirl campbell critical speed gyroscopic bearing unbalance finite element log \
+                   decrement instability dinâmica de rotores velocidade crítica mancal giroscópico desbalanceamento \
+                   diagrama elementos finitos",
+        sources: &[&FRISWELL, &NELSON, &ZORZI],
+        cases: include_str!("../cases/rotor_dynamics.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &RotorDynamicsGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let discs = given
+            .discs
+            .iter()
+            .enumerate()
+            .map(|(n, disc)| parts::disc(disc, n + 1, sheet))
+            .collect::<Result<Vec<_>, _>>()?;
+        self.refuse_what_makes_no_rotor()?;
+        let shaft = W::Num::sum(given.segments.iter().enumerate().map(|(n, segment)| {
+            sheet.step(
+                ("m_s", n + 1),
+                "kg",
+                parts::segment_mass(segment, given.material.density),
+                "Mass of the segment",
+            )
+        }));
+        let whole = shaft + W::Num::sum(discs.iter().map(|disc| disc.mass));
+        let whole = sheet.step("m", "kg", whole, "Mass of the rotor: shaft and discs");
+        sheet.answer("mass", "Mass of the rotor", whole);
+
+        let sizes: Vec<[f64; 3]> = discs
+            .iter()
+            .map(|disc| [disc.mass.value(), disc.diametral.value(), disc.polar.value()])
+            .collect();
+        let (rotor, stations) = self.rotor(&sizes, self.elements)?;
+        let all = Assembled::new(&rotor).map_err(refusal)?;
+        sheet.verify(|| {
+            sheet.check(
+                "mass of the rotor from a sideways motion of all nodes in the mass matrix",
+                W::Num::from(translating_mass(&rotor, &all)),
+                whole,
+            );
+        });
+        sheet.keep_going()?;
+
+        let asked = [self.speed, self.highest_speed.max(self.speed)];
+        let reduced = Reduced::new(&all, self.modes, &asked).map_err(refusal)?;
+        let spectrum = reduced.modes(self.speed).map_err(refusal)?;
+        if spectrum.modes.is_empty() {
+            return Err(Refusal::because(
+                "no mode oscillates: every motion is overdamped; lower the damping of the bearings",
+            ));
+        }
+        let conservative = rotor.is_conservative();
+        for (n, mode) in spectrum.modes.iter().enumerate() {
+            self.answer_mode(&all, n + 1, mode, conservative, sheet)?;
+        }
+        self.warn_of_modes(&spectrum, sheet);
+        sheet.keep_going()?;
+
+        let diagram = std::cell::OnceCell::new();
+        let campbell_diagram = || -> Result<&Campbell, Refusal> {
+            if let Some(made) = diagram.get() {
+                return Ok(made);
+            }
+            let speeds: Vec<f64> =
+                (0..=SPEEDS).map(|n| self.highest_speed * n as f64 / SPEEDS as f64).collect();
+            let made = campbell(&reduced, &speeds).map_err(refusal)?;
+            Ok(diagram.get_or_init(|| made))
+        };
+        let mut criticals = if conservative {
+            critical::direct(&reduced, self.slope, self.highest_speed).map_err(refusal)?
+        } else {
+            critical::crossings(&reduced, campbell_diagram()?, self.slope).map_err(refusal)?
+        };
+        criticals.truncate(self.modes);
+        self.answer_criticals(&all, &reduced, &criticals, conservative, sheet)?;
+        sheet.keep_going()?;
+        if !conservative {
+            self.answer_threshold(&reduced, campbell_diagram()?, sheet)?;
+        }
+        self.answer_response(given, &all, &stations, sheet)?;
+        self.warn_of_inputs(&sizes, sheet);
+        let finer = std::cell::OnceCell::new();
+        let finer = || finer.get_or_init(|| self.finer(&sizes)).as_ref();
+        sheet.verify(|| self.warn_of_mesh(&spectrum, finer(), sheet));
+
+        let shown = pictures::Shown {
+            problem: self,
+            rotor: &rotor,
+            all: &all,
+            spectrum: &spectrum,
+            criticals: &criticals,
+            stations: &stations,
+        };
+        pictures::show(&shown, &|| campbell_diagram().ok(), &finer, sheet);
+        Ok(())
+    }
+}
+
+/// Where the discs, supports, unbalances and the response have come to lie.
+pub(super) struct Stations {
+    pub(super) unbalances: Vec<usize>,
+    pub(super) response: Option<usize>,
+}
+
+impl RotorDynamics {
+    fn refuse_what_makes_no_rotor(&self) -> Result<(), Refusal> {
+        for segment in &self.segments {
+            let ends = [
+                (segment.outer, segment.inner.unwrap_or(0.0)),
+                (segment.outer_right.unwrap_or(segment.outer), segment.inner.unwrap_or(0.0)),
+            ];
+            if ends.iter().any(|(outer, inner)| inner >= outer) {
+                return Err(Refusal::because(
+                    "the inner diameter of a shaft segment is not below the outer one: write the larger one as the outer",
+                ));
+            }
+        }
+        let length: f64 = self.segments.iter().map(|segment| segment.length).sum();
+        let places = self
+            .discs
+            .iter()
+            .map(|disc| disc.position)
+            .chain(self.supports.iter().map(|support| support.position))
+            .chain(self.unbalances.iter().map(|unbalance| unbalance.position))
+            .chain(self.place);
+        for place in places {
+            if place > length * (1.0 + 1e-7) {
+                return Err(Refusal::because(
+                    Text::new(
+                        "{place} is not on the shaft, which is {length} long: place discs, supports and unbalances on it",
+                    )
+                    .with_quantity("place", place, "mm")
+                    .with_quantity("length", length, "mm"),
+                ));
+            }
+        }
+        for support in &self.supports {
+            if let Bearing::Table { rows } = &support.bearing
+                && (rows.is_empty() || rows.windows(2).any(|pair| pair[0].speed >= pair[1].speed))
+            {
+                return Err(Refusal::because(
+                    "the speeds of a bearing table must rise from row to row, and there must be one row at least",
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// The rotor with so many elements in every stretch.
+    fn rotor(&self, discs: &[[f64; 3]], elements: usize) -> Result<(Rotor, Stations), Refusal> {
+        let (viscous_damping, loss_factor) = match self.material.damping {
+            InternalDamping::None => (0.0, 0.0),
+            InternalDamping::Viscous { coefficient } => (coefficient, 0.0),
+            InternalDamping::Hysteretic { loss_factor } => (0.0, loss_factor),
+        };
+        let material = Material {
+            young: self.material.young,
+            shear: self.material.shear,
+            density: self.material.density,
+            viscous_damping,
+            loss_factor,
+        };
+        let segments: Vec<Segment> = self
+            .segments
+            .iter()
+            .map(|segment| Segment {
+                length: segment.length,
+                outer: [segment.outer, segment.outer_right.unwrap_or(segment.outer)],
+                inner: [segment.inner.unwrap_or(0.0); 2],
+                material,
+            })
+            .collect();
+        let places: Vec<f64> = self
+            .discs
+            .iter()
+            .map(|disc| disc.position)
+            .chain(self.supports.iter().map(|support| support.position))
+            .chain(self.unbalances.iter().map(|unbalance| unbalance.position))
+            .chain(self.place)
+            .collect();
+        let stretches = segments.len() + places.len();
+        if stretches.saturating_mul(elements) > 4 * MOST_ELEMENTS {
+            return Err(too_many());
+        }
+        let mesh = mesh(&segments, &places, elements).map_err(refusal)?;
+        if mesh.elements.len() > MOST_ELEMENTS {
+            return Err(too_many());
+        }
+        let (at_discs, rest) = mesh.stations.split_at(self.discs.len());
+        let (at_supports, rest) = rest.split_at(self.supports.len());
+        let (at_unbalances, at_response) = rest.split_at(self.unbalances.len());
+        let discs = at_discs
+            .iter()
+            .zip(discs)
+            .map(|(&node, &[mass, diametral, polar])| Disc { node, mass, diametral, polar })
+            .collect();
+        let supports = at_supports
+            .iter()
+            .zip(&self.supports)
+            .map(|(&node, support)| Held { node, hold: support.bearing.hold() })
+            .collect();
+        let theory = match self.theory {
+            Theory::Timoshenko => Bending::Timoshenko,
+            Theory::EulerBernoulli => Bending::EulerBernoulli,
+        };
+        let stations = Stations {
+            unbalances: at_unbalances.to_vec(),
+            response: at_response.first().or(at_unbalances.first()).copied(),
+        };
+        let tension = self.tension.unwrap_or(0.0);
+        Ok((Rotor { elements: mesh.elements, theory, tension, discs, supports }, stations))
+    }
+
+    fn answer_mode<W: Worksheet>(
+        &self,
+        all: &Assembled,
+        n: usize,
+        mode: &Mode,
+        conservative: bool,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let mut lambda = modes::polished(all, mode, self.speed).map_err(refusal)?;
+        if conservative || lambda.re.abs() < STILL * lambda.norm() {
+            lambda.re = 0.0;
+        }
+        let how = (
+            Text::new(
+                "Damped natural frequency of mode {n}: eigenvalue λ = σ + iω of λ²M + λ(C + ΩG) + K, shaft elements, \
+                 discs and supports added up",
+            )
+            .with("n", n),
+            FRISWELL.at("ch. 5"),
+        );
+        let frequency = sheet.found(("ω", n), "rad/s", lambda.im, how);
+        sheet.verify(|| {
+            sheet.check(
+                "the frequency from the equations of all nodes is that from a few shapes of the shaft",
+                W::Num::from(mode.lambda.im),
+                frequency,
+            );
+        });
+        let cycles = sheet.step(("f", n), "Hz", frequency, "The same in hertz");
+        sheet.answer(("frequency", n), "Damped natural frequency", cycles);
+        if !conservative {
+            let growth = sheet.found(
+                ("σ", n),
+                "s^-1",
+                lambda.re,
+                (
+                    "Growth: the real part of the eigenvalue; negative where the motion dies away",
+                    FRISWELL.at("ch. 5"),
+                ),
+            );
+            sheet.verify(|| {
+                sheet.check_zero(
+                    "the growth from the equations of all nodes is that from a few shapes of the shaft",
+                    W::Num::from(lambda.re - mode.lambda.re),
+                    lambda.norm(),
+                );
+            });
+            let natural = (growth.powi(2) + frequency.powi(2)).sqrt();
+            let zeta = sheet.step(
+                ("ζ", n),
+                "1",
+                -growth / natural,
+                ("Damping ratio, from growth and size of the eigenvalue", FRISWELL.at("ch. 5")),
+            );
+            let decrement = sheet.step(
+                ("δ", n),
+                "1",
+                -(growth / frequency) * TAU,
+                ("Logarithmic decrement: what is lost in one turn 2π/ω", FRISWELL.at("ch. 5")),
+            );
+            sheet.verify(|| {
+                sheet.check_zero(
+                    "the decrement from the damping ratio, δ = 2πζ/√(1 − ζ²)",
+                    decrement - zeta * TAU / (W::Num::from(1.0) - zeta.powi(2)).sqrt(),
+                    1.0,
+                );
+            });
+            sheet.answer(("damping_ratio", n), "Damping ratio", zeta);
+            sheet.answer(("log_decrement", n), "Logarithmic decrement", decrement);
+        }
+        if self.speed > 0.0 {
+            let orbit = (0..all.nodes())
+                .map(|node| mode.orbit(node))
+                .max_by(|a, b| a.major.total_cmp(&b.major))
+                .map_or(0.0, |orbit| orbit.minor / orbit.major);
+            let ratio = if orbit.abs() < 1e-9 { 0.0 } else { orbit };
+            let how = (
+                Text::new(
+                    "Whirl: short over long axis of the orbit where it is largest, positive with the spin; the mode \
+                     {direction}",
+                )
+                .with_text("direction", in_words(mode.direction())),
+                FRISWELL.at("ch. 3"),
+            );
+            let whirl = sheet.found(("b/a", n), "1", ratio, how);
+            sheet.answer(("whirl", n), "Short over long axis of the orbit, + with the spin", whirl);
+        }
+        Ok(())
+    }
+
+    fn answer_criticals<W: Worksheet>(
+        &self,
+        all: &Assembled,
+        reduced: &Reduced<'_>,
+        criticals: &[Critical],
+        conservative: bool,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        for (n, critical) in criticals.iter().enumerate() {
+            let how = if conservative {
+                Text::new(
+                    "Critical speed: with ω = sΩ free whirl obeys (K − ω²(M − iG/s)) v = 0, an eigenproblem for ω; \
+                     the whirl {direction}",
+                )
+            } else {
+                Text::new("Critical speed: where a damped natural frequency meets sΩ; the whirl {direction}")
+            };
+            let how = (how.with_text("direction", in_words(critical.mode.direction())), NELSON.at(""));
+            let speed = sheet.found(("Ω_c", n + 1), "rpm", critical.speed, how);
+            sheet.verify(|| {
+                let frequency = if conservative {
+                    critical::rayleigh_frequency(all, critical, self.slope)
+                } else {
+                    nearest(reduced, critical)
+                };
+                sheet.check(
+                    "at this speed a natural frequency is the wanted multiple of the speed",
+                    W::Num::from(frequency),
+                    speed * self.slope,
+                );
+            });
+            sheet.answer(("critical_speed", n + 1), "Critical speed", speed);
+        }
+        if criticals.is_empty() {
+            sheet.warn(|| Text::new("there is no critical speed up to the highest speed of the diagrams"));
+        }
+        Ok(())
+    }
+
+    fn answer_threshold<W: Worksheet>(
+        &self,
+        reduced: &Reduced<'_>,
+        diagram: &Campbell,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let found = critical::threshold(reduced, diagram).map_err(refusal)?;
+        let static_growth = diagram.overdamped.iter().flatten().any(|&root| root > 0.0);
+        if static_growth {
+            sheet.warn(|| {
+                Text::new(
+                    "a motion without swing grows: the bearings push the shaft away at some of the speeds",
+                )
+            });
+        }
+        let Some(Critical { speed, mode }) = found else {
+            sheet.warn(|| {
+                Text::new(
+                    "every mode dies away up to the highest speed of the diagrams: the rotor is stable there",
+                )
+            });
+            return Ok(());
+        };
+        if speed == 0.0 {
+            sheet.warn(|| {
+                Text::new("a mode grows even at rest: the rotor is unstable at every speed from rest on")
+            });
+            return Ok(());
+        }
+        let how = (
+            Text::new("Threshold of stability: the lowest speed at which the damping of a mode is zero; the whirl {direction}")
+                .with_text("direction", in_words(mode.direction())),
+            ZORZI.at(""),
+        );
+        let threshold = sheet.found("Ω_s", "rpm", speed, how);
+        sheet.verify(|| {
+            let off = reduced.modes(speed).map_or(f64::NAN, |spectrum| {
+                let closest = spectrum.modes.iter().min_by(|a, b| {
+                    (a.lambda - mode.lambda).norm().total_cmp(&(b.lambda - mode.lambda).norm())
+                });
+                closest.map_or(f64::NAN, |mode| mode.lambda.re / mode.lambda.norm())
+            });
+            sheet.check_zero("at the threshold the mode neither grows nor dies away", W::Num::from(off), 1.0);
+        });
+        sheet.answer("stability_threshold", "Threshold of stability", threshold);
+        if self.speed > speed {
+            sheet.warn(|| {
+                Text::new("the speed lies above the threshold of stability, {threshold}: the whirl grows until something else limits it")
+                    .with_quantity("threshold", speed, "rpm")
+            });
+        }
+        Ok(())
+    }
+
+    fn answer_response<W: Worksheet>(
+        &self,
+        _given: &RotorDynamicsGiven<W>,
+        all: &Assembled,
+        stations: &Stations,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let Some(node) = stations.response else { return Ok(()) };
+        if self.unbalances.is_empty() || self.speed == 0.0 {
+            return Ok(());
+        }
+        let unbalances = self.unbalance_at(stations);
+        let response = unbalance_response(all, &unbalances, self.speed).map_err(refusal)?;
+        let [x, _, y, _] = response[node];
+        // Without damping the motion is exactly in phase or against it; what is left of the rest is rounding.
+        let size = x.norm().max(y.norm());
+        let clean = |part: f64| if part.abs() <= 1e-9 * size { 0.0 } else { part };
+        let part = |symbol: &'static str, value: f64, words: &'static str| {
+            sheet.found(symbol, "um", value, (words, FRISWELL.at("ch. 6")))
+        };
+        let xc = part(
+            "X_c",
+            clean(x.re),
+            "Unbalance response (−Ω²M + iΩ(C + ΩG) + K) q = Ω² m e e^{iδ}: motion along x in phase with the mark on \
+             the shaft",
+        );
+        let xs = part("X_s", clean(x.im), "The same, a quarter turn ahead of the mark");
+        let yc = part("Y_c", clean(y.re), "Motion along y in phase with the mark on the shaft");
+        let ys = part("Y_s", clean(y.im), "The same, a quarter turn ahead of the mark");
+        let half = |a: W::Num, b: W::Num| (a.powi(2) + b.powi(2)).sqrt() / 2.0;
+        let forward = sheet.step(
+            "r_f",
+            "um",
+            half(xc - ys, xs + yc),
+            ("Radius of the part that turns with the spin", FRISWELL.at("ch. 3")),
+        );
+        let backward = sheet.step(
+            "r_b",
+            "um",
+            half(xc + ys, xs - yc),
+            ("Radius of the part that turns against the spin", FRISWELL.at("ch. 3")),
+        );
+        let major = sheet.step(
+            "a",
+            "um",
+            forward + backward,
+            "Half of the long axis of the orbit: the largest deflection, zero to peak",
+        );
+        let minor = sheet.step(
+            "b",
+            "um",
+            forward - backward,
+            "Half of the short axis, negative where the shaft whirls against the spin",
+        );
+        let along_x =
+            sheet.step("X", "um", (xc.powi(2) + xs.powi(2)).sqrt(), "Amplitude along x, zero to peak");
+        let along_y =
+            sheet.step("Y", "um", (yc.powi(2) + ys.powi(2)).sqrt(), "Amplitude along y, zero to peak");
+        sheet.verify(|| {
+            sheet.check_zero(
+                "the forces of inertia, damping and stiffness of this motion balance the unbalance at every node",
+                W::Num::from(residual(all, &unbalances, self.speed, &response).unwrap_or(f64::NAN)),
+                1.0,
+            );
+            sheet.check(
+                "the squares of the two axes add up to those of the two amplitudes",
+                major.powi(2) + minor.powi(2),
+                along_x.powi(2) + along_y.powi(2),
+            );
+        });
+        sheet.answer("response_major", "Long half-axis of the orbit", major);
+        sheet.answer("response_minor", "Short half-axis of the orbit, + with the spin", minor);
+        sheet.answer("response_x", "Amplitude along x", along_x);
+        sheet.answer("response_y", "Amplitude along y", along_y);
+        if along_x.value() > 0.0 {
+            let phase = sheet.step(
+                "φ",
+                "deg",
+                xs.atan2(xc),
+                "Phase of the motion along x ahead of the mark on the shaft",
+            );
+            sheet.answer("response_phase", "Phase along x, ahead of the mark", phase);
+        }
+        Ok(())
+    }
+
+    /// The unbalances at their nodes.
+    pub(super) fn unbalance_at(&self, stations: &Stations) -> Vec<Unbalance> {
+        self.unbalances
+            .iter()
+            .zip(&stations.unbalances)
+            .map(|(unbalance, &node)| Unbalance { node, size: unbalance.size, angle: unbalance.angle })
+            .collect()
+    }
+
+    /// The modes with twice as many elements.
+    fn finer(&self, discs: &[[f64; 3]]) -> Option<Spectrum> {
+        let (rotor, _) = self.rotor(discs, 2 * self.elements).ok()?;
+        let all = Assembled::new(&rotor).ok()?;
+        let reduced = Reduced::to_within(&all, self.modes, &[self.speed], 1e-7).ok()?;
+        reduced.modes(self.speed).ok()
+    }
+
+    fn warn_of_mesh<W: Worksheet>(&self, spectrum: &Spectrum, finer: Option<&Spectrum>, sheet: W) {
+        let Some(finer) = finer else { return };
+        let worst = spectrum
+            .modes
+            .iter()
+            .zip(&finer.modes)
+            .map(|(coarse, fine)| (coarse.frequency() / fine.frequency() - 1.0).abs())
+            .fold(0.0, f64::max);
+        if worst > 0.01 {
+            sheet.warn(|| {
+                Text::new("the mesh is coarse: with twice as many elements a frequency changes by {change}; write more elements")
+                    .with_quantity("change", worst, "%")
+            });
+        }
+    }
+
+    fn warn_of_modes<W: Worksheet>(&self, spectrum: &Spectrum, sheet: W) {
+        if !spectrum.overdamped.is_empty() {
+            sheet.warn(|| {
+                Text::new("{count} motions at this speed are overdamped: they creep back with hardly a swing and are not among the modes")
+                    .with("count", spectrum.overdamped.len())
+            });
+        }
+        let grows = |mode: &&Mode| mode.lambda.re > STILL * mode.lambda.norm();
+        if spectrum.modes.iter().any(|mode| grows(&mode)) {
+            sheet.warn(|| Text::new("a mode grows at this speed: the rotor is unstable there"));
+        }
+    }
+
+    fn warn_of_inputs<W: Worksheet>(&self, discs: &[[f64; 3]], sheet: W) {
+        if discs.iter().any(|[_, diametral, polar]| polar > diametral) {
+            sheet.warn(|| {
+                Text::new(
+                    "a disc is thin, I_p above I_d: gyroscopic action stiffens its forward tilting so much that this \
+                     has no synchronous critical speed; only backward whirl of the disc meets the line",
+                )
+            });
+        }
+        let one_sided = self.supports.iter().any(|support| {
+            let Hold::Bearing(table) = support.bearing.hold() else { return false };
+            table.iter().any(|(_, here)| {
+                let [[_, xy], [yx, _]] = here.stiffness;
+                (xy == 0.0) != (yx == 0.0)
+            })
+        });
+        if one_sided {
+            sheet.warn(|| {
+                Text::new(
+                    "a bearing has only one of k_xy and k_yx: is its partner missing? an elastic support has both alike, a \
+                     fluid film has both with opposite signs",
+                )
+            });
+        }
+        let beyond = self.supports.iter().any(|support| match &support.bearing {
+            Bearing::Table { rows } => {
+                let ends =
+                    (rows.first().map_or(0.0, |row| row.speed), rows.last().map_or(0.0, |row| row.speed));
+                rows.len() > 1 && (self.speed < ends.0 || self.speed.max(self.highest_speed) > ends.1)
+            }
+            _ => false,
+        });
+        if beyond {
+            sheet.warn(|| {
+                Text::new("some speeds lie outside a bearing table: its first or last row is taken there")
+            });
+        }
+        if matches!(self.material.damping, InternalDamping::Hysteretic { loss_factor } if loss_factor > 0.0) {
+            sheet.warn(|| {
+                Text::new(
+                    "this model of hysteretic damping drives every forward whirl at every speed; a real shaft does so \
+                     only above the critical speed of the mode",
+                )
+            });
+        }
+    }
+}
+
+/// The direction of a mode in words.
+pub(super) fn in_words(direction: Direction) -> Text {
+    match direction {
+        Direction::Forward => Text::new("turns with the spin"),
+        Direction::Backward => Text::new("turns against the spin"),
+        Direction::Mixed => Text::new("turns with the spin at some places and against it at others"),
+        Direction::Planar => Text::new("stays in a plane"),
+    }
+}
+
+/// The natural frequency at a critical speed, from all modes there.
+fn nearest(reduced: &Reduced<'_>, critical: &Critical) -> f64 {
+    let off = |f: &f64| (f - critical.mode.lambda.im).abs();
+    let modes = reduced.modes(critical.speed).map(|spectrum| spectrum.modes).unwrap_or_default();
+    modes.iter().map(Mode::frequency).min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0.0)
+}
+
+/// Mass of a rotor from its mass matrix, its fixed nodes freed.
+fn translating_mass(rotor: &Rotor, all: &Assembled) -> f64 {
+    let free = Rotor { supports: Vec::new(), ..rotor.clone() };
+    let Ok(free) = Assembled::new(&free) else { return f64::NAN };
+    let level: Vec<f64> = (0..2 * all.nodes()).map(|n| if n % 2 == 0 { 1.0 } else { 0.0 }).collect();
+    free.mass.energy(&level)
+}
+
+fn too_many() -> Refusal {
+    Refusal::because("the shaft would have more than 400 elements: write fewer elements in every stretch")
+}
+
+/// Why there is no answer, for a person.
+pub(super) fn refusal(error: RotorError) -> Refusal {
+    match error {
+        RotorError::Buckled => Refusal::because(
+            "the rotor is statically unstable: the compression buckles the shaft or a bearing pushes it away",
+        ),
+        RotorError::Unbounded { speed } => Refusal::because(
+            Text::new(
+                "{speed} is a critical speed without damping: the unbalance response is unbounded and grows with time",
+            )
+            .with_quantity("speed", speed, "rpm"),
+        ),
+        RotorError::Value { .. } | RotorError::Node { .. } | RotorError::Linalg(_) => Refusal::because(
+            "the numbers of this rotor cannot be computed with: check units, diameters and stiffnesses",
+        ),
+    }
+}

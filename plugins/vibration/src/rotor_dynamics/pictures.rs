@@ -1,0 +1,296 @@
+//! What is shown of a rotor: the rotor itself, its modes, and the diagrams over speed.
+
+use std::{cell::OnceCell, f64::consts::TAU};
+
+use dalembert_core::{
+    Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Film, Ink, Plot, Series, TableExhibit, Text, Worksheet,
+};
+use dalembert_mechanics::rotor::{
+    Assembled, Complex, Hold, Rotor,
+    campbell::Campbell,
+    critical::Critical,
+    modes::{Mode, Spectrum},
+    response::{Orbit, unbalance_response},
+};
+
+use super::{RotorDynamics, Stations, in_words};
+
+/// What there is to be shown.
+pub(super) struct Shown<'a> {
+    pub(super) problem: &'a RotorDynamics,
+    pub(super) rotor: &'a Rotor,
+    pub(super) all: &'a Assembled,
+    pub(super) spectrum: &'a Spectrum,
+    pub(super) criticals: &'a [Critical],
+    pub(super) stations: &'a Stations,
+}
+
+/// The amplitude of a node along an axis.
+type Motion = Complex<f64>;
+
+/// A speed and the motion along x and y; none where it is unbounded.
+type Sample = (f64, Option<[Motion; 2]>);
+
+/// Speeds of the response.
+const POINTS: u16 = 240;
+
+/// Frames of a film.
+const FRAMES: usize = 24;
+
+pub(super) fn show<'a, W: Worksheet>(
+    shown: &Shown<'_>,
+    diagram: &impl Fn() -> Option<&'a Campbell>,
+    finer: &impl Fn() -> Option<&'a Spectrum>,
+    sheet: W,
+) {
+    sheet.show(|| Exhibit::Table(shown.modes(finer())));
+    if diagram().is_some() {
+        sheet.show(|| Exhibit::Plot(shown.campbell(diagram())));
+    }
+    if shown.stations.response.is_some() && !shown.problem.unbalances.is_empty() {
+        let sweep = OnceCell::new();
+        sheet.show(|| Exhibit::Plot(response(sweep.get_or_init(|| shown.sweep()))));
+        sheet.show(|| Exhibit::Plot(phase(sweep.get_or_init(|| shown.sweep()))));
+    }
+    if !shown.rotor.is_conservative() {
+        sheet.show(|| Exhibit::Plot(shown.stability(diagram())));
+    }
+    sheet.show(|| Exhibit::Drawing(Drawing { title: "The rotor".into(), shapes: shown.sketch() }));
+    for (n, mode) in shown.spectrum.modes.iter().enumerate().take(6) {
+        sheet.show(|| Exhibit::Film(shown.film(n + 1, mode)));
+    }
+}
+
+impl Shown<'_> {
+    /// The modes at the speed, with the frequencies of a mesh twice as fine.
+    fn modes(&self, finer: Option<&Spectrum>) -> TableExhibit {
+        let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+        let row = |(n, mode): (usize, &Mode)| {
+            let fine = finer.and_then(|finer| finer.modes.get(n)).map(Mode::frequency);
+            let change = fine.map(|fine| fine / mode.frequency() - 1.0);
+            let number = |x: Option<f64>| x.map_or(Cell::Empty, Cell::Number);
+            vec![
+                Cell::Text(Text::new("{n}").with("n", n + 1)),
+                Cell::Number(mode.frequency()),
+                Cell::Number(mode.frequency()),
+                Cell::Number(mode.log_decrement()),
+                Cell::Text(if self.spectrum.speed > 0.0 {
+                    in_words(mode.direction())
+                } else {
+                    Text::from("–")
+                }),
+                number(fine),
+                number(change),
+            ]
+        };
+        TableExhibit {
+            title: "Modes at this speed, and with twice as many elements".into(),
+            columns: vec![
+                column("mode", ""),
+                column("ω", "rad/s"),
+                column("f", "Hz"),
+                column("δ", "1"),
+                column("whirl", ""),
+                column("f, finer mesh", "Hz"),
+                column("change", "%"),
+            ],
+            rows: self.spectrum.modes.iter().enumerate().map(row).collect(),
+            foot: Vec::new(),
+        }
+    }
+
+    fn campbell(&self, diagram: Option<&Campbell>) -> Plot {
+        let mut series = self.branches(diagram, Mode::frequency);
+        let (last, slope) = (self.problem.highest_speed, self.problem.slope);
+        let top = series
+            .iter()
+            .flat_map(|series| series.points.iter())
+            .map(|point| point.1)
+            .filter(|y| y.is_finite())
+            .fold(slope * self.problem.speed, f64::max);
+        let mut line = |slope: f64, label: Text| {
+            let end = last.min(1.05 * top / slope);
+            series.push(Series::line(label, vec![(0.0, 0.0), (end, slope * end)]));
+        };
+        line(slope, Text::from("sΩ"));
+        if slope == 1.0 {
+            line(2.0, Text::from("2Ω"));
+        }
+        let mut plot = Plot::new(
+            "Campbell diagram",
+            Axis::linear("speed", "rpm"),
+            Axis::linear("damped natural frequency", "Hz"),
+            series,
+        );
+        for (n, critical) in self.criticals.iter().enumerate() {
+            plot = plot.mark(
+                Text::new("critical speed {n}").with("n", n + 1),
+                (critical.speed, slope * critical.speed),
+            );
+        }
+        plot
+    }
+
+    fn stability(&self, diagram: Option<&Campbell>) -> Plot {
+        Plot::new(
+            "Stability map",
+            Axis::linear("speed", "rpm"),
+            Axis::linear("logarithmic decrement", "1"),
+            self.branches(diagram, Mode::log_decrement),
+        )
+        .level("threshold", 0.0)
+    }
+
+    fn branches(&self, diagram: Option<&Campbell>, value: fn(&Mode) -> f64) -> Vec<Series> {
+        let Some(diagram) = diagram else { return Vec::new() };
+        let branch = |(n, branch): (usize, &Vec<Option<Mode>>)| {
+            let points = diagram
+                .speeds
+                .iter()
+                .zip(branch)
+                .map(|(&speed, mode)| (speed, mode.as_ref().map_or(f64::NAN, value)));
+            Series::line(Text::new("mode {n}").with("n", n + 1), points.collect())
+        };
+        diagram.branches.iter().enumerate().map(branch).collect()
+    }
+
+    /// The response at the place that is asked for, at every speed.
+    fn sweep(&self) -> Vec<Sample> {
+        let unbalances = self.problem.unbalance_at(self.stations);
+        let node = self.stations.response.unwrap_or(0);
+        (1..=POINTS)
+            .map(|n| {
+                let speed = self.problem.highest_speed * f64::from(n) / f64::from(POINTS);
+                let response = unbalance_response(self.all, &unbalances, speed).ok();
+                (speed, response.map(|response| [response[node][0], response[node][2]]))
+            })
+            .collect()
+    }
+
+    /// The shaft, its discs and its supports from the side.
+    fn sketch(&self) -> Vec<DrawnShape> {
+        let mut shapes = Vec::new();
+        let length: f64 = self.problem.segments.iter().map(|segment| segment.length).sum();
+        shapes.push(DrawnShape::Polyline(vec![(-0.05 * length, 0.0), (1.05 * length, 0.0)], Ink::Faint));
+        let mut from = 0.0;
+        for segment in &self.problem.segments {
+            let to = from + segment.length;
+            let (left, right) = (segment.outer / 2.0, segment.outer_right.unwrap_or(segment.outer) / 2.0);
+            shapes.push(DrawnShape::Polyline(
+                vec![(from, -left), (from, left), (to, right), (to, -right), (from, -left)],
+                Ink::Body,
+            ));
+            from = to;
+        }
+        let thickest = self.problem.segments.iter().map(|segment| segment.outer).fold(0.0, f64::max);
+        let drop = thickest.max(0.05 * length);
+        for (disc, made) in self.problem.discs.iter().zip(&self.rotor.discs) {
+            let (radius, half) = match disc.size {
+                super::DiscSize::Geometry { outer, width, .. } => (outer / 2.0, width / 2.0),
+                super::DiscSize::Inertia { .. } => {
+                    let radius = if made.mass > 0.0 { (2.0 * made.polar / made.mass).sqrt() } else { 0.0 };
+                    (radius.max(thickest), 0.01 * length)
+                }
+            };
+            shapes.push(DrawnShape::Block(
+                (disc.position - half, -radius),
+                (disc.position + half, radius),
+                Ink::Body,
+            ));
+        }
+        for (support, held) in self.problem.supports.iter().zip(&self.rotor.supports) {
+            let z = support.position;
+            match held.hold {
+                Hold::Bearing(_) => {
+                    shapes.push(DrawnShape::Spring((z, -thickest / 2.0), (z, -2.5 * drop)));
+                    let half = 0.04 * length;
+                    shapes.push(DrawnShape::Ground((z - half, -2.5 * drop), (z + half, -2.5 * drop)));
+                }
+                Hold::Pinned => shapes.push(DrawnShape::Pin((z, -thickest / 2.0))),
+                Hold::Clamped => shapes.push(DrawnShape::Ground((z, drop), (z, -drop))),
+            }
+        }
+        for unbalance in &self.problem.unbalances {
+            shapes.push(DrawnShape::Circle((unbalance.position, thickest), 0.012 * length, Ink::Danger));
+        }
+        shapes
+    }
+
+    /// A mode: the centre line of the shaft seen from the side and a little from above.
+    fn film(&self, n: usize, mode: &Mode) -> Film {
+        let length = self.all.positions.last().copied().unwrap_or(1.0);
+        let largest = (0..self.all.nodes())
+            .map(|node| mode.orbit(node).major)
+            .fold(0.0, f64::max)
+            .max(f64::MIN_POSITIVE);
+        let size = 0.25 * length / largest;
+        let place = |z: f64, x: f64, y: f64| (z + 0.35 * size * y, size * x + 0.15 * size * y);
+        let at = |node: usize, angle: f64| {
+            let turn = |part: Motion| part.re * angle.cos() - part.im * angle.sin();
+            place(self.all.positions[node], turn(mode.shape[node][0]), turn(mode.shape[node][2]))
+        };
+        let orbits: Vec<DrawnShape> = self
+            .rotor
+            .discs
+            .iter()
+            .map(|disc| disc.node)
+            .chain(self.rotor.supports.iter().map(|support| support.node))
+            .map(|node| {
+                let points = (0..=24).map(|k| at(node, TAU * f64::from(k) / 24.0)).collect();
+                DrawnShape::Polyline(points, Ink::Faint)
+            })
+            .collect();
+        let frame = |k: usize| {
+            let angle = TAU * k as f64 / FRAMES as f64;
+            let mut shapes = vec![DrawnShape::Polyline(vec![(0.0, 0.0), (length, 0.0)], Ink::Faint)];
+            shapes.extend(orbits.iter().cloned());
+            let line = (0..self.all.nodes()).map(|node| at(node, angle)).collect();
+            shapes.push(DrawnShape::Polyline(line, Ink::Motion));
+            for disc in &self.rotor.discs {
+                shapes.push(DrawnShape::Circle(at(disc.node, angle), 0.015 * length, Ink::Body));
+            }
+            for support in &self.rotor.supports {
+                shapes.push(DrawnShape::Pin((self.all.positions[support.node], 0.0)));
+            }
+            shapes
+        };
+        let title = if self.spectrum.speed > 0.0 {
+            Text::new("Mode {n} at {frequency}: it {direction}")
+                .with_text("direction", in_words(mode.direction()))
+        } else {
+            Text::new("Mode {n} at {frequency}")
+        };
+        Film {
+            title: title.with("n", n).with_quantity("frequency", mode.frequency(), "Hz"),
+            frames: (0..FRAMES).map(frame).collect(),
+            period: 2.0,
+        }
+    }
+}
+
+fn response(sweep: &[Sample]) -> Plot {
+    let curve = |value: fn(Orbit) -> f64| {
+        let at =
+            |&(speed, motion): &Sample| (speed, motion.map_or(f64::NAN, |[x, y]| value(Orbit::of(x, y))));
+        sweep.iter().map(at).collect()
+    };
+    Plot::new(
+        "Unbalance response, zero to peak",
+        Axis::linear("speed", "rpm"),
+        Axis::log("half-axes of the orbit", "um"),
+        vec![
+            Series::line("long half-axis", curve(|orbit| orbit.major)),
+            Series::line("short half-axis", curve(|orbit| orbit.minor.abs())),
+        ],
+    )
+}
+
+fn phase(sweep: &[Sample]) -> Plot {
+    let at = |&(speed, motion): &Sample| (speed, motion.map_or(f64::NAN, |[x, _]| x.arg()));
+    Plot::new(
+        "Phase of the unbalance response along x",
+        Axis::linear("speed", "rpm"),
+        Axis::linear("phase ahead of the mark", "deg"),
+        vec![Series::line("φ", sweep.iter().map(at).collect())],
+    )
+}
