@@ -2,8 +2,8 @@
 //! random excitation, bands of frequencies, instruments, periodic forces, networks, torsional trains, modes of many
 //! degrees of freedom.
 
-pub mod base_modes;
 pub mod absorber;
+pub mod base_modes;
 pub mod decay_fit;
 pub mod dry_forced;
 pub mod duffing;

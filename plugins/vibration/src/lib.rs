@@ -1,17 +1,14 @@
-//! Analyses of vibration: one degree of freedom, rotating unbalance, whirl, identification.
+//! Analyses of vibration, from one degree of freedom to rotors by finite elements.
 
 pub mod bar_on_two_springs;
 pub mod base_excitation;
 pub mod beam_and_springs;
+pub mod beam_vibration;
+pub mod beam_with_tip_body;
 pub mod chain;
 pub mod coulomb_damping;
 pub mod coupled_pendulums;
 pub mod damped_absorber;
-pub mod beam_vibration;
-pub mod beam_with_tip_body;
-mod continuous;
-pub mod coulomb_damping;
-pub mod coupled_pendulums;
 pub mod decay;
 pub mod decay_identification;
 pub mod drop_impact;
@@ -43,17 +40,14 @@ pub mod random_chain;
 pub mod random_response;
 pub mod rayleigh_damping;
 pub mod response_spectrum;
+pub mod rod_impact;
 pub mod rotating_unbalance;
 pub mod rotor_dynamics;
 pub mod section;
 pub mod shaft_clearance;
+pub mod shaft_with_discs;
 pub mod shock_response_spectrum;
 pub mod spectral_density;
-pub mod rod_impact;
-pub mod rotating_unbalance;
-pub mod section;
-pub mod shaft_clearance;
-pub mod shaft_with_discs;
 pub mod spring;
 pub mod spring_network;
 pub mod string_rod_shaft;
@@ -66,6 +60,7 @@ pub mod vibration_instrument;
 pub mod vibration_isolation;
 pub mod whirling_shaft;
 
+mod continuous;
 mod free_motion;
 mod sources;
 
