@@ -1,7 +1,7 @@
 //! Steady response of systems with many degrees of freedom to harmonic forces.
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, TableExhibit, Text,
+    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, Symbol, TableExhibit, Text,
     Worksheet, register,
 };
 use dalembert_mechanics::{
@@ -154,7 +154,8 @@ impl Analysis for FrequencyResponseMatrix {
         for (place, asked) in self.frequencies.iter().enumerate() {
             sheet.keep_going()?;
             let motion = Self::at(asked.frequency, &system, &damped, &force, &found)?;
-            self.write(place, asked.frequency, &motion, sheet);
+            let written = self.closed_form(place, asked.frequency, &system, &damped, given, sheet);
+            self.write(place, asked.frequency, &motion, written, sheet);
             Self::check(asked.frequency, &damped, &force, &found, &motion, sheet);
             table.push((asked.frequency, motion));
         }
@@ -211,7 +212,61 @@ impl FrequencyResponseMatrix {
         )
     }
 
-    fn write<W: Worksheet>(&self, place: usize, frequency: f64, motion: &DVector<Complex<f64>>, sheet: W) {
+    /// Two masses without damping under forces in phase, as a textbook writes them: Cramer's rule.
+    fn closed_form<W: Worksheet>(
+        &self,
+        place: usize,
+        frequency: f64,
+        system: &Assembled<W::Num>,
+        damped: &ModalDamping,
+        given: &FrequencyResponseMatrixGiven<W>,
+        sheet: W,
+    ) -> Option<[W::Num; 2]> {
+        let ([m1, m2], [k11, k12, k22]) = system.two?;
+        let in_phase = self.forces.iter().all(|force| force.phase == 0.0);
+        if damped.any() || !in_phase || self.quantity != Quantity::Displacement {
+            return None;
+        }
+        let row = |base: &'static str, at: usize| Symbol::from(base).row(place + 1).row(at);
+        let frequency = sheet.found(("ω", place + 1), "rad/s", frequency, "From the table of frequencies");
+        let square = frequency.powi(2);
+        let z1 = sheet.step(
+            row("Z", 1),
+            "N/m",
+            k11 - square * m1,
+            ("Dynamic stiffness K₁₁ − ω²M₁", RAO.at("§5.6")),
+        );
+        let z2 = sheet.step(row("Z", 2), "N/m", k22 - square * m2, "Dynamic stiffness K₂₂ − ω²M₂");
+        let determinant = sheet.step(
+            ("Δ", place + 1),
+            "N^2/m^2",
+            z1 * z2 - k12.powi(2),
+            "Determinant of K − ω²M; zero at a natural frequency",
+        );
+        let force = |at: usize| {
+            let here = self.forces.iter().zip(&given.forces).filter(|(force, _)| force.coordinate == at);
+            here.map(|(_, force)| force.amplitude).reduce(|sum, force| sum + force)
+        };
+        let solved = |own: W::Num, first: Option<W::Num>, second: Option<W::Num>| match (first, second) {
+            (Some(first), Some(second)) => (own * first - k12 * second) / determinant,
+            (Some(first), None) => own * first / determinant,
+            (None, Some(second)) => -k12 * second / determinant,
+            (None, None) => W::Num::from(0.0),
+        };
+        let why = ("Displacement in phase with the forces, by Cramer's rule", RAO.at("§5.6"));
+        let x1 = sheet.step(row("Re", 1), "m", solved(z2, force(1), force(2)), why);
+        let x2 = sheet.step(row("Re", 2), "m", solved(z1, force(2), force(1)), why);
+        Some([x1, x2])
+    }
+
+    fn write<W: Worksheet>(
+        &self,
+        place: usize,
+        frequency: f64,
+        motion: &DVector<Complex<f64>>,
+        written: Option<[W::Num; 2]>,
+        sheet: W,
+    ) {
         let unit = self.quantity.unit();
         for row in &self.observed {
             let at = row.coordinate;
@@ -220,12 +275,24 @@ impl FrequencyResponseMatrix {
             let size = value.norm();
             let clean = |part: f64| if part.abs() <= 1e-13 * size { 0.0 } else { part };
             let key = |name: &'static str| (name, place + 1, at);
-            let symbol = |base: &'static str| dalembert_core::Symbol::from(base).row(place + 1).row(at);
+            let symbol = |base: &'static str| Symbol::from(base).row(place + 1).row(at);
             let why = Text::new(
                 "(K − ω²M + iωC) X = F at frequency {place}, coordinate {at}: the part in phase with cos ωt",
             );
             let why = why.with("place", place + 1).with("at", at);
-            let real = sheet.found(symbol("Re"), unit, clean(value.re), (why, RAO.at("§6.15")));
+            let real = match written {
+                Some(both) => {
+                    sheet.check(
+                        Text::new("displacement {at} at frequency {place} by elimination")
+                            .with("at", at)
+                            .with("place", place + 1),
+                        both[at - 1],
+                        value.re.into(),
+                    );
+                    both[at - 1]
+                }
+                None => sheet.found(symbol("Re"), unit, clean(value.re), (why, RAO.at("§6.15"))),
+            };
             let imaginary = sheet.found(
                 symbol("Im"),
                 unit,

@@ -77,6 +77,10 @@ impl Analysis for ModalAnalysis {
         }
         for (mode, shape) in shapes.iter().enumerate() {
             sheet.answer_list(("mode", mode + 1), "Mode shape", "1", shape);
+            let nodes = if system.parallel { nodes(shape) } else { Vec::new() };
+            if !nodes.is_empty() {
+                sheet.answer_list(("nodes", mode + 1), "Nodes, counted in masses", "1", &nodes);
+            }
         }
         masses(&system, &found, &shapes, sheet);
         if damped.any() && damped.proportional {
@@ -87,6 +91,24 @@ impl Analysis for ModalAnalysis {
         self.exhibits(&system, &found, &damped, &shapes, sheet);
         Ok(())
     }
+}
+
+/// Where a shape in a row is at rest: 2.5 is half way from the second mass to the third.
+fn nodes(shape: &[f64]) -> Vec<f64> {
+    let still = 1e-9 * shape.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    let mut nodes = Vec::new();
+    for (row, x) in shape.iter().enumerate() {
+        let place = (row + 1) as f64;
+        if x.abs() <= still {
+            nodes.push(place);
+        } else if let Some(next) = shape.get(row + 1)
+            && next.abs() > still
+            && x * next < 0.0
+        {
+            nodes.push(place + x / (x - next));
+        }
+    }
+    nodes
 }
 
 /// Modal masses and, where the coordinates are parallel, the share of each mode in a motion of the ground.

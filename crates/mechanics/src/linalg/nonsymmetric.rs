@@ -1,11 +1,11 @@
 //! Eigenvalues and eigenvectors of real square matrices without symmetry.
 
-use faer::MatRef;
+use faer::{Mat, MatRef, linalg::solvers::DenseSolveCore};
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{Complex, DMatrix};
 
 use super::{
-    LinalgError, MOST_DENSE, finite, not_above, power_of_two_below, rounding, solve_complex, square,
+    LinalgError, MOST_DENSE, Random, SINGULAR, finite, not_above, power_of_two_below, rounding, square,
 };
 
 /// Eigenvalues and right eigenvectors of a real square matrix.
@@ -24,7 +24,20 @@ impl ComplexEigen {
     /// `Singular` for a matrix without a full set of eigenvectors (critical damping, two free rigid modes).
     pub fn left(&self) -> Result<DMatrix<Complex<f64>>, LinalgError> {
         let n = self.values.len();
-        solve_complex(&self.vectors, &DMatrix::identity(n, n))
+        let vectors = Mat::from_fn(n, n, |row, column| self.vectors[(row, column)]);
+        #[expect(clippy::disallowed_methods, reason = "finite, of unit columns, and its condition is held")]
+        let inverse = vectors.partial_piv_lu().inverse();
+        let left = DMatrix::from_fn(n, n, |row, column| inverse[(row, column)]);
+        let norm = |a: &DMatrix<Complex<f64>>| {
+            a.column_iter().map(|column| column.iter().map(|entry| entry.norm()).sum()).fold(0.0, f64::max)
+        };
+        let reciprocal_condition = 1.0 / (norm(&self.vectors) * norm(&left));
+        // False for what is not a number, too.
+        if reciprocal_condition > SINGULAR * 1e2 {
+            return Ok(left);
+        }
+        let reciprocal_condition = if reciprocal_condition.is_nan() { 0.0 } else { reciprocal_condition };
+        Err(LinalgError::Singular { reciprocal_condition })
     }
 }
 
@@ -82,14 +95,27 @@ pub fn complex_eigen(a: &DMatrix<f64>) -> Result<ComplexEigen, LinalgError> {
         (values, vectors)
     };
     finite(values.iter().chain(vectors.iter()).flat_map(|entry| [&entry.re, &entry.im]))?;
+    // Sums of all vectors with random signs: a wrong one shows in each of them.
     let norm = matrix.norm();
-    for (value, vector) in values.iter().zip(vectors.column_iter()) {
-        let length = vector.norm();
-        for row in 0..n {
-            let image: Complex<f64> = matrix.row(row).iter().zip(vector.iter()).map(|(a, x)| x * *a).sum();
-            if (image - value * vector[row]).norm() > rounding(n) * 10.0 * norm * length {
-                return Err(LinalgError::NotConverged);
+    let mut random = Random::new();
+    for _ in 0..2 {
+        let weights: Vec<f64> =
+            vectors.column_iter().map(|vector| random.next().signum() / (norm * vector.norm())).collect();
+        let sum = |of: &dyn Fn(usize) -> Complex<f64>| {
+            let mut sum = vec![Complex::ZERO; n];
+            for (at, vector) in vectors.column_iter().enumerate() {
+                let weight = of(at);
+                sum.iter_mut().zip(vector.iter()).for_each(|(sum, x)| *sum += x * weight);
             }
+            sum
+        };
+        let (all, mut left) = (sum(&|at| weights[at].into()), sum(&|at| -values[at] * weights[at]));
+        for (column, x) in matrix.column_iter().zip(&all) {
+            left.iter_mut().zip(column.iter()).for_each(|(left, a)| *left += x * *a);
+        }
+        let limit = rounding(n) * 10.0 * (n as f64).sqrt();
+        if norm > 0.0 && left.iter().any(|entry| entry.norm() > limit) {
+            return Err(LinalgError::NotConverged);
         }
     }
 
