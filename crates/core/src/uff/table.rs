@@ -136,7 +136,7 @@ fn rows(function: &Function, columns: &'static [Field]) -> Result<(Vec<String>, 
     fits(abscissa, &own[0], columns[0].label)?;
     let (ordinate, guessed) = match ordinate(function) {
         Some(found) => found,
-        None => (own[1].ascii().to_string(), true),
+        None => (own[1].ascii().clone(), true),
     };
     fits(&ordinate, &own[1], columns[1].label)?;
     if guessed {

@@ -156,11 +156,10 @@ impl Beam {
         for _ in 0..400 {
             let width = high - low;
             // Alone between the bounds, a root is found from its shape.
-            if width <= 0.05 * high && above == wanted && below + 1 == wanted {
-                if let Some(root) = self.polished([low, high]) {
+            if width <= 0.05 * high && above == wanted && below + 1 == wanted
+                && let Some(root) = self.polished([low, high]) {
                     return Ok(root);
                 }
-            }
             if width <= 1e-9 * high {
                 return self.polished([low, high]).ok_or(BeamError::NotConverged);
             }

@@ -200,9 +200,9 @@ impl Shape {
                 for _ in 0..55 {
                     let middle = 0.5 * (low + high);
                     if (self.deflection(middle) > 0.0) == (pair[0].1 > 0.0) {
-                        low = middle
+                        low = middle;
                     } else {
-                        high = middle
+                        high = middle;
                     }
                 }
                 0.5 * (low + high)
@@ -339,7 +339,7 @@ mod tests {
     fn more_terms_never_raise_a_frequency() {
         for supports in [[Support::Clamped, Support::Free], [Support::Pinned, Support::Clamped]] {
             let beam = Tapered { width: 0.2, depth: 0.25, supports };
-            let mut before = vec![f64::INFINITY; 5];
+            let mut before = [f64::INFINITY; 5];
             for terms in 6..22 {
                 let ritz = beam.ritz(terms, 5).unwrap();
                 for (before, now) in before.iter_mut().zip(ritz.lambdas) {

@@ -278,7 +278,7 @@ mod tests {
         let axial = 0.5 * PI * (beam.axial / beam.line_mass).sqrt();
         let torsion = 0.5 * PI * (beam.torsion / beam.polar).sqrt();
         let mut expected =
-            vec![bending(1.875104068711961), bending(4.694091132974175), bending(7.854757438237613)]
+            [bending(1.875104068711961), bending(4.694091132974175), bending(7.854757438237613)]
                 .repeat(2);
         expected.extend([axial, torsion, 3.0 * torsion, 3.0 * axial]);
         expected.sort_by(f64::total_cmp);
