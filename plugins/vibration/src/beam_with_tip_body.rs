@@ -188,7 +188,7 @@ impl Analysis for BeamWithTipBody {
                 );
             });
             sheet.answer(("frequency", n), "Natural frequency", frequency);
-            let tip: Vec<f64> = mode.tip.iter().copied().collect();
+            let tip: Vec<f64> = mode.tip.iter().copied().map(clean).collect();
             sheet.answer_list(("tip", n), "Motion of the tip (u, θL) in mode", "1", &tip);
         }
         sheet.answer("mass", "Mass of the body", total);
@@ -281,12 +281,17 @@ impl BeamWithTipBody {
     }
 }
 
+/// What is left of a motion that is not there is rounding.
+fn clean(share: f64) -> f64 {
+    if share.abs() < 1e-9 { 0.0 } else { share }
+}
+
 /// The motion of the tip in each vibration.
 fn motions(modes: &[Mode]) -> Exhibit {
     let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
     let row = |(n, mode): (usize, &Mode)| {
         let mut row = vec![Cell::Number(n as f64), Cell::Number(mode.frequency)];
-        row.extend(mode.tip.iter().map(|x| Cell::Number(if x.abs() < 1e-9 { 0.0 } else { *x })));
+        row.extend(mode.tip.iter().map(|x| Cell::Number(clean(*x))));
         row
     };
     Exhibit::Table(TableExhibit {
