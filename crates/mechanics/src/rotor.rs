@@ -111,6 +111,9 @@ pub enum RotorError {
     /// Compression beyond buckling, or bearings that push the shaft away more than it resists.
     #[error("the rotor is statically unstable: it buckles or its bearings push it away")]
     Buckled,
+    /// All freedoms are fixed, or their masses too small or too large for numbers.
+    #[error("no node can move; take more elements between the supports, or masses that numbers can hold")]
+    Rigid,
     /// An undamped rotor driven at its natural frequency.
     #[error("the response at {speed} rad/s grows without bound: an undamped critical speed")]
     Unbounded {

@@ -129,7 +129,7 @@ impl Analysis for OverhungDisc {
         let [mass, diametral, polar] = inertia(&given.disc, sheet);
         let system = System { mass, diametral, polar, ..held(&given.shaft, mass, sheet)? };
 
-        let rest = whirls(&system, diametral, ["p", "ω"], AT_REST, sheet);
+        let rest = whirls(&system, diametral, ["p", "ω"], &AT_REST, sheet);
         for (n, square) in rest.into_iter().flatten().enumerate() {
             sheet.answer(("natural_frequency", n + 1), "Natural frequency at rest", square);
         }
@@ -142,7 +142,7 @@ impl Analysis for OverhungDisc {
                 DEN_HARTOG.at("§6.6"),
             ),
         );
-        let forward = whirls(&system, forward_inertia, ["p_f", "Ω_f"], FORWARD, sheet);
+        let forward = whirls(&system, forward_inertia, ["p_f", "Ω_f"], &FORWARD, sheet);
         for (n, speed) in forward.into_iter().flatten().enumerate() {
             sheet.answer(("forward_critical", n + 1), "Critical speed of forward whirl", speed);
         }
@@ -155,7 +155,7 @@ impl Analysis for OverhungDisc {
                 DEN_HARTOG.at("§6.6"),
             ),
         );
-        let backward = whirls(&system, backward_inertia, ["p_b", "Ω_b"], BACKWARD, sheet);
+        let backward = whirls(&system, backward_inertia, ["p_b", "Ω_b"], &BACKWARD, sheet);
         for (n, speed) in backward.into_iter().flatten().enumerate() {
             sheet.answer(("backward_critical", n + 1), "Critical speed of backward whirl", speed);
         }
@@ -231,7 +231,7 @@ fn whirls<W: Worksheet>(
     system: &System<W::Num>,
     inertia: W::Num,
     [half, symbol]: [&'static str; 2],
-    words: Words,
+    words: &Words,
     sheet: W,
 ) -> [Option<W::Num>; 2] {
     let System { k11, k22, determinant, mass, influence: [a, b, c], .. } = *system;

@@ -141,7 +141,7 @@ impl Analysis for RotorDynamics {
         for (n, mode) in spectrum.modes.iter().enumerate() {
             self.answer_mode(&all, n + 1, mode, conservative, sheet)?;
         }
-        self.warn_of_modes(&spectrum, sheet);
+        warn_of_modes(&spectrum, sheet);
         sheet.keep_going()?;
 
         let diagram = std::cell::OnceCell::new();
@@ -160,7 +160,7 @@ impl Analysis for RotorDynamics {
             critical::crossings(&reduced, campbell_diagram()?, self.slope).map_err(refusal)?
         };
         criticals.truncate(self.modes);
-        self.answer_criticals(&all, &reduced, &criticals, conservative, sheet)?;
+        self.answer_criticals(&all, &reduced, &criticals, conservative, sheet);
         sheet.keep_going()?;
         if !conservative {
             self.answer_threshold(&reduced, campbell_diagram()?, sheet)?;
@@ -169,7 +169,7 @@ impl Analysis for RotorDynamics {
         self.warn_of_inputs(&sizes, sheet);
         let finer = std::cell::OnceCell::new();
         let finer = || finer.get_or_init(|| self.finer(&sizes)).as_ref();
-        sheet.verify(|| self.warn_of_mesh(&spectrum, finer(), sheet));
+        sheet.verify(|| warn_of_mesh(&spectrum, finer(), sheet));
 
         let shown = pictures::Shown {
             problem: self,
@@ -396,7 +396,7 @@ impl RotorDynamics {
         criticals: &[Critical],
         conservative: bool,
         sheet: W,
-    ) -> Result<(), Refusal> {
+    ) {
         for (n, critical) in criticals.iter().enumerate() {
             let how = if conservative {
                 Text::new(
@@ -425,7 +425,6 @@ impl RotorDynamics {
         if criticals.is_empty() {
             sheet.warn(|| Text::new("there is no critical speed up to the highest speed of the diagrams"));
         }
-        Ok(())
     }
 
     fn answer_threshold<W: Worksheet>(
@@ -585,35 +584,6 @@ impl RotorDynamics {
         reduced.modes(self.speed).ok()
     }
 
-    fn warn_of_mesh<W: Worksheet>(&self, spectrum: &Spectrum, finer: Option<&Spectrum>, sheet: W) {
-        let Some(finer) = finer else { return };
-        let worst = spectrum
-            .modes
-            .iter()
-            .zip(&finer.modes)
-            .map(|(coarse, fine)| (coarse.frequency() / fine.frequency() - 1.0).abs())
-            .fold(0.0, f64::max);
-        if worst > 0.01 {
-            sheet.warn(|| {
-                Text::new("the mesh is coarse: with twice as many elements a frequency changes by {change}; write more elements")
-                    .with_quantity("change", worst, "%")
-            });
-        }
-    }
-
-    fn warn_of_modes<W: Worksheet>(&self, spectrum: &Spectrum, sheet: W) {
-        if !spectrum.overdamped.is_empty() {
-            sheet.warn(|| {
-                Text::new("{count} motions at this speed are overdamped: they creep back with hardly a swing and are not among the modes")
-                    .with("count", spectrum.overdamped.len())
-            });
-        }
-        let grows = |mode: &&Mode| mode.lambda.re > STILL * mode.lambda.norm();
-        if spectrum.modes.iter().any(|mode| grows(&mode)) {
-            sheet.warn(|| Text::new("a mode grows at this speed: the rotor is unstable there"));
-        }
-    }
-
     fn warn_of_inputs<W: Worksheet>(&self, discs: &[[f64; 3]], sheet: W) {
         if discs.iter().any(|[_, diametral, polar]| polar > diametral) {
             sheet.warn(|| {
@@ -662,6 +632,35 @@ impl RotorDynamics {
     }
 }
 
+fn warn_of_mesh<W: Worksheet>(spectrum: &Spectrum, finer: Option<&Spectrum>, sheet: W) {
+    let Some(finer) = finer else { return };
+    let worst = spectrum
+        .modes
+        .iter()
+        .zip(&finer.modes)
+        .map(|(coarse, fine)| (coarse.frequency() / fine.frequency() - 1.0).abs())
+        .fold(0.0, f64::max);
+    if worst > 0.01 {
+        sheet.warn(|| {
+            Text::new("the mesh is coarse: with twice as many elements a frequency changes by {change}; write more elements")
+                .with_quantity("change", worst, "%")
+        });
+    }
+}
+
+fn warn_of_modes<W: Worksheet>(spectrum: &Spectrum, sheet: W) {
+    if !spectrum.overdamped.is_empty() {
+        sheet.warn(|| {
+            Text::new("{count} motions at this speed are overdamped: they creep back with hardly a swing and are not among the modes")
+                .with("count", spectrum.overdamped.len())
+        });
+    }
+    let grows = |mode: &&Mode| mode.lambda.re > STILL * mode.lambda.norm();
+    if spectrum.modes.iter().any(|mode| grows(&mode)) {
+        sheet.warn(|| Text::new("a mode grows at this speed: the rotor is unstable there"));
+    }
+}
+
 /// The direction of a mode in words.
 pub(super) fn in_words(direction: Direction) -> Text {
     match direction {
@@ -696,6 +695,9 @@ pub(super) fn refusal(error: RotorError) -> Refusal {
     match error {
         RotorError::Buckled => Refusal::because(
             "the rotor is statically unstable: the compression buckles the shaft or a bearing pushes it away",
+        ),
+        RotorError::Rigid => Refusal::because(
+            "no node of the shaft can move: write more elements in every stretch, or check masses and densities",
         ),
         RotorError::Unbounded { speed } => Refusal::because(
             Text::new(

@@ -10,6 +10,9 @@ use nalgebra::{Complex, DMatrix, DVector};
 use super::{Assembled, Plane, RotorError, plane, stiffness::Node};
 use crate::linalg;
 
+/// The plane of `x` or `y`, and the real or the imaginary part.
+type Part = (usize, fn(&Complex<f64>) -> f64);
+
 /// Ritz modes of one plane.
 pub(super) struct Basis {
     /// Orthonormal in the mass matrix, a column each.
@@ -109,6 +112,9 @@ impl Basis {
 
     /// Makes Ritz modes of the shapes.
     fn ritz(&mut self, rotor: &Assembled) -> Result<(), RotorError> {
+        if self.shapes.is_empty() {
+            return Err(RotorError::Rigid);
+        }
         let shapes = DMatrix::from_columns(&self.shapes);
         let stiffness = project(&self.stiffness, &shapes);
         let scale = stiffness.amax();
@@ -129,8 +135,7 @@ impl Basis {
         let part = |from: &[Node], plane: usize, of: fn(&Complex<f64>) -> f64| {
             DVector::from_fn(2 * from.len(), |n, _| of(&from[n / 2][2 * plane + n % 2]))
         };
-        let parts: [(usize, fn(&Complex<f64>) -> f64); 4] =
-            [(0, |x| x.re), (0, |x| x.im), (1, |x| x.re), (1, |x| x.im)];
+        let parts: [Part; 4] = [(0, |x| x.re), (0, |x| x.im), (1, |x| x.re), (1, |x| x.im)];
         let loads = parts.map(|(plane, of)| part(residual, plane, of));
         let answers = loads.each_ref().map(|load| self.factors.solve(load));
         let off: f64 = loads.iter().zip(&answers).map(|(load, answer)| load.dot(answer)).sum();

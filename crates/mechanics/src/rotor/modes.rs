@@ -166,11 +166,10 @@ impl<'a> Reduced<'a> {
         // would be arbitrary. Seen from a frame that turns at `turn`, the ones are slower and the others faster.
         let turn = if even { 0.0613 * frequencies[0] } else { 0.0 };
         // Planes without coupling may have equal eigenvalues, whose vectors would be arbitrary: each on its own.
-        let blocks = if coupled { vec![0..2 * m] } else { vec![0..m, m..2 * m] };
+        let sizes = if coupled { [(0, 2 * m), (m, 0)] } else { [(0, m), (m, m)] };
         let mut values = Vec::with_capacity(4 * m);
         let mut coordinates = Vec::with_capacity(4 * m);
-        for block in blocks {
-            let (first, size) = (block.start, block.len());
+        for (first, size) in sizes.into_iter().filter(|(_, size)| *size > 0) {
             // In the coordinates (ω q, q̇) an undamped rotor at rest has a skew-symmetric state matrix: well scaled.
             let mut state = DMatrix::zeros(2 * size, 2 * size);
             for i in 0..size {
@@ -197,7 +196,7 @@ impl<'a> Reduced<'a> {
                 }
                 values.push(value);
                 coordinates.push(DVector::from_fn(2 * m, |i, _| {
-                    if block.contains(&i) {
+                    if (first..first + size).contains(&i) {
                         vector[i - first] / frequencies[i % m]
                     } else {
                         Complex::new(0.0, 0.0)

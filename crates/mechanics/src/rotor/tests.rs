@@ -31,13 +31,15 @@ fn close(ours: f64, theirs: f64, relative: f64, what: &str) {
     assert!((ours - theirs).abs() <= relative * theirs.abs(), "{what}: {ours} is not {theirs}");
 }
 
+/// A speed, natural frequencies and damping ratios there.
+type Row = (f64, [f64; 6], [f64; 4]);
+
 /// Natural frequencies of ROSS 2.3.0 for its example rotor and for a finer, damped one.
 #[test]
 fn natural_frequencies_agree_with_another_program_to_eight_digits() {
     let undamped = Assembled::new(&two_discs(6, Coefficients::orthotropic([1e6, 0.8e6], [0.0; 2]))).unwrap();
     let damped =
         Assembled::new(&two_discs(30, Coefficients::orthotropic([1e6, 0.8e6], [200.0, 150.0]))).unwrap();
-    type Row = (f64, [f64; 6], [f64; 4]);
     let coarse: [Row; 2] = [
         (0.0, [91.79655318, 96.28899977, 274.56594513, 296.50048532, 722.89787495, 765.00042916], [0.0; 4]),
         (100.0, [91.7867699, 96.29604015, 274.05989215, 296.99412467, 717.35166009, 770.20362427], [0.0; 4]),
@@ -62,14 +64,12 @@ fn natural_frequencies_agree_with_another_program_to_eight_digits() {
     for (rotor, rows) in [(&undamped, &coarse[..]), (&damped, &fine[..])] {
         let speeds: Vec<f64> = rows.iter().map(|row| row.0).collect();
         let reduced = Reduced::new(rotor, 6, &speeds).unwrap();
-        println!("{} shapes of {}", reduced.shapes(), 2 * rotor.nodes());
         for (speed, natural, damping) in rows {
             let modes = reduced.modes(*speed).unwrap().modes;
             for (n, (mode, theirs)) in modes.iter().zip(natural).enumerate() {
                 if *theirs > 0.0 {
                     close(mode.lambda.norm(), *theirs, 5e-9, &format!("mode {n} at {speed} rad/s"));
                     let exact = modes::polished(rotor, mode, *speed).unwrap();
-                    println!("{speed} {n} {:e}", (exact - mode.lambda).norm() / exact.norm());
                     assert!((exact - mode.lambda).norm() < 1e-9 * exact.norm());
                 }
                 if let Some(zeta) = damping.get(n) {
@@ -172,7 +172,6 @@ fn critical_speeds_found_directly_are_where_the_branches_cross_the_line() {
         (4.0, 2.1e4, [4016.807, 4120.531, 12024.92, 12235.9, 18188.97, 20130.45]),
     ] {
         let reduced = Reduced::new(&rotor, 8, &[0.0, highest * rpm]).unwrap();
-        println!("{} shapes of {}", reduced.shapes(), 2 * rotor.nodes());
         let speeds: Vec<f64> = (0..=20).map(|n| f64::from(n) * highest * rpm / 20.0).collect();
         let diagram = campbell(&reduced, &speeds).unwrap();
         let crossings = critical::crossings(&reduced, &diagram, slope).unwrap();

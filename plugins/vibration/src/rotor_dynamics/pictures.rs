@@ -53,7 +53,7 @@ pub(super) fn show<'a, W: Worksheet>(
         sheet.show(|| Exhibit::Plot(phase(sweep.get_or_init(|| shown.sweep()))));
     }
     if !shown.rotor.is_conservative() {
-        sheet.show(|| Exhibit::Plot(shown.stability(diagram())));
+        sheet.show(|| Exhibit::Plot(stability(diagram())));
     }
     sheet.show(|| Exhibit::Drawing(Drawing { title: "The rotor".into(), shapes: shown.sketch() }));
     for (n, mode) in shown.spectrum.modes.iter().enumerate().take(6) {
@@ -100,7 +100,7 @@ impl Shown<'_> {
     }
 
     fn campbell(&self, diagram: Option<&Campbell>) -> Plot {
-        let mut series = self.branches(diagram, Mode::frequency);
+        let mut series = branches(diagram, Mode::frequency);
         let (last, slope) = (self.problem.highest_speed, self.problem.slope);
         let top = series
             .iter()
@@ -129,29 +129,6 @@ impl Shown<'_> {
             );
         }
         plot
-    }
-
-    fn stability(&self, diagram: Option<&Campbell>) -> Plot {
-        Plot::new(
-            "Stability map",
-            Axis::linear("speed", "rpm"),
-            Axis::linear("logarithmic decrement", "1"),
-            self.branches(diagram, Mode::log_decrement),
-        )
-        .level("threshold", 0.0)
-    }
-
-    fn branches(&self, diagram: Option<&Campbell>, value: fn(&Mode) -> f64) -> Vec<Series> {
-        let Some(diagram) = diagram else { return Vec::new() };
-        let branch = |(n, branch): (usize, &Vec<Option<Mode>>)| {
-            let points = diagram
-                .speeds
-                .iter()
-                .zip(branch)
-                .map(|(&speed, mode)| (speed, mode.as_ref().map_or(f64::NAN, value)));
-            Series::line(Text::new("mode {n}").with("n", n + 1), points.collect())
-        };
-        diagram.branches.iter().enumerate().map(branch).collect()
     }
 
     /// The response at the place that is asked for, at every speed.
@@ -293,4 +270,28 @@ fn phase(sweep: &[Sample]) -> Plot {
         Axis::linear("phase ahead of the mark", "deg"),
         vec![Series::line("φ", sweep.iter().map(at).collect())],
     )
+}
+
+/// A curve for each mode.
+fn branches(diagram: Option<&Campbell>, value: fn(&Mode) -> f64) -> Vec<Series> {
+    let Some(diagram) = diagram else { return Vec::new() };
+    let branch = |(n, branch): (usize, &Vec<Option<Mode>>)| {
+        let points = diagram
+            .speeds
+            .iter()
+            .zip(branch)
+            .map(|(&speed, mode)| (speed, mode.as_ref().map_or(f64::NAN, value)));
+        Series::line(Text::new("mode {n}").with("n", n + 1), points.collect())
+    };
+    diagram.branches.iter().enumerate().map(branch).collect()
+}
+
+fn stability(diagram: Option<&Campbell>) -> Plot {
+    Plot::new(
+        "Stability map",
+        Axis::linear("speed", "rpm"),
+        Axis::linear("logarithmic decrement", "1"),
+        branches(diagram, Mode::log_decrement),
+    )
+    .level("threshold", 0.0)
 }
