@@ -107,7 +107,9 @@ fn bytes_in_both_orders_and_both_sizes() {
                     file.extend(second);
                     let (found, skipped) = functions(&file);
                     assert!(skipped.is_empty() && found.len() == 2, "{skipped:?}");
-                    found.iter().for_each(|function| near(function, if double { 1e-15 } else { 1e-7 }));
+                    for function in &found {
+                        near(function, if double { 1e-15 } else { 1e-7 });
+                    }
                 }
             }
         }

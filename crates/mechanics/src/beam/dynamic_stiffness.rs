@@ -156,10 +156,13 @@ impl Beam {
         for _ in 0..400 {
             let width = high - low;
             // Alone between the bounds, a root is found from its shape.
-            if width <= 0.05 * high && above == wanted && below + 1 == wanted
-                && let Some(root) = self.polished([low, high]) {
-                    return Ok(root);
-                }
+            if width <= 0.05 * high
+                && above == wanted
+                && below + 1 == wanted
+                && let Some(root) = self.polished([low, high])
+            {
+                return Ok(root);
+            }
             if width <= 1e-9 * high {
                 return self.polished([low, high]).ok_or(BeamError::NotConverged);
             }
@@ -541,7 +544,9 @@ impl Chain {
         for _ in 0..3 {
             matrix.solve(&mut displacements);
             let size = displacements.iter().fold(0.0f64, |size, x| size.max(x.abs()));
-            displacements.iter_mut().for_each(|x| *x /= size);
+            for x in &mut displacements {
+                *x /= size;
+            }
         }
         let free = |row: usize| if held(row) { 0.0 } else { displacements[row] * scale(row) };
         (0..self.nodes.len()).map(|n| Vector2::new(free(2 * n), free(2 * n + 1))).collect()

@@ -111,7 +111,7 @@ impl Cantilever {
             frequency * length * (self.line_mass / self.axial).sqrt(),
             frequency * length * (self.polar / self.torsion).sqrt(),
         ];
-        if let Some(wave) = waves.into_iter().find(|wave| !(*wave < 1e4)) {
+        if let Some(wave) = waves.into_iter().find(|wave| wave.is_nan() || *wave >= 1e4) {
             return Err(BeamError::TooSlender(wave));
         }
         let mut wave = |at: usize, whole: f64, beta: f64| {
@@ -278,8 +278,7 @@ mod tests {
         let axial = 0.5 * PI * (beam.axial / beam.line_mass).sqrt();
         let torsion = 0.5 * PI * (beam.torsion / beam.polar).sqrt();
         let mut expected =
-            [bending(1.875104068711961), bending(4.694091132974175), bending(7.854757438237613)]
-                .repeat(2);
+            [bending(1.875104068711961), bending(4.694091132974175), bending(7.854757438237613)].repeat(2);
         expected.extend([axial, torsion, 3.0 * torsion, 3.0 * axial]);
         expected.sort_by(f64::total_cmp);
         for (mode, expected) in modes.iter().zip(expected) {
