@@ -3368,3 +3368,8 @@ mass-n = massa { $n }
 the-frequencies-cannot-be-found-the-body-at-the-tip-is-too-far-from-the-mass-or-the-size-of-the-beam = as frequências não podem ser encontradas: o corpo na ponta está longe demais da massa ou do tamanho da viga
 vibration-n-the-forces-of-beam-and-body-at-the-tip-hold-each-other = vibração { $n }: as forças da viga e do corpo na ponta equilibram-se
 x-goes-on-along-the-beam-y-and-z-are-across-it = x segue ao longo da viga, y e z são transversais a ela.
+
+# Words that several analyses use
+density = Massa específica
+modes = Modos
+stiffness-of-each-spring = Rigidez de cada mola

@@ -1,4 +1,5 @@
 //! A rotor of shaft, discs and bearings, by finite elements: whirl, critical speeds, unbalance response, stability.
+// Long because shaft, discs, bearings and unbalances are asked for here, one description each.
 
 use std::f64::consts::TAU;
 

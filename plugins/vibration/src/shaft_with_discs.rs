@@ -1,4 +1,5 @@
 //! Several discs on a shaft: the lowest frequency by approximate methods, beside the exact one.
+// Long because four methods stand beside each other, each with its own steps.
 
 use dalembert_core::{
     About, Analysis, Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series,

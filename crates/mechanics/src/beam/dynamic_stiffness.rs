@@ -7,6 +7,7 @@
 //! Between the stations the beam is cut into segments so short that nothing overflows and nothing cancels. The
 //! number of frequencies below a trial one is counted exactly (W. H. Wittrick and F. W. Williams, *Q. J. Mech. Appl.
 //! Math.* 24, 1971, pp. 263–284), and bisected: no root is missed, double ones included.
+// Long because the matrix, its count of roots and the shapes are one method, read together.
 
 use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
 
