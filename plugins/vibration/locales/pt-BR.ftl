@@ -1193,6 +1193,7 @@ springs-of-the-machine = Molas da máquina
 springs-of-the-main-mass = Molas da massa principal
 squares-of-the-ratios-of-the-fixed-points-their-mean = Quadrados das razões dos pontos fixos: a sua média
 static-deflection-under-the-force = Deflexão estática sob a força
+stiffness-of-each-spring = Rigidez de cada mola
 stiffness-of-each-spring-at-the-radius-a-turn-stretches-it-by-and-its-force-acts-at = Rigidez de cada mola: no raio ρ um giro θ a estica de ρθ, e a sua força age em ρ
 stiffness-of-the-absorber = Rigidez do absorvedor
 stiffness-of-the-absorber-with-the-main-system-at-rest-its-spring-alone-balances-the-excitation = Rigidez do absorvedor: com o sistema principal parado, só a sua mola equilibra a excitação

@@ -166,7 +166,7 @@ impl Analysis for BeamVibration {
             (bending / (line * length.powi(4))).sqrt(),
             ("The frequencies are multiples of √(EI/(m̄L⁴))", RAO.at("§8.5")),
         );
-        let (shear, rotary) = self.theory(given, area, second_moment, bending, sheet)?;
+        let Sections { shear, rotary } = theory(given, area, second_moment, bending, sheet)?;
         let axial = given.axial.map(|force| {
             let ratio = force * length.powi(2) / bending;
             sheet.step("n", "1", ratio, ("Axial force over EI/L²", RAO.at("§8.5")))
@@ -182,7 +182,7 @@ impl Analysis for BeamVibration {
             foundation: foundation.map_or(0.0, Real::value),
             stations: self.stations(bending.value(), (line * length).value())?,
         };
-        self.buckling(&beam, bending, length, given.axial, sheet)?;
+        buckling(&beam, bending, length, given.axial, sheet)?;
         let roots = beam.roots(self.modes).map_err(|err| refusal(&err))?;
         let shapes: Vec<Shape> = roots
             .iter()
@@ -252,41 +252,6 @@ impl Analysis for BeamVibration {
 }
 
 impl BeamVibration {
-    /// Shear flexibility and rotary inertia, as shares of the beam.
-    fn theory<W: Worksheet>(
-        &self,
-        given: &BeamVibrationGiven<W>,
-        area: W::Num,
-        second_moment: W::Num,
-        bending: W::Num,
-        sheet: W,
-    ) -> Result<(Option<W::Num>, Option<W::Num>), Refusal> {
-        let TheoryGiven::Timoshenko { shear, coefficient } = &given.theory else { return Ok((None, None)) };
-        let modulus = shear_modulus(shear, sheet);
-        let coefficient = match coefficient {
-            ShearCoefficientGiven::Given { coefficient } => *coefficient,
-            ShearCoefficientGiven::Cowper { poisson } => shear_coefficient(&given.section, *poisson, sheet)
-                .ok_or_else(|| {
-                Refusal::because(
-                    "Cowper's shear coefficient needs the shape of the section: write the coefficient, or \
-                         choose a section by its shape",
-                )
-            })?,
-        };
-        let length = given.length;
-        let flexibility = bending / (coefficient * modulus * area * length.powi(2));
-        let flexibility = sheet.step(
-            "s",
-            "1",
-            flexibility,
-            ("Flexibility of the beam in shear over that in bending", TIMOSHENKO.at("ch. 5")),
-        );
-        let rotary = second_moment / (area * length.powi(2));
-        let rotary =
-            sheet.step("j", "1", rotary, ("Rotary inertia of the sections over m̄L²", TIMOSHENKO.at("ch. 5")));
-        Ok((Some(flexibility), Some(rotary)))
-    }
-
     /// What stands along the beam, in units of the beam.
     fn stations(&self, bending: f64, mass: f64) -> Result<Vec<Station>, Refusal> {
         let length = self.length;
@@ -330,42 +295,6 @@ impl BeamVibration {
             }
         }
         Ok(stations)
-    }
-
-    /// The buckling load, where an axial force or the person may want it.
-    fn buckling<W: Worksheet>(
-        &self,
-        beam: &Beam,
-        bending: W::Num,
-        length: W::Num,
-        axial: Option<W::Num>,
-        sheet: W,
-    ) -> Result<(), Refusal> {
-        let Some(force) = axial else { return Ok(()) };
-        let Some(load) = beam.buckling_load().map_err(|err| refusal(&err))? else {
-            if force.value() < 0.0 {
-                return Err(Refusal::because(
-                    "the beam can move as a whole, so that no compression can be held: add supports",
-                ));
-            }
-            return Ok(());
-        };
-        let ratio = sheet.found(
-            "p",
-            "1",
-            load,
-            "Compression, over EI/L², at which the lowest frequency would fall to zero: the beam buckles",
-        );
-        let critical = sheet.step("N_cr", "kN", ratio * bending / length.powi(2), "Buckling load");
-        sheet.answer("buckling_load", "Buckling load", critical);
-        if -force.value() >= critical.value() {
-            let text = Text::new("the beam buckles under this compression: write one below {load}")
-                .with_quantity("load", critical.value(), "kN");
-            return Err(Refusal::NoAnswer(text));
-        }
-        let share = sheet.step("N/N_cr", "%", -force / critical, "Compression over the buckling load");
-        sheet.answer("buckling_share", "Compression over the buckling load", share);
-        Ok(())
     }
 
     /// The frequency equation in words, and whether it is one of the classical ones.
@@ -418,8 +347,92 @@ impl BeamVibration {
     }
 }
 
+/// What the theory counts of the sections: shear flexibility and rotary inertia, as shares of the beam.
+struct Sections<N> {
+    shear: Option<N>,
+    rotary: Option<N>,
+}
+
+/// Shear flexibility and rotary inertia, as shares of the beam.
+fn theory<W: Worksheet>(
+    given: &BeamVibrationGiven<W>,
+    area: W::Num,
+    second_moment: W::Num,
+    bending: W::Num,
+    sheet: W,
+) -> Result<Sections<W::Num>, Refusal> {
+    let TheoryGiven::Timoshenko { shear, coefficient } = &given.theory else {
+        return Ok(Sections { shear: None, rotary: None });
+    };
+    let modulus = shear_modulus(shear, sheet);
+    let coefficient = match coefficient {
+        ShearCoefficientGiven::Given { coefficient } => *coefficient,
+        ShearCoefficientGiven::Cowper { poisson } => shear_coefficient(&given.section, *poisson, sheet)
+            .ok_or_else(|| {
+                Refusal::because(
+                    "Cowper's shear coefficient needs the shape of the section: write the coefficient, or \
+                     choose a section by its shape",
+                )
+            })?,
+    };
+    let length = given.length;
+    let flexibility = bending / (coefficient * modulus * area * length.powi(2));
+    let flexibility = sheet.step(
+        "s",
+        "1",
+        flexibility,
+        ("Flexibility of the beam in shear over that in bending", TIMOSHENKO.at("ch. 5")),
+    );
+    let rotary = second_moment / (area * length.powi(2));
+    let rotary =
+        sheet.step("j", "1", rotary, ("Rotary inertia of the sections over m̄L²", TIMOSHENKO.at("ch. 5")));
+    Ok(Sections { shear: Some(flexibility), rotary: Some(rotary) })
+}
+
+/// The buckling load, where there is an axial force.
+fn buckling<W: Worksheet>(
+    beam: &Beam,
+    bending: W::Num,
+    length: W::Num,
+    axial: Option<W::Num>,
+    sheet: W,
+) -> Result<(), Refusal> {
+    let Some(force) = axial else { return Ok(()) };
+    let Some(load) = beam.buckling_load().map_err(|err| refusal(&err))? else {
+        if force.value() < 0.0 {
+            return Err(Refusal::because(
+                "the beam can move as a whole, so that no compression can be held: add supports",
+            ));
+        }
+        return Ok(());
+    };
+    let ratio = sheet.found(
+        "p",
+        "1",
+        load,
+        "Compression, over EI/L², at which the lowest frequency would fall to zero: the beam buckles",
+    );
+    let critical = sheet.step("N_cr", "kN", ratio * bending / length.powi(2), "Buckling load");
+    sheet.answer("buckling_load", "Buckling load", critical);
+    if -force.value() >= critical.value() {
+        let text = Text::new("the beam buckles under this compression: write one below {load}")
+            .with_quantity("load", critical.value(), "kN");
+        return Err(Refusal::NoAnswer(text));
+    }
+    if force.value() >= 0.0 {
+        return Ok(());
+    }
+    let share = sheet.step("N/N_cr", "%", -force / critical, "Compression over the buckling load");
+    sheet.answer("buckling_share", "Compression over the buckling load", share);
+    Ok(())
+}
+
 /// The classical frequency equation of a plain Euler–Bernoulli beam, over cosh β where it grows.
 fn classical(beam: &Beam, beta: f64) -> Option<f64> {
+    const FREE: (bool, bool) = (false, false);
+    const PINNED: (bool, bool) = (true, false);
+    const GUIDED: (bool, bool) = (false, true);
+    const CLAMPED: (bool, bool) = (true, true);
     let plain = |at: &Station| {
         let loaded = at.spring != 0.0 || at.turning_spring != 0.0 || at.mass != 0.0 || at.inertia != 0.0;
         (!loaded).then_some((at.held, at.clamped))
@@ -429,10 +442,6 @@ fn classical(beam: &Beam, beta: f64) -> Option<f64> {
         return None;
     }
     let (sin, cos, tanh, sech) = (beta.sin(), beta.cos(), beta.tanh(), beta.cosh().recip());
-    const FREE: (bool, bool) = (false, false);
-    const PINNED: (bool, bool) = (true, false);
-    const GUIDED: (bool, bool) = (false, true);
-    const CLAMPED: (bool, bool) = (true, true);
     Some(match (plain(&left)?, plain(&right)?) {
         (FREE, FREE) | (CLAMPED, CLAMPED) => cos - sech,
         (FREE, CLAMPED) | (CLAMPED, FREE) => cos + sech,

@@ -126,7 +126,7 @@ impl Analysis for RodImpact {
         let numbers = (wave.value(), stress.value());
         sheet.show(|| Exhibit::Plot(self.free_end(numbers.0)));
         sheet.show(|| Exhibit::Plot(self.stress_at_the_middle(numbers)));
-        sheet.show(|| self.film());
+        sheet.show(Self::film);
         Ok(())
     }
 }
@@ -168,7 +168,7 @@ impl RodImpact {
     }
 
     /// The rod and its loaded part, the shortening enlarged.
-    fn film(&self) -> Exhibit {
+    fn film() -> Exhibit {
         let frame = |n: u16| {
             let tau = 3.0 * f64::from(n) / 24.0;
             let place = |xi: f64| 5.0 * (xi - 0.15 * impact::displacement(xi, tau));

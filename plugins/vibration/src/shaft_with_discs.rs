@@ -247,11 +247,10 @@ impl<W: Worksheet> Shaft<'_, W> {
 
     /// The influence coefficients of the discs.
     fn influence(&self, sheet: W) -> Vec<Vec<W::Num>> {
-        let count = self.places.len();
-        let mut all = vec![vec![W::Num::from(0.0); count]; count];
-        for i in 0..count {
-            for j in i..count {
-                let value = coefficient(self.bending, [self.places[i], self.places[j]], self.lengths());
+        let mut all: Vec<Vec<W::Num>> = vec![Vec::new(); self.places.len()];
+        for (i, place) in self.places.iter().enumerate() {
+            for (j, load) in self.places.iter().enumerate().skip(i) {
+                let value = coefficient(self.bending, [*place, *load], self.lengths());
                 let why = if i == j {
                     "Deflection at the disc under a force of one there"
                 } else {
@@ -259,8 +258,11 @@ impl<W: Worksheet> Shaft<'_, W> {
                 };
                 let symbol = Symbol::from("a").row(i + 1).row(j + 1);
                 let value = sheet.step(symbol, "mm/kN", value, (why, SHIGLEY.at("table A-9")));
-                all[i][j] = value;
-                all[j][i] = value;
+                // Maxwell: the same with place and load exchanged. Rows before this one have filled its beginning.
+                all[i].push(value);
+                if i != j {
+                    all[j].push(value);
+                }
             }
         }
         all

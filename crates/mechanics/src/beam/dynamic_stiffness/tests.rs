@@ -31,11 +31,14 @@ fn close(ours: f64, expected: f64, tolerance: f64) {
     assert!((ours - expected).abs() <= tolerance * expected.abs(), "{ours} is not {expected}");
 }
 
+/// A frequency equation, of β and 1/cosh β.
+type Residual = fn(f64, f64) -> f64;
+
 /// The frequency equations of Euler–Bernoulli beams over cosh β (Rao §8.5; Blevins, table 8-1).
 #[test]
 fn every_pair_of_supports_satisfies_its_equation() {
     let sech = |b: f64| 1.0 / b.cosh();
-    let residuals: [(Station, Station, fn(f64, f64) -> f64); 10] = [
+    let residuals: [(Station, Station, Residual); 10] = [
         (FREE, FREE, |b, s| b.cos() - s),
         (CLAMPED, CLAMPED, |b, s| b.cos() - s),
         (CLAMPED, FREE, |b, s| b.cos() + s),
