@@ -635,7 +635,7 @@ fn a_table_is_read_from_the_file_it_names() {
     assert_eq!(text(&person), read);
     assert!(person.sees().contains("there is no file"), "{}", person.sees());
     person.pastes(&format!("@{}", bad.display()));
-    assert_eq!(text(&person), "no table");
+    assert_eq!(text(&person), "no table\n");
 }
 
 #[test]

@@ -125,8 +125,8 @@ pub(super) fn refused(err: &ModalError) -> Refusal {
                 .with("need", need),
         ),
         ModalError::NoCircle => Refusal::because(
-            "the points lie on no circle of the Nyquist plane: are real and imaginary part, or amplitude and phase, in \
-             their columns?",
+            "the points lie on no circle of the Nyquist plane: look whether real and imaginary part, or amplitude and \
+             phase, stand in their columns",
         ),
         _ => Refusal::because(
             "no damped mode fits these points: read a range of frequencies about one resonance only, and look whether \

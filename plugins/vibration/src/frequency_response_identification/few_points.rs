@@ -103,8 +103,8 @@ fn free_and_forced<W: Worksheet>(
 ) -> Result<(W::Num, W::Num), Refusal> {
     if peak.value() > damped.value() {
         return Err(Refusal::because(
-            "the peak under a force lies above the frequency of the free vibration, which no damping does: are the \
-             two frequencies exchanged, or is the excitation an unbalance?",
+            "the peak under a force lies above the frequency of the free vibration, which no damping does: exchange the \
+             two frequencies, or read the peak as that of an unbalance",
         ));
     }
     if peak.value() == damped.value() {
