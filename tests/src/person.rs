@@ -4,7 +4,7 @@
 //! use dalembert_tests::person::Person;
 //!
 //! let mut person = Person::at(80, 24);
-//! assert!(person.sees().contains("Rotating unbalance"));
+//! assert!(person.types("/fan").sees().contains("Rotating unbalance"));
 //! ```
 //!
 //! Effects are carried out at once and on this thread, files against the real file system: nothing sleeps, nothing

@@ -86,6 +86,7 @@ row-is-not-a-row-rows-count-from-1-as-in-masses-1 = `{ $row }` não é uma linha
 line-line-why = linha { $line }: { $why }
 there-are-more-faults-these-are-the-first = há mais erros; estes são os primeiros
 the-heading-gives-unit-for-column-write-a-unit-like-own = o cabeçalho dá { $unit } para { $column }; escreva uma unidade como { $own }
+no-row-of-numbers-follows-the-heading-in-line-line-write-one-row-a-line-columns = nenhuma linha de números segue o cabeçalho na linha { $line }; escreva uma linha de dados por linha: { $columns }
 the-table-is-empty-write-one-row-a-line-columns = a tabela está vazia; escreva uma linha de dados por linha: { $columns }
 there-are-have-numbers-want-are-needed = há { $have } números; são necessários { $want }
 this-table-has-have-bytes-at-most-most-are-read = esta tabela tem { $have } bytes; são lidos no máximo { $most }

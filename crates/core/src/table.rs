@@ -24,6 +24,7 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
     }
     let mut table = Table { units: columns.iter().map(own_unit).collect(), rows: Vec::new() };
     let mut faults = Vec::new();
+    let mut heading = None;
     for (n, line) in text.lines().enumerate() {
         let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
@@ -31,6 +32,7 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
         }
         let cells = cells(line, columns.len());
         if table.rows.is_empty() && is_heading(&cells) {
+            heading = Some(n + 1);
             read_heading(line, &cells, columns, &mut table.units, &mut faults);
             continue;
         }
@@ -47,7 +49,14 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
     }
     if table.rows.is_empty() && faults.is_empty() {
         let names = columns.iter().map(|column| column.label).collect::<Vec<_>>().join("; ");
-        faults.push(Text::new("the table is empty; write one row a line: {columns}").with("columns", names));
+        let why = match heading {
+            Some(line) => Text::new(
+                "no row of numbers follows the heading in line {line}; write one row a line: {columns}",
+            )
+            .with("line", line),
+            None => Text::new("the table is empty; write one row a line: {columns}"),
+        };
+        faults.push(why.with("columns", names));
     }
     if faults.is_empty() { Ok(table) } else { Err(faults) }
 }

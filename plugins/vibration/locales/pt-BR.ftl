@@ -3373,4 +3373,3 @@ x-goes-on-along-the-beam-y-and-z-are-across-it = x segue ao longo da viga, y e z
 # Words that several analyses use
 density = Massa específica
 modes = Modos
-stiffness-of-each-spring = Rigidez de cada mola

@@ -60,7 +60,11 @@ impl Frame {
         let rows = Rows {
             title: from(10) * title.len() as u16,
             head: from(6),
-            legend: if legend.is_empty() || beside { 0 } else { from(9) },
+            legend: if legend.is_empty() || beside {
+                0
+            } else {
+                legend_rows(&legend, area).min(from(9) * height / 9)
+            },
             axis: from(4),
             labels: from(5),
             foot: from(8),
@@ -86,7 +90,14 @@ impl Frame {
             match rows.legend {
                 0 if beside => frame.legend(&legend, area.right() - legend_width(&legend) as u16, y, setting),
                 0 => frame.legend(&legend, after, y, setting),
-                _ => frame.legend(&legend, area.x, y + 1, setting),
+                most => {
+                    let mut rest = &legend[..];
+                    for row in 1..=most {
+                        let here = if row == most { rest.len() } else { legend_row(rest, area) };
+                        frame.legend(&rest[..here], area.x, y + row, setting);
+                        rest = &rest[here..];
+                    }
+                }
             }
         }
         let rows_of_ticks = frame.y_axis(axes, &ticks, gutter, setting);
@@ -241,6 +252,21 @@ type Sample = (String, String, Style);
 fn legend_width(legend: &[Sample]) -> usize {
     let width = legend.iter().map(|(sample, name, _)| sample.width() + name.width() + 3).sum::<usize>();
     width.saturating_sub(2)
+}
+
+/// How many entries a row holds, one at least.
+fn legend_row(legend: &[Sample], area: Rect) -> usize {
+    (1..=legend.len()).take_while(|n| legend_width(&legend[..*n]) <= area.width.into()).last().unwrap_or(1)
+}
+
+/// In how many rows a legend is whole.
+fn legend_rows(legend: &[Sample], area: Rect) -> u16 {
+    let (mut rest, mut rows) = (legend, 0);
+    while !rest.is_empty() {
+        rest = &rest[legend_row(rest, area)..];
+        rows += 1;
+    }
+    rows
 }
 
 /// The curves by their names; empty where one curve needs no name.
