@@ -135,6 +135,7 @@ fn an_analysis_is_shown() {
             assert!(shown[key].as_array().is_some_and(|all| !all.is_empty()), "{id}: {key}");
         }
         let text = printed(&["show", id]);
+        assert!(text.lines().count() < 1000, "{id}: what is described once is not described again");
         for answer in shown["answers"].as_array().unwrap() {
             assert!(text.contains(answer["name"].as_str().unwrap()), "{id}: {answer}");
         }

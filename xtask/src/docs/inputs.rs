@@ -6,67 +6,46 @@ use super::{array, cell, text};
 
 /// The table of the inputs. What has been described once is not described again.
 pub(super) fn table(fields: &Json) -> String {
-    let mut table = Table { text: String::new(), described: Vec::new() };
-    table.text += "| input | symbol | what it is | what may stand there |\n|---|---|---|---|\n";
-    table.rows(fields, "");
-    table.text
+    let mut text = "| input | symbol | what it is | what may stand there |\n|---|---|---|---|\n".to_owned();
+    rows(&mut text, fields, "");
+    text
 }
 
-struct Table<'j> {
-    text: String,
-    /// Groups and alternatives, and the paths where they are described.
-    described: Vec<(&'j Json, String)>,
+/// A row for every field and, below it, for what lies in it.
+fn rows(table: &mut String, fields: &Json, above: &str) {
+    for field in array(fields) {
+        let path = format!("{above}{}", text(field, "name"));
+        let (symbol, label, help) = (text(field, "symbol"), text(field, "label"), text(field, "help"));
+        let about = if help.is_empty() { label.to_owned() } else { format!("{label}: {help}") };
+        let mut may = asked(field);
+        if let Some(default) = field["default"].as_str() {
+            may += &format!("; otherwise {default}");
+        }
+        if field["optional"] == true {
+            may += "; may be left out";
+        }
+        *table += &format!("| `{path}` | {} | {} | {} |\n", cell(symbol), cell(&about), cell(&may));
+        inside(table, field, &path);
+    }
 }
 
-impl<'j> Table<'j> {
-    /// A row for every field and, below it, for what lies in it.
-    fn rows(&mut self, fields: &'j Json, above: &str) {
-        if fields.is_null() {
-            self.again(above.trim_end_matches('.'), "the same inputs again");
-        }
-        for field in array(fields) {
-            let path = format!("{above}{}", text(field, "name"));
-            let (symbol, label, help) = (text(field, "symbol"), text(field, "label"), text(field, "help"));
-            let about = if help.is_empty() { label.to_owned() } else { format!("{label}: {help}") };
-            let mut may = asked(field);
-            if let Some(default) = field["default"].as_str() {
-                may += &format!("; otherwise {default}");
-            }
-            if field["optional"] == true {
-                may += "; may be left out";
-            }
-            self.text += &format!("| `{path}` | {} | {} | {} |\n", cell(symbol), cell(&about), cell(&may));
-            self.inside(field, &path);
-        }
+fn inside(table: &mut String, shape: &Json, path: &str) {
+    if let Some(first) = shape["like"].as_str() {
+        *table += &format!("| `{path}.…` | | as in `{first}` | |\n");
+        return;
     }
-
-    fn inside(&mut self, shape: &'j Json, path: &str) {
-        let (kind, parts) = match text(shape, "kind") {
-            "rows" => return self.inside(&shape["item"], &format!("{path}[n]")),
-            "one-of" => ("one-of", &shape["alternatives"]),
-            "group" => ("group", &shape["fields"]),
-            "table" => ("table", &shape["columns"]),
-            _ => return,
-        };
-        // A single field is as short as the hint to where it stands.
-        let short = array(parts).len() < 2;
-        if let Some((_, first)) = self.described.iter().find(|(known, _)| !short && *known == parts) {
-            let hint = format!("as in `{first}`");
-            return self.again(path, &hint);
+    match text(shape, "kind") {
+        "rows" => inside(table, &shape["item"], &format!("{path}[n]")),
+        "group" => rows(table, &shape["fields"], &format!("{path}.")),
+        "table" => rows(table, &shape["columns"], &format!("{path}.")),
+        "one-of" => {
+            for alternative in array(&shape["alternatives"]) {
+                let path = format!("{path}.{}", text(alternative, "name"));
+                *table += &format!("| `{path}` | | {} | |\n", cell(text(alternative, "label")));
+                rows(table, &alternative["fields"], &format!("{path}."));
+            }
         }
-        self.described.push((parts, path.to_owned()));
-        if kind != "one-of" {
-            return self.rows(parts, &format!("{path}."));
-        }
-        for alternative in array(parts) {
-            let path = format!("{path}.{}", text(alternative, "name"));
-            self.text += &format!("| `{path}` | | {} | |\n", cell(text(alternative, "label")));
-            self.rows(&alternative["fields"], &format!("{path}."));
-        }
-    }
-
-    fn again(&mut self, path: &str, hint: &str) {
-        self.text += &format!("| `{path}.…` | | {hint} | |\n");
+        _ => {}
     }
 }
 
@@ -125,12 +104,12 @@ mod tests {
         let mass = json!({ "name": "mass", "label": "Mass.", "help": "", "symbol": "m", "default": null,
             "kind": "quantity", "quantity": "a mass", "unit": "kg", "min": limit, "max": null });
         let flag = json!({ "name": "on", "label": "On", "help": "Or off.", "symbol": "", "default": "yes", "kind": "flag" });
-        let group = |name: &str| {
-            json!({ "name": name, "label": "Body", "help": "", "symbol": "", "default": null, "optional": true,
-                "kind": "group", "fields": [mass, flag] })
-        };
+        let first = json!({ "name": "a", "label": "Body", "help": "", "symbol": "", "default": null, "optional": true,
+            "kind": "group", "fields": [mass, flag] });
+        let second = json!({ "name": "b", "label": "Body", "help": "", "symbol": "", "default": null, "optional": true,
+            "kind": "group", "like": "a" });
         assert_eq!(
-            table(&json!([group("a"), group("b")])).lines().skip(2).collect::<Vec<_>>(),
+            table(&json!([first, second])).lines().skip(2).collect::<Vec<_>>(),
             [
                 "| `a` |  | Body | these together; may be left out |",
                 "| `a.mass` | m | Mass. | a mass in kg, above 0 |",

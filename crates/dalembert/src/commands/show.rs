@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use dalembert_core::{
-    Entry, Field, Limit, Locale, Measure, Shape, Stop, Text,
+    Entry, Field, Limit, Locale, Measure, Shape, Stop, Text, Variant,
     cases::{self, Case, Hold},
 };
 use dalembert_report::{Block, Document, Line};
@@ -62,7 +62,7 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
     let about = entry.about;
     let say = |words: &'static str| Text::from(words).render(locale);
     let mut inputs = Vec::new();
-    Lister { locale, lines: &mut inputs, above: Vec::new() }.fields(entry.fields(), 0);
+    Lister { locale, lines: &mut inputs, described: Described::default() }.fields(entry.fields(), "", 0);
     let answer = |promise: &Promise| Line {
         label: promise.name.clone(),
         value: match promise.unit.pretty() {
@@ -94,12 +94,33 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
     }
 }
 
+/// Groups and alternatives that were described, and where: what several inputs share, or what contains itself, is
+/// described once. A single input is as short as the hint to where it stands.
+#[derive(Default)]
+struct Described(Vec<(*const (), String)>);
+
+impl Described {
+    /// Where the insides of the shape were described; those that never were are from now on described at `path`.
+    fn before(&mut self, shape: &Shape, path: &str) -> Option<String> {
+        let (place, parts) = match shape {
+            Shape::Group(fields) | Shape::Table(fields) => (fields().as_ptr().cast(), fields().len()),
+            Shape::OneOf(variants) => (variants().as_ptr().cast(), variants().len()),
+            _ => return None,
+        };
+        let known = self.0.iter().find(|(known, _)| parts > 1 && *known == place);
+        let first = known.map(|(_, first)| first.clone());
+        if first.is_none() {
+            self.0.push((place, path.to_owned()));
+        }
+        first
+    }
+}
+
 /// Writes fields as lines, each with its key and what may stand there.
 struct Lister<'l> {
     locale: &'l Locale,
     lines: &'l mut Vec<Line>,
-    /// The fields that the present ones lie in: a type may contain itself.
-    above: Vec<*const Field>,
+    described: Described,
 }
 
 impl Lister<'_> {
@@ -111,12 +132,7 @@ impl Lister<'_> {
         self.lines.push(Line { depth, label, value, ..Line::default() });
     }
 
-    fn fields(&mut self, fields: &'static [Field], depth: usize) {
-        if self.above.contains(&fields.as_ptr()) {
-            let label = self.say("the same inputs again");
-            return self.line(depth, label, String::new());
-        }
-        self.above.push(fields.as_ptr());
+    fn fields(&mut self, fields: &'static [Field], above: &str, depth: usize) {
         for field in fields {
             let mut value = self.asked(&field.shape);
             if let Some(default) = field.default {
@@ -127,21 +143,27 @@ impl Lister<'_> {
             }
             let symbol = if field.symbol.is_empty() { String::new() } else { format!(" {}", field.symbol) };
             let label = self.say(field.label);
+            let path = format!("{above}{}", field.name);
+            let (shape, path) = inner(field.shape, path);
+            let first = self.described.before(&shape, &path);
+            if let Some(first) = &first {
+                let like = Text::new("as in {field}").with("field", first.as_str());
+                value = format!("{value}, {}", like.render(self.locale));
+            }
             self.line(depth, field.name.to_owned(), format!("{label}{symbol}: {value}"));
-            self.inside(&field.shape, depth + 1);
+            if first.is_none() {
+                self.inside(&shape, &path, depth + 1);
+            }
         }
-        self.above.pop();
     }
 
-    fn inside(&mut self, shape: &Shape, depth: usize) {
+    fn inside(&mut self, shape: &Shape, path: &str, depth: usize) {
         match shape {
-            Shape::Group(fields) | Shape::Table(fields) => self.fields(fields(), depth),
-            Shape::Optional(inner) => self.inside(inner(), depth),
-            Shape::Rows { item, .. } => self.inside(item(), depth),
+            Shape::Group(fields) | Shape::Table(fields) => self.fields(fields(), &format!("{path}."), depth),
             Shape::OneOf(variants) => {
                 for variant in variants() {
                     self.line(depth, variant.name.to_owned(), self.say(variant.label));
-                    self.fields((variant.fields)(), depth + 1);
+                    self.fields((variant.fields)(), &format!("{path}.{}.", variant.name), depth + 1);
                 }
             }
             _ => {}
@@ -224,20 +246,25 @@ fn described(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale
         "family": entry.family(),
         "title": say(about.title),
         "summary": say(about.summary),
-        "inputs": fields(entry.fields(), locale, &mut Vec::new()),
+        "inputs": fields(entry.fields(), locale, "", &mut Described::default()),
         "answers": answers.iter().map(answer).collect::<Vec<_>>(),
         "sources": about.sources.iter().map(|source| json!({ "short": source.short, "full": source.full })).collect::<Vec<_>>(),
         "cases": cases.iter().map(case).collect::<Vec<_>>(),
     })
 }
 
-/// Fields for another program; those that lie in themselves are `null`.
-fn fields(list: &'static [Field], locale: &Locale, above: &mut Vec<*const Field>) -> Json {
-    if above.contains(&list.as_ptr()) {
-        return Json::Null;
+/// The shape that has insides, below what may be left out or repeated, and its path.
+fn inner(shape: Shape, path: String) -> (Shape, String) {
+    match shape {
+        Shape::Optional(shape) => inner(*shape(), path),
+        Shape::Rows { item, .. } => inner(*item(), format!("{path}[n]")),
+        _ => (shape, path),
     }
-    above.push(list.as_ptr());
-    let described = list.iter().map(|field| {
+}
+
+/// Fields for another program.
+fn fields(list: &'static [Field], locale: &Locale, above: &str, described: &mut Described) -> Json {
+    let field = |field: &Field| {
         let mut json = json!({
             "name": field.name,
             "label": Text::from(field.label).render(locale),
@@ -245,17 +272,25 @@ fn fields(list: &'static [Field], locale: &Locale, above: &mut Vec<*const Field>
             "symbol": field.symbol,
             "default": field.default,
         });
-        if let (Json::Object(json), Json::Object(shape)) = (&mut json, shape(&field.shape, locale, above)) {
+        let shape = shape(&field.shape, locale, &format!("{above}{}", field.name), described);
+        if let (Json::Object(json), Json::Object(shape)) = (&mut json, shape) {
             json.extend(shape);
         }
         json
-    });
-    let described = described.collect();
-    above.pop();
-    described
+    };
+    list.iter().map(field).collect()
 }
 
-fn shape(shape: &Shape, locale: &Locale, above: &mut Vec<*const Field>) -> Json {
+/// A shape for another program; `like` is the path where its insides are described.
+fn shape(shape: &Shape, locale: &Locale, path: &str, described: &mut Described) -> Json {
+    if let Some(first) = described.before(shape, path) {
+        let kind = match shape {
+            Shape::OneOf(_) => "one-of",
+            Shape::Table(_) => "table",
+            _ => "group",
+        };
+        return json!({ "kind": kind, "like": first });
+    }
     let limit = |limit: Limit| match limit {
         Limit::None => Json::Null,
         Limit::Including(value) => json!({ "value": value, "included": true }),
@@ -279,24 +314,28 @@ fn shape(shape: &Shape, locale: &Locale, above: &mut Vec<*const Field>) -> Json 
         Shape::Flag => json!({ "kind": "flag" }),
         Shape::Count { min, max } => json!({ "kind": "count", "min": min, "max": max }),
         Shape::OneOf(variants) => {
-            let variant = |variant: &'static dalembert_core::Variant| {
+            let variant = |variant: &Variant| {
                 json!({
                     "name": variant.name,
                     "label": Text::from(variant.label).render(locale),
                     "help": Text::from(variant.help).render(locale),
-                    "fields": fields((variant.fields)(), locale, above),
+                    "fields": fields((variant.fields)(), locale, &format!("{path}.{}.", variant.name), described),
                 })
             };
             json!({ "kind": "one-of", "alternatives": variants().iter().map(variant).collect::<Vec<_>>() })
         }
-        Shape::Group(inner) => json!({ "kind": "group", "fields": fields(inner(), locale, above) }),
-        Shape::Rows { item, min } => {
-            json!({ "kind": "rows", "min": min, "item": self::shape(item(), locale, above) })
+        Shape::Group(inner) => {
+            json!({ "kind": "group", "fields": fields(inner(), locale, &format!("{path}."), described) })
         }
-        Shape::Table(columns) => json!({ "kind": "table", "columns": fields(columns(), locale, above) }),
+        Shape::Rows { item, min } => {
+            json!({ "kind": "rows", "min": min, "item": self::shape(item(), locale, &format!("{path}[n]"), described) })
+        }
+        Shape::Table(columns) => {
+            json!({ "kind": "table", "columns": fields(columns(), locale, &format!("{path}."), described) })
+        }
         Shape::Reference(list) => json!({ "kind": "reference", "rows": list }),
         Shape::Optional(inner) => {
-            let mut json = self::shape(inner(), locale, above);
+            let mut json = self::shape(inner(), locale, path, described);
             if let Json::Object(json) = &mut json {
                 json.insert("optional".into(), true.into());
             }
