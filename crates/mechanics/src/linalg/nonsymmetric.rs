@@ -1,6 +1,6 @@
 //! Eigenvalues and eigenvectors of real square matrices without symmetry.
 
-use faer::{Mat, MatRef, linalg::solvers::DenseSolveCore};
+use faer::{Mat, MatRef, Par, linalg::solvers::DenseSolveCore};
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{Complex, DMatrix};
 
@@ -23,6 +23,7 @@ impl ComplexEigen {
     /// # Errors
     /// `Singular` for a matrix without a full set of eigenvectors (critical damping, two free rigid modes).
     pub fn left(&self) -> Result<DMatrix<Complex<f64>>, LinalgError> {
+        one_thread();
         let n = self.values.len();
         let vectors = Mat::from_fn(n, n, |row, column| self.vectors[(row, column)]);
         #[expect(clippy::disallowed_methods, reason = "finite, of unit columns, and its condition is held")]
@@ -41,11 +42,17 @@ impl ComplexEigen {
     }
 }
 
+/// These matrices are small: more threads would take more time, and their number would change the last digits.
+fn one_thread() {
+    faer::set_global_parallelism(Par::Seq);
+}
+
 /// Eigenvalues of a real square matrix, ascending by real part and then by imaginary part.
 ///
 /// # Errors
 /// `Shape`; `TooLarge` above [`MOST_DENSE`]; `NotFinite`; `NotConverged`.
 pub fn complex_eigenvalues(a: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, LinalgError> {
+    one_thread();
     let Balanced { matrix, size, .. } = balanced(a)?;
     let n = a.nrows();
     let mut values: Vec<Complex<f64>> = {
@@ -80,6 +87,7 @@ pub fn complex_eigenvalues(a: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Linalg
 /// `Shape`; `TooLarge` above [`MOST_DENSE`]; `NotFinite`; `NotConverged`, also when a vector does not satisfy its
 /// equation.
 pub fn complex_eigen(a: &DMatrix<f64>) -> Result<ComplexEigen, LinalgError> {
+    one_thread();
     let Balanced { matrix, scale, size } = balanced(a)?;
     let n = a.nrows();
     let (values, vectors) = {

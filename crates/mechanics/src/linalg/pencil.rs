@@ -1,6 +1,15 @@
 //! `K φ = λ M φ` with full symmetric matrices.
 
-use faer::{Mat, MatRef, Par, Side, linalg::triangular_solve};
+use faer::{
+    MatMut, MatRef, Par,
+    diag::DiagMut,
+    dyn_stack::{MemBuffer, MemStack},
+    linalg::{
+        cholesky::llt::factor::{LltError, cholesky_in_place, cholesky_in_place_scratch},
+        evd::{ComputeEigenvectors, self_adjoint_evd, self_adjoint_evd_scratch},
+        triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place},
+    },
+};
 use nalgebra::{DMatrix, DVector};
 
 use super::{
@@ -15,11 +24,15 @@ const LOW: f64 = 1e-3;
 /// So many low values are taken anew at most.
 const MOST_LOW: usize = 10;
 
+/// From so many unknowns on, several threads take less time than one.
+const WORTH_THREADS: usize = 400;
+
 /// The eigenvalues of `K φ = λ M φ`, ascending, and vectors with `φᵀ M φ = 1`.
 ///
 /// M is reduced by Cholesky (Golub and Van Loan, 4th ed., §8.7.2), after each unknown is scaled so that
 /// its mass is near one: rotations may stand beside translations. K may be singular or indefinite. The values of
 /// low modes are Rayleigh quotients with twice the digits, and zero where that is all rounding: a rigid body mode.
+/// Above some hundred unknowns all cores take part, and the last digits may depend on their number.
 ///
 /// # Errors
 /// `Shape`; `TooLarge` above [`MOST_DENSE`]; `NotFinite`; `NotSymmetric`; `NotPositiveDefinite` for M;
@@ -27,12 +40,9 @@ const MOST_LOW: usize = 10;
 pub fn generalised_eigen(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<SymmetricEigen, LinalgError> {
     let Reduced { stiffness, mass, lower, standard, scale, size } = reduce(k, m)?;
     let n = k.nrows();
-    #[expect(clippy::disallowed_methods, reason = "finite, scaled, and limited by the library itself")]
-    let eigen = standard.self_adjoint_eigen(Side::Lower).map_err(|_| LinalgError::NotConverged)?;
-    let mut vectors = eigen.U().to_owned();
-    triangular_solve::solve_upper_triangular_in_place(lower.as_ref().transpose(), vectors.as_mut(), Par::Seq);
-    let mut values: Vec<f64> = eigen.S().column_vector().iter().copied().collect();
-    let vectors = DMatrix::from_fn(n, n, |row, column| vectors[(row, column)]);
+    let (mut values, mut vectors) = (vec![0.0; n], DMatrix::zeros(n, n));
+    eigen(&standard, &mut values, Some(view_mut(&mut vectors)))?;
+    solve_upper_triangular_in_place(view(&lower).transpose(), view_mut(&mut vectors), threads(n));
     finite(values.iter().chain(vectors.iter()))?;
 
     let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
@@ -45,7 +55,9 @@ pub fn generalised_eigen(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<Symmetric
         values[at] = value;
         order[at] = mode;
     }
-    let mut vectors = if low == 0 { vectors } else { vectors.select_columns(&order) };
+    if low > 0 {
+        vectors = vectors.select_columns(&order);
+    }
 
     residual(&stiffness, &mass, &values, &vectors)?;
     for (row, scale) in scale.iter().enumerate() {
@@ -62,19 +74,45 @@ pub fn generalised_eigen(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<Symmetric
 /// As for [`generalised_eigen`].
 pub fn generalised_eigenvalues(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<DVector<f64>, LinalgError> {
     let Reduced { standard, size, .. } = reduce(k, m)?;
-    #[expect(clippy::disallowed_methods, reason = "finite, scaled, and limited by the library itself")]
-    let values = standard.self_adjoint_eigenvalues(Side::Lower).map_err(|_| LinalgError::NotConverged)?;
+    let mut values = vec![0.0; k.nrows()];
+    eigen(&standard, &mut values, None)?;
     let values = DVector::from_vec(values) * size;
     finite(values.iter())?;
     Ok(values)
+}
+
+/// One thread for small matrices, as many as there are for large ones.
+fn threads(n: usize) -> Par {
+    if n < WORTH_THREADS { Par::Seq } else { Par::rayon(0) }
+}
+
+fn view(a: &DMatrix<f64>) -> MatRef<'_, f64> {
+    MatRef::from_column_major_slice(a.as_slice(), a.nrows(), a.ncols())
+}
+
+fn view_mut(a: &mut DMatrix<f64>) -> MatMut<'_, f64> {
+    let (rows, columns) = a.shape();
+    MatMut::from_column_major_slice_mut(a.as_mut_slice(), rows, columns)
+}
+
+/// Eigenvalues of a symmetric matrix, ascending, and its vectors if they are wanted. The lower half is read.
+fn eigen(a: &DMatrix<f64>, values: &mut [f64], vectors: Option<MatMut<'_, f64>>) -> Result<(), LinalgError> {
+    let (n, par) = (a.nrows(), threads(a.nrows()));
+    let wanted = if vectors.is_some() { ComputeEigenvectors::Yes } else { ComputeEigenvectors::No };
+    let settings = <_>::default();
+    let mut memory = MemBuffer::new(self_adjoint_evd_scratch::<f64>(n, wanted, par, settings));
+    let values = DiagMut::from_slice_mut(values);
+    self_adjoint_evd(view(a), values, vectors, par, MemStack::new(&mut memory), settings)
+        .map_err(|_| LinalgError::NotConverged)
 }
 
 /// `D K D / size` and `D M D`, the Cholesky factor of the second, and `L⁻¹ K L⁻ᵀ` of the scaled ones.
 struct Reduced {
     stiffness: DMatrix<f64>,
     mass: DMatrix<f64>,
-    lower: Mat<f64>,
-    standard: Mat<f64>,
+    /// In the lower half; the upper one is that of the masses.
+    lower: DMatrix<f64>,
+    standard: DMatrix<f64>,
     scale: Vec<f64>,
     size: f64,
 }
@@ -105,24 +143,25 @@ fn reduce(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<Reduced, LinalgError> {
     let mass = both(m, 1.0);
     finite(stiffness.iter().chain(mass.iter()))?;
 
-    let view = |a: &DMatrix<f64>| MatRef::from_column_major_slice(a.as_slice(), n, n).to_owned();
-    #[expect(clippy::disallowed_methods, reason = "finite and scaled; a failure is named")]
-    let factors = view(&mass).llt(Side::Lower).map_err(|error| {
-        let faer::linalg::solvers::LltError::NonPositivePivot { index } = error;
-        LinalgError::NotPositiveDefinite { matrix: "mass", row: index + 1 }
-    })?;
+    let (mut lower, par) = (mass.clone(), threads(n));
+    let settings = <_>::default();
+    let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(n, par, settings));
+    cholesky_in_place(view_mut(&mut lower), <_>::default(), par, MemStack::new(&mut memory), settings)
+        .map_err(|LltError::NonPositivePivot { index }| LinalgError::NotPositiveDefinite {
+            matrix: "mass",
+            row: index + 1,
+        })?;
     // What is left of a diagonal entry after elimination: rounding alone may leave something positive.
     for row in 0..n {
-        let pivot = factors.L()[(row, row)].powi(2);
+        let pivot = lower[(row, row)].powi(2);
         if pivot <= f64::EPSILON * 4.0 * mass[(row, row)] {
             return Err(LinalgError::NotPositiveDefinite { matrix: "mass", row: row + 1 });
         }
     }
-    let lower = factors.L().to_owned();
-    let mut half = view(&stiffness);
-    triangular_solve::solve_lower_triangular_in_place(lower.as_ref(), half.as_mut(), Par::Seq);
-    let mut standard = half.transpose().to_owned();
-    triangular_solve::solve_lower_triangular_in_place(lower.as_ref(), standard.as_mut(), Par::Seq);
+    let mut half = stiffness.clone();
+    solve_lower_triangular_in_place(view(&lower), view_mut(&mut half), par);
+    let mut standard = half.transpose();
+    solve_lower_triangular_in_place(view(&lower), view_mut(&mut standard), par);
     Ok(Reduced { stiffness, mass, lower, standard, scale, size })
 }
 
