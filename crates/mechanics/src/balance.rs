@@ -7,7 +7,12 @@
 
 use crate::Real;
 
+mod planes;
 mod two_plane;
+mod unknowns;
+
+pub use planes::{Kind, balance_planes, equivalent_in_first, equivalent_in_second, kind, least_correction};
+pub use unknowns::{Known, PartlyKnown, UnknownsError, Vanishing, balance_unknowns};
 
 pub use two_plane::{BalanceError, PlaneUnbalance, TwoPlaneBalance, balance_two_planes};
 

@@ -9,6 +9,7 @@ use crate::Real;
 
 pub mod dynamic_stiffness;
 pub mod influence;
+pub mod rotating;
 pub mod tapered;
 pub mod tip_body;
 

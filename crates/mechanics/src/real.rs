@@ -153,7 +153,8 @@ impl Real for f64 {
     }
     #[inline]
     fn sum(terms: impl IntoIterator<Item = f64>) -> f64 {
-        terms.into_iter().fold(0.0, Add::add)
+        // Not from zero: the sum of one −0 is −0.
+        terms.into_iter().reduce(Add::add).unwrap_or(0.0)
     }
 }
 

@@ -4,6 +4,7 @@
 
 pub mod absorber;
 pub mod base_modes;
+pub mod bessel;
 pub mod decay_fit;
 pub mod dry_forced;
 pub mod duffing;
@@ -21,6 +22,7 @@ pub mod modes;
 pub mod network;
 pub mod periodic;
 pub mod piecewise;
+pub mod plate;
 pub mod poles;
 pub mod quadrature;
 pub mod random;

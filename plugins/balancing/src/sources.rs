@@ -11,3 +11,19 @@ pub(crate) static MABIE: Source = Source {
     short: "Mabie",
     full: "H. H. Mabie, C. F. Reinholtz, Mechanisms and Dynamics of Machinery, 4th ed., Wiley, 1987",
 };
+
+/// R. L. Norton, Design of Machinery.
+pub(crate) static NORTON: Source =
+    Source { short: "Norton", full: "R. L. Norton, Design of Machinery, 5th ed., McGraw-Hill, 2012" };
+
+/// R. S. Khurmi and J. K. Gupta, Theory of Machines.
+pub(crate) static KHURMI: Source = Source {
+    short: "Khurmi & Gupta",
+    full: "R. S. Khurmi, J. K. Gupta, Theory of Machines, 14th ed., S. Chand, 2005",
+};
+
+/// ISO 21940-2, the vocabulary of balancing.
+pub(crate) static ISO_TERMS: Source = Source {
+    short: "ISO 21940-2",
+    full: "ISO 21940-2:2017, Mechanical vibration — Rotor balancing — Part 2: Vocabulary",
+};

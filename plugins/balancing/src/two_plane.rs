@@ -1,16 +1,16 @@
 //! A rigid rotor with known eccentric masses, balanced in two planes.
 
-use dalembert_core::{
-    About, Analysis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text,
-    Worksheet, register, trace::ROUNDING,
-};
+use dalembert_core::{About, Analysis, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real, Vector,
     balance::{self, PlaneUnbalance},
 };
 use std::f64::consts::TAU;
 
-use crate::sources::{MABIE, RIUL};
+use crate::{
+    sources::{MABIE, RIUL},
+    views::{self, Shown},
+};
 
 /// The eccentric masses, the two planes, and what is put there.
 #[derive(Clone, Debug, Inputs)]
@@ -150,9 +150,9 @@ impl Analysis for TwoPlane {
                     .with("times", format!("{:.0}", reach / largest))
             });
         }
-        sheet.show(|| Exhibit::Table(self.table(corrections)));
-        sheet.show(|| Exhibit::Drawing(self.end_view(corrections)));
-        sheet.show(|| Exhibit::Drawing(self.side_view(corrections)));
+        sheet.show(|| Exhibit::Table(views::table(&self.shown(corrections), true)));
+        sheet.show(|| Exhibit::Drawing(views::polar(&self.shown(corrections))));
+        sheet.show(|| Exhibit::Drawing(views::side(&self.shown(corrections), None)));
         Ok(())
     }
 }
@@ -287,112 +287,28 @@ impl TwoPlane {
         Ok(())
     }
 
-    /// The table of textbooks, with the corrections under the masses; the sums vanish.
-    fn table(&self, corrections: [(f64, f64); 2]) -> TableExhibit {
-        let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
-        let row = |name: Text, x: f64, y: f64, z: f64| -> Vec<Cell> {
-            let (u, angle) = (x.hypot(y), y.atan2(x).rem_euclid(TAU));
-            // The cosine of a right angle is zero, not its rounding.
-            let [x, y] = [x, y].map(|component| if component.abs() < ROUNDING * u { 0.0 } else { component });
-            vec![
-                name.into(),
-                u.into(),
-                angle.into(),
-                z.into(),
-                x.into(),
-                y.into(),
-                (x * z).into(),
-                (y * z).into(),
-            ]
-        };
-        let masses = self.masses.iter().zip(1..).map(|(m, n)| {
-            let name = Text::new("mass {n}").with("n", n);
-            row(name, m.mass * m.radius * m.angle.cos(), m.mass * m.radius * m.angle.sin(), m.position)
+    /// The masses and the corrections, to be listed and drawn.
+    fn shown(&self, corrections: [(f64, f64); 2]) -> Vec<Shown> {
+        let masses = self.masses.iter().zip(1..).map(|(m, n)| Shown {
+            name: Text::new("mass {n}").with("n", n),
+            label: format!("m{}", dalembert_units::subscript(n)),
+            mass_and_radius: None,
+            unbalance: (m.mass * m.radius * m.angle.cos(), m.mass * m.radius * m.angle.sin()),
+            position: m.position,
+            ink: Ink::Force,
         });
-        let [(ax, ay), (bx, by)] = corrections;
-        let planes =
-            [row("plane A".into(), ax, ay, self.plane_a), row("plane B".into(), bx, by, self.plane_b)];
-        let rows: Vec<Vec<Cell>> = masses.chain(planes).collect();
-        let sum = |at: usize| {
-            let numbers =
-                || rows.iter().filter_map(|row| if let Cell::Number(x) = row[at] { Some(x) } else { None });
-            // A sum that cancels is zero, not its rounding.
-            let (sum, size) = (numbers().sum::<f64>(), numbers().map(f64::abs).sum::<f64>());
-            Cell::Number(if sum.abs() < 1e-12 * size { 0.0 } else { sum })
+        let [in_a, in_b] = corrections;
+        let plane = |name: &'static str, label: &str, unbalance, position| Shown {
+            name: name.into(),
+            label: label.into(),
+            mass_and_radius: None,
+            unbalance,
+            position,
+            ink: Ink::Result,
         };
-        let foot = vec!["sum".into(), Cell::Empty, Cell::Empty, Cell::Empty, sum(4), sum(5), sum(6), sum(7)];
-        TableExhibit {
-            title: "Masses and corrections".into(),
-            columns: vec![
-                column("", ""),
-                column("m r", "kg*mm"),
-                column("θ", "deg"),
-                column("z", "mm"),
-                column("m r cos θ", "kg*mm"),
-                column("m r sin θ", "kg*mm"),
-                column("m r z cos θ", "kg*mm^2"),
-                column("m r z sin θ", "kg*mm^2"),
-            ],
-            rows,
-            foot,
-        }
-    }
-
-    /// Polar diagram of unbalances and corrections, along the shaft.
-    fn end_view(&self, corrections: [(f64, f64); 2]) -> Drawing {
-        let polar =
-            |m: &EccentricMass| (m.mass * m.radius * m.angle.cos(), m.mass * m.radius * m.angle.sin());
-        let arrows: Vec<((f64, f64), String, Ink)> = (self.masses.iter().zip(1..))
-            .map(|(m, n)| (polar(m), format!("m{}", dalembert_units::subscript(n)), Ink::Force))
-            .chain([(corrections[0], "A".into(), Ink::Result), (corrections[1], "B".into(), Ink::Result)])
-            .collect();
-        let reach = arrows.iter().map(|((x, y), ..)| x.hypot(*y)).fold(0.0, f64::max);
-        let reach = if reach > 0.0 { reach } else { 1.0 };
-        let mut shapes = vec![
-            DrawnShape::Circle((0.0, 0.0), 1.0, Ink::Faint),
-            DrawnShape::Circle((0.0, 0.0), 0.5, Ink::Faint),
-            DrawnShape::Polyline(vec![(-1.1, 0.0), (1.1, 0.0)], Ink::Faint),
-            DrawnShape::Polyline(vec![(0.0, -1.1), (0.0, 1.1)], Ink::Faint),
-        ];
-        for ((x, y), name, ink) in arrows {
-            let tip = (x / reach, y / reach);
-            shapes.push(DrawnShape::Arrow((0.0, 0.0), tip, ink));
-            shapes.push(DrawnShape::Label((1.12 * tip.0, 1.12 * tip.1), Text::new(name)));
-        }
-        Drawing { title: "Unbalances and corrections along the shaft".into(), shapes }
-    }
-
-    /// The shaft from the side: planes, masses and corrections at their positions.
-    fn side_view(&self, corrections: [(f64, f64); 2]) -> Drawing {
-        let positions = || self.masses.iter().map(|m| m.position).chain([self.plane_a, self.plane_b]);
-        let (low, high) =
-            positions().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
-        let span = (high - low).max(f64::MIN_POSITIVE);
-        let at = |z: f64| 4.0 * (z - low) / span;
-        let largest = self
-            .masses
-            .iter()
-            .map(|m| m.mass * m.radius)
-            .chain(corrections.map(|(x, y)| x.hypot(y)))
-            .fold(0.0, f64::max);
-        let height = |y: f64| if largest > 0.0 { y / largest } else { 0.0 };
-        let mut shapes = vec![
-            DrawnShape::Polyline(vec![(-0.4, 0.0), (4.4, 0.0)], Ink::Body),
-            DrawnShape::Pin((-0.4, 0.0)),
-            DrawnShape::Pin((4.4, 0.0)),
-        ];
-        for (m, n) in self.masses.iter().zip(1..) {
-            let tip = (at(m.position), height(m.mass * m.radius * m.angle.sin()));
-            shapes.push(DrawnShape::Arrow((tip.0, 0.0), tip, Ink::Force));
-            shapes.push(DrawnShape::Label(tip, Text::new(format!("m{}", dalembert_units::subscript(n)))));
-        }
-        for (((_, y), z), name) in corrections.into_iter().zip([self.plane_a, self.plane_b]).zip(["A", "B"]) {
-            let tip = (at(z), height(y));
-            shapes.push(DrawnShape::Polyline(vec![(tip.0, -1.1), (tip.0, 1.1)], Ink::Faint));
-            shapes.push(DrawnShape::Arrow((tip.0, 0.0), tip, Ink::Result));
-            shapes.push(DrawnShape::Label((tip.0, 1.2), Text::new(name)));
-        }
-        Drawing { title: "The shaft from the side".into(), shapes }
+        masses
+            .chain([plane("plane A", "A", in_a, self.plane_a), plane("plane B", "B", in_b, self.plane_b)])
+            .collect()
     }
 }
 

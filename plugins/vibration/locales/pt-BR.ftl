@@ -3370,6 +3370,158 @@ the-frequencies-cannot-be-found-the-body-at-the-tip-is-too-far-from-the-mass-or-
 vibration-n-the-forces-of-beam-and-body-at-the-tip-hold-each-other = vibração { $n }: as forças da viga e do corpo na ponta equilibram-se
 x-goes-on-along-the-beam-y-and-z-are-across-it = x segue ao longo da viga, y e z são transversais a ela.
 
+# multi-span-beam
+a-span-is-so-slender-so-strongly-stretched-or-so-loaded-that-its-bending-cannot-be-told-treat-it-as-a = um vão é tão esbelto, tão tracionado ou tão carregado que sua flexão não se distingue: trate-o como corda ou como corpo rígido
+beam-over-several-supports = Viga contínua sobre vários apoios
+bending-stiffness-of-the-span = Rigidez à flexão do vão
+elements-in-each-span = elementos em cada vão
+exact-frequencies-shapes-and-nodes-of-a-continuous-beam-of-several-spans-each-with-its-section-axial = Frequências exatas, modos e nós de uma viga contínua de vários vãos, cada um com sua seção, força axial e fundação, sobre apoios, engastes e molas, com massas nos nós; ao lado, elementos finitos.
+finite-elements-upper-bounds-of-the-frequencies = Elementos finitos: cotas superiores das frequências
+free-between-two-spans-nothing-holds-the-beam-there-it-only-changes-its-section = Livre entre dois vãos: nada prende a viga ali, apenas muda a seção.
+from-left-to-right-each-with-what-stands-at-its-right-end = Da esquerda para a direita, cada um com o que está em sua extremidade direita.
+mass-fixed-there = Massa presa ali
+mass-of-the-span = Massa do vão
+moment-of-inertia-of-the-mass-about-its-centre = Momento de inércia da massa em relação ao seu centro
+right-end-of-the-span = Extremidade direita do vão
+root-n-satisfies-the-equation-of-equal-spans-on-pins = a raiz { $n } satisfaz a equação de vãos iguais sobre apoios
+root-of-the-determinant-of-the-exact-dynamic-stiffness-of-all-spans-with-the-frequencies-below-it = Raiz do determinante da rigidez dinâmica exata de todos os vãos, contadas as frequências abaixo dela
+root-with-ei-m-l-of-the-first-span = Raiz β com ω = β²√(EI₁/(m̄₁L⁴)), do primeiro vão
+spans = Vãos
+the-frequencies-are-written-as-multiples-of-ei-m-l-of-the-first-span-and-the-whole-length = As frequências são escritas como múltiplos de √(EI₁/(m̄₁L⁴)), do primeiro vão e do comprimento total
+the-frequencies-cannot-be-found-spans-masses-springs-and-forces-are-too-far-from-one-another = as frequências não podem ser encontradas: vãos, massas, molas e forças são díspares demais
+the-whole-length = O comprimento total
+there-are-more-than-40-spans-join-equal-ones-that-nothing-parts = há mais de 40 vãos: junte os iguais que nada separa
+two-frequencies-coincide-any-mixture-of-their-shapes-is-a-shape-one-of-them-is-shown = duas frequências coincidem: qualquer mistura de seus modos é um modo; mostra-se um deles
+
+# plate-and-membrane
+bending-stiffness-of-the-plate = Rigidez à flexão da placa
+breadth-between-the-other-two-edges = Largura entre as outras duas bordas
+circle = Círculo
+clamped-edge = Borda engastada
+density-and-thickness = Massa específica e espessura
+edge = Borda
+exact-frequencies-and-nodal-lines-of-rectangular-and-circular-membranes-circular-plates-and = Frequências exatas e linhas nodais de membranas retangulares e circulares, placas circulares e placas retangulares com duas bordas opostas simplesmente apoiadas.
+first-of-the-other-two-edges = Primeira das outras duas bordas
+force-on-each-length-of-its-edge = Força por unidade de comprimento da borda.
+free-edge = Borda livre
+frequencies-by-their-patterns = Frequências e seus padrões
+frequency-number-a-d = Número de frequência Λ = ωa²√(μ/D)
+frequency-number-r-d = Número de frequência Λ = ωR²√(μ/D)
+frequency-number-the-square-of-the-root = Número de frequência, o quadrado da raiz
+half-waves-along-a = meias ondas ao longo de a
+half-waves-along-a-and-along-b = Meias ondas ao longo de a e de b
+half-waves-along-a-and-number-of-the-shape-across = Meias ondas ao longo de a e número da forma transversal
+held-all-round = Presa em todo o contorno.
+l-vy-w-y-y-sin-m-x-a-leaves-an-ordinary-equation-for-y-a-beam-under-tension-on-a-foundation-its-root = Lévy: w = Y(y) sen({ $m }πx/a) deixa uma equação ordinária para Y, a de uma viga tracionada sobre fundação; sua raiz { $n }, contada exatamente
+length-between-the-two-simply-supported-edges = Comprimento entre as duas bordas simplesmente apoiadas
+m-half-waves-along-a-and-n-along-b-c-m-a-n-b = { $m } meias ondas ao longo de a e { $n } ao longo de b: ω = πc√((m/a)² + (n/b)²)
+mass-of-each-area = Massa por unidade de área
+mass-of-each-area-density-times-thickness = Massa por unidade de área: massa específica vezes espessura
+mass-of-each-area-given = Massa por unidade de área dada
+mass-of-each-area-that-of-the-plate-and-what-it-carries = Massa por unidade de área: a da placa e a do que ela carrega
+mass-of-the-membrane = Massa da membrana
+membrane-stretched-without-bending-stiffness = Membrana: esticada, sem rigidez à flexão
+nodal-circles = circunferências nodais
+nodal-diameters = diâmetros nodais
+nodal-diameters-and-nodal-circles = Diâmetros nodais e circunferências nodais
+nodal-lines = Linhas nodais
+number-across = número transversal
+of-what-lies-on-the-plate-and-does-not-stiffen-it = Do que está sobre a placa e não a enrijece.
+one-side-is-more-than-a-hundred-times-the-other-treat-the-strip-as-a-string-or-as-a-beam = um lado é mais de cem vezes o outro: trate a faixa como corda ou como viga
+other-mass-on-each-area = Outra massa por unidade de área
+outline = Contorno
+outline-and-edges = Contorno e bordas
+rectangle-with-two-opposite-edges-simply-supported = Retângulo com duas bordas opostas simplesmente apoiadas
+root-n-by-navier-s-double-sine-m-na-b = raiz { $n } pelo duplo seno de Navier: π²(m² + (na/b)²)
+root-s-for-n-n-of-the-condition-that-deflection-and-radial-moment-vanish-at-the-edge = Raiz { $s } para n = { $n } da condição de que a deflexão e o momento radial se anulem na borda
+root-s-for-n-n-of-the-condition-that-radial-moment-and-edge-force-vanish = Raiz { $s } para n = { $n } da condição de que o momento radial e a força de borda se anulem
+root-s-of-j-n-i-n-i-n-j-n-0-for-n-n-no-deflection-no-slope-at-the-edge = Raiz { $s } de J_n(λ) I_n'(λ) − I_n(λ) J_n'(λ) = 0 para n = { $n }: nem deflexão nem inclinação na borda
+second-of-the-other-two-edges = Segunda das outras duas bordas
+shape-m-n-in-motion = Modo ({ $m }, { $n }) em movimento
+shape-n-the-energy-of-its-bending-and-twisting-over-the-kinetic-energy = modo { $n }: a energia de flexão e torção sobre a energia cinética
+shape-n-the-energy-of-the-tension-over-the-kinetic-energy = modo { $n }: a energia da tração sobre a energia cinética
+simply-supported-edge = Borda simplesmente apoiada
+speed-of-waves-on-the-membrane = Velocidade das ondas na membrana
+the-frequencies-are-multiples-of-d-over-the-square-of-the-length = As frequências são múltiplos de √(D/μ) sobre o quadrado do comprimento
+the-frequencies-are-multiples-of-the-speed-over-the-radius = As frequências são múltiplos da velocidade sobre o raio
+the-frequencies-of-the-plate-cannot-be-found = as frequências da placa não podem ser encontradas
+the-plate-can-move-as-a-whole-its-three-motions-at-frequency-zero-are-not-counted = a placa pode mover-se como um todo: seus três movimentos de frequência nula não são contados
+the-plate-is-thicker-than-a-twentieth-of-its-smaller-side-shear-and-rotary-inertia-which-a-thin-plate = a placa é mais espessa que um vigésimo do seu lado menor: o cisalhamento e a inércia de rotação, que a placa fina omite, baixam suas frequências
+the-shapes-across-the-plate-are-too-short-for-its-breadth-ask-for-fewer-frequencies-or-treat-the = as formas transversais da placa são curtas demais para sua largura: peça menos frequências ou trate a faixa como viga
+thin-plate = Placa fina
+vibration-of-plates-and-membranes = Vibração de placas e membranas
+what-vibrates = O que vibra
+zero-of-the-bessel-function-r-c = Zero da função de Bessel, λ = ωR/c
+zero-s-of-the-bessel-function-j-of-order-n = Zero { $s } da função de Bessel J de ordem { $n }
+
+# double-pendulum
+body-of-any-form = Corpo de qualquer forma
+det-k-m-0-is-2s-k-k-0-with = det(K − λM) = 0 é Δλ² − 2sλ + K₁₁K₂₂ = 0, com λ = ω²
+determinant-of-the-masses = Determinante das massas
+distance-from-its-pivot-to-the-centre-of-mass = Distância de sua articulação ao centro de massa
+distance-from-its-pivot-to-the-other-one = Distância de sua articulação à outra
+double-pendulum = Pêndulo duplo
+first-row-of-k-m-0-the-angle-of-the-lower-over-that-of-the-upper = Primeira linha de (K − λM) φ = 0: o ângulo do inferior sobre o do superior
+for-small-angles-cos-is-one-the-velocities-of-pivot-and-centre-add-up = Para ângulos pequenos cos(θ₁ − θ₂) é um: as velocidades da articulação e do centro se somam
+frequency-n-by-the-numerical-eigenvalues-of-k-and-m = frequência { $n } pelos autovalores numéricos de K e M
+its-larger-root-under-the-sign-s-k-k-written-as-a-sum-of-squares = Sua maior raiz; sob o radical, s² − ΔK₁₁K₂₂ escrito como soma de quadrados
+lower-pendulum = Pêndulo inferior
+mode-n-its-energy-of-position-over-that-of-motion = modo { $n }: sua energia potencial sobre a de movimento
+moment-of-inertia-about-the-pivot-by-the-parallel-axis = Momento de inércia em relação à articulação, pelo eixo paralelo
+natural-frequencies-and-modes-of-two-pendulums-one-hanging-from-the-other-small-masses-rods-or-bodies = Frequências naturais e modos de dois pêndulos, um pendurado no outro: pequenas massas, barras ou corpos de qualquer forma.
+natural-frequency-in-radians = Frequência natural em radianos
+on-the-line-of-the-pivots-positive-downwards = Na linha das articulações, positiva para baixo.
+period-a-whole-turn-of-2-over = Período: uma volta inteira de 2π sobre ω
+second-row-of-k-m-0-the-angle-of-the-lower-over-that-of-the-upper = Segunda linha de (K − λM) φ = 0: o ângulo do inferior sobre o do superior
+slender-uniform-rod = Barra esbelta uniforme
+small-mass-on-a-light-rod-or-string = Pequena massa em haste leve ou fio
+t-m-m-m-the-lower-mass-goes-along-with-the-lower-pivot = T = ½M₁₁θ₁'² + M₁₂θ₁'θ₂' + ½M₂₂θ₂'²: a massa inferior acompanha a articulação inferior
+the-centre-of-mass-of-the-rod-is-at-its-middle = O centro de massa da barra está em seu meio
+the-lower-pendulum-turns-about-its-own-pivot = O pêndulo inferior gira em torno de sua própria articulação
+the-numbers-of-the-pendulums-are-too-far-apart-for-two-frequencies-treat-it-as-one-pendulum = os números dos pêndulos são díspares demais para duas frequências: trate-os como um só pêndulo
+the-pendulums = Os pêndulos
+the-smaller-root-the-product-of-the-two-is-k-k = A menor raiz: o produto das duas é K₁₁K₂₂/Δ
+the-upper-pendulum-stands-above-its-pivot-more-heavily-than-the-lower-one-hangs-the-position-of-rest = o pêndulo superior pesa mais acima de sua articulação do que o inferior pendurado: a posição de repouso é instável, não há vibração
+the-weight-of-the-lower-pendulum = O peso do pêndulo inferior
+turn-of-the-lower-over-that-of-the-upper-both-from-the-vertical = Giro do inferior sobre o do superior, ambos a partir da vertical
+upper-pendulum = Pêndulo superior
+v-k-k-the-weights-rise-by-the-cosines-of-the-angles-from-the-vertical = V = ½K₁₁θ₁² + ½K₂₂θ₂²: os pesos sobem conforme os cossenos dos ângulos com a vertical
+
+# rotating-beam
+angle-between-the-motion-and-the-axis-of-rotation = Ângulo entre o movimento e o eixo de rotação
+at-an-angle-to-the-axis-of-rotation = Em ângulo com o eixo de rotação
+direction-of-the-motion = Direção do movimento
+frequencies-of-a-uniform-blade-on-a-turning-hub-flapwise-or-lagwise-with-the-stiffening-by-the = Frequências de uma pá uniforme em um cubo que gira, em batimento ou em avanço e recuo, com o enrijecimento pela tração centrífuga, os coeficientes de Southwell e o diagrama em função da rotação.
+frequencies-over-the-speed = Frequências em função da rotação
+frequency-number-of-mode-n-at-rest-over-ei-m-l = Número de frequência do modo { $n } em repouso, ω sobre √(EI/(m̄L⁴))
+frequency-number-out-of-the-plane-f-m-l-ei = Número de frequência fora do plano, ω_f√(m̄L⁴/(EI))
+from-the-axis-to-the-clamped-end = Do eixo à extremidade engastada.
+in-the-plane-of-rotation-lagwise = No plano de rotação (avanço e recuo)
+in-the-plane-of-rotation-the-centrifugal-force-turns-with-the-blade-and-takes-away = No plano de rotação a força centrífuga gira com a pá e retira Ω²
+k-times-the-speed = { $k } vezes a rotação
+length-of-the-blade = Comprimento da pá
+mass-at-the-tip = Massa na ponta
+mass-at-the-tip-over-that-of-the-blade = Massa na ponta sobre a da pá
+mass-of-the-blade = Massa da pá
+mode-n-the-balance-of-moments-at-a-small-speed-rises-by-southwell-s-coefficient = modo { $n }: o equilíbrio de momentos a uma rotação pequena cresce com o coeficiente de Southwell
+n-0-is-flapwise-90-lagwise = 0° é batimento, 90° é avanço e recuo.
+natural-frequency-n-out-of-the-plane-of-rotation = Frequência natural { $n }, fora do plano de rotação
+out-of-the-plane-of-rotation-flapwise = Fora do plano de rotação (batimento)
+radius-of-the-hub = Raio do cubo
+radius-of-the-hub-over-the-length = Raio do cubo sobre o comprimento
+rayleigh-ritz-with-polynomials-that-satisfy-the-clamp-the-work-of-the-centrifugal-tension-included-an = Rayleigh–Ritz com polinômios que satisfazem o engaste, incluído o trabalho da tração centrífuga: uma cota superior já convergida
+rotating-blade = Pá em rotação
+shape-n-the-moments-of-tension-and-inertia-forces-balance-that-of-bending = modo { $n }: os momentos da tração e das forças de inércia equilibram o de flexão
+southwell-s-coefficient-at-this-speed = Coeficiente de Southwell nesta rotação
+southwell-s-coefficient-by-the-shape-at-rest = Coeficiente de Southwell pelo modo em repouso
+southwell-s-coefficient-by-the-shape-at-rest-work-of-the-tension-of-unit-speed-over-the-kinetic = Coeficiente de Southwell pelo modo em repouso: trabalho da tração à rotação unitária sobre a energia cinética
+southwell-s-coefficient-f-s-at-this-speed = Coeficiente de Southwell: ω_f² = ω₀² + S Ω² nesta rotação
+speed-in-this-unit = Rotação nesta unidade
+speed-of-rotation = Velocidade de rotação
+the-blade-is-not-held-in-the-plane-of-rotation-write-a-larger-stiffness = a pá não se mantém no plano de rotação: escreva uma rigidez maior
+the-blade-turns-so-fast-for-its-stiffness-that-its-shapes-do-not-settle-write-a-smaller-speed-or = a pá gira tão depressa para sua rigidez que seus modos não convergem: escreva uma rotação menor ou trate-a como corda
+the-frequencies-cannot-be-found-speed-hub-and-mass-at-the-tip-are-too-large-for-this-blade = as frequências não podem ser encontradas: a rotação, o cubo e a massa na ponta são grandes demais para esta pá
+
 # Words that several analyses use
 density = Massa específica
 modes = Modos

@@ -162,3 +162,19 @@ pub(crate) static BROCK: Source = Source {
     short: "Brock",
     full: "J. E. Brock, A note on the damped vibration absorber, Journal of Applied Mechanics 13 (1946), A-284",
 };
+
+/// A. W. Leissa, Vibration of Plates.
+pub(crate) static LEISSA: Source =
+    Source { short: "Leissa", full: "A. W. Leissa, Vibration of Plates, NASA SP-160, 1969" };
+
+/// A. D. Wright and others on rotating beams.
+pub(crate) static WRIGHT: Source = Source {
+    short: "Wright",
+    full: "A. D. Wright, C. E. Smith, R. W. Thresher and J. L. C. Wang, Vibration modes of centrifugally stiffened beams, Journal of Applied Mechanics 49 (1982), 197–202",
+};
+
+/// R. V. Southwell and B. S. Gough on the vibration of airscrew blades.
+pub(crate) static SOUTHWELL: Source = Source {
+    short: "Southwell & Gough",
+    full: "R. V. Southwell and B. S. Gough, On the free transverse vibrations of airscrew blades, British Aeronautical Research Committee, Reports and Memoranda 766, 1921",
+};

@@ -13,6 +13,8 @@ use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
 
 use crate::vibration::gauss;
 
+pub mod spans;
+
 /// Largest angles of the wave in a segment, rad; a segment clamped at both ends vibrates first at 4.73. The second
 /// one serves where the first one cuts the beam so that a part of it resonates by itself.
 const SEGMENTS: [f64; 2] = [1.5, 1.13];

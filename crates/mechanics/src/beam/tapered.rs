@@ -38,8 +38,8 @@ pub enum Support {
 /// A shape: `ξ^a (1 − ξ)^b Σ c_j P_j(2ξ − 1)`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    powers: [i32; 2],
-    coefficients: Vec<f64>,
+    pub(super) powers: [i32; 2],
+    pub(super) coefficients: Vec<f64>,
 }
 
 /// `λ` and shapes with a number of terms.
@@ -210,7 +210,7 @@ impl Shape {
             .collect()
     }
 
-    fn scaled(mut self) -> Self {
+    pub(super) fn scaled(mut self) -> Self {
         let crest = (0..=400u16)
             .map(|n| self.deflection(f64::from(n) / 400.0))
             .fold(0.0f64, |a, b| if b.abs() > a.abs() { b } else { a });
@@ -220,7 +220,7 @@ impl Shape {
 }
 
 /// Value, first and second derivative of `ξ^a (1 − ξ)^b P_j(2ξ − 1)`, `j` from 0.
-fn basis(powers: [i32; 2], terms: usize, xi: f64) -> Vec<[f64; 3]> {
+pub(super) fn basis(powers: [i32; 2], terms: usize, xi: f64) -> Vec<[f64; 3]> {
     let power = |x: f64, n: i32| if n < 0 { 0.0 } else { x.powi(n) };
     let [a, b] = powers;
     let (fa, fb) = (f64::from(a), f64::from(b));
@@ -249,7 +249,10 @@ fn basis(powers: [i32; 2], terms: usize, xi: f64) -> Vec<[f64; 3]> {
 }
 
 /// Eigenvalues, ascending, and vectors of `A c = μ B c` with `B` positive definite, by its Cholesky factor.
-fn generalised(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Result<(DVector<f64>, DMatrix<f64>), LinalgError> {
+pub(super) fn generalised(
+    a: &DMatrix<f64>,
+    b: &DMatrix<f64>,
+) -> Result<(DVector<f64>, DMatrix<f64>), LinalgError> {
     let size = b.nrows();
     let mut lower = DMatrix::zeros(size, size);
     for i in 0..size {

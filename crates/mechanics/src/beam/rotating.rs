@@ -1,0 +1,172 @@
+//! Bending vibration of a uniform blade that turns with its hub, by Rayleigh and Ritz.
+//!
+//! In units of the blade: lengths over its length `L`, forces over `EI/L²`, masses over its mass `m̄ L`; then the
+//! tension is `η² (r(1 − ξ) + (1 − ξ²)/2) + η² μ (r + 1)` with `η² = m̄ Ω² L⁴/(EI)`, the radius `r` of the hub and a
+//! mass `μ` at the tip. `λ = m̄ ω² L⁴/(EI)` is that of motion out of the plane of rotation; in it, `λ − η²`.
+//!
+//! A. D. Wright, C. E. Smith, R. W. Thresher and J. L. C. Wang, *J. Appl. Mech.* 49 (1982), pp. 197–202.
+
+use nalgebra::DMatrix;
+
+use super::tapered::{Ritz, Shape, basis, generalised};
+use crate::{linalg::LinalgError, vibration::gauss};
+
+/// A blade, clamped to its hub.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rotating {
+    /// `η`: the speed over `√(EI/(m̄L⁴))`.
+    pub speed: f64,
+    /// Radius of the hub over the length.
+    pub hub: f64,
+    /// Mass at the tip, over that of the blade.
+    pub tip: f64,
+}
+
+/// `ξ²` times a polynomial: what the clamp asks.
+const POWERS: [i32; 2] = [2, 0];
+
+impl Rotating {
+    /// The tension at `ξ`.
+    pub fn tension(&self, xi: f64) -> f64 {
+        self.speed.powi(2) * (self.hub * (1.0 - xi) + 0.5 * (1.0 - xi * xi) + self.tip * (self.hub + 1.0))
+    }
+
+    /// The first `count` frequencies and shapes, out of the plane of rotation, with so many terms.
+    ///
+    /// # Errors
+    /// Those of the eigenproblem.
+    pub fn ritz(&self, terms: usize, count: usize) -> Result<Ritz, LinalgError> {
+        let mut stiffness = DMatrix::zeros(terms, terms);
+        let mut mass = DMatrix::zeros(terms, terms);
+        let mut add = |xi: f64, bending: f64, tension: f64, inertia: f64| {
+            let basis = basis(POWERS, terms, xi);
+            for i in 0..terms {
+                for j in 0..=i {
+                    stiffness[(i, j)] +=
+                        bending * basis[i][2] * basis[j][2] + tension * basis[i][1] * basis[j][1];
+                    mass[(i, j)] += inertia * basis[i][0] * basis[j][0];
+                }
+            }
+        };
+        for (xi, weight) in gauss::legendre(terms + 4) {
+            add(xi, weight, weight * self.tension(xi), weight);
+        }
+        add(1.0, 0.0, 0.0, self.tip);
+        stiffness.fill_upper_triangle_with_lower_triangle();
+        mass.fill_upper_triangle_with_lower_triangle();
+        // The largest 1/λ instead of the smallest λ: rounding is then small beside the low ones.
+        let (values, vectors) = generalised(&mass, &stiffness)?;
+        let chosen = 0..count.min(terms);
+        let lambdas = chosen.clone().map(|n| 1.0 / values[terms - 1 - n]).collect();
+        let shape = |n: usize| {
+            let coefficients = vectors.column(terms - 1 - n).iter().copied().collect();
+            Shape { powers: POWERS, coefficients }.scaled()
+        };
+        Ok(Ritz { lambdas, shapes: chosen.map(shape).collect() })
+    }
+
+    /// `λ` from the balance of moments in place of energies: that with which the bending moment of the curvature and
+    /// the moments of tension and inertia forces beyond each section differ least.
+    pub fn moment_balance(&self, shape: &Shape) -> f64 {
+        let terms = shape.coefficients.len();
+        let inner = gauss::legendre(terms / 2 + 6);
+        let end = shape.deflection(1.0);
+        let (mut above, mut below) = (0.0, 0.0);
+        for (xi, weight) in gauss::legendre(2 * terms) {
+            let w = shape.deflection(xi);
+            let rest = 1.0 - xi;
+            let mut inertia = self.tip * rest * end;
+            let mut pull = self.tip * (self.hub + 1.0) * (end - w);
+            for (part, weight) in &inner {
+                let s = xi + rest * part;
+                let beyond = shape.deflection(s);
+                inertia += rest * weight * (s - xi) * beyond;
+                pull += rest * weight * (self.hub + s) * (beyond - w);
+            }
+            let moment = shape.curvature(xi) + self.speed.powi(2) * pull;
+            above += weight * moment * inertia;
+            below += weight * inertia * inertia;
+        }
+        above / below
+    }
+
+    /// `(λ(η) − λ(0))/η²` as the shape at rest gives it: the tension of unit speed over the kinetic energy.
+    pub fn southwell(&self, at_rest: &Shape) -> f64 {
+        let unit = Rotating { speed: 1.0, ..*self };
+        let (mut tension, mut inertia) = (0.0, self.tip * at_rest.deflection(1.0).powi(2));
+        for (xi, weight) in gauss::legendre(at_rest.coefficients.len() + 4) {
+            tension += weight * unit.tension(xi) * at_rest.slope(xi).powi(2);
+            inertia += weight * at_rest.deflection(xi).powi(2);
+        }
+        tension / inertia
+    }
+}
+
+impl Shape {
+    /// Slope at `ξ`.
+    pub fn slope(&self, xi: f64) -> f64 {
+        self.derivative(xi, 1)
+    }
+
+    /// Curvature at `ξ`.
+    pub fn curvature(&self, xi: f64) -> f64 {
+        self.derivative(xi, 2)
+    }
+
+    fn derivative(&self, xi: f64, order: usize) -> f64 {
+        let basis = basis(self.powers, self.coefficients.len(), xi);
+        self.coefficients.iter().zip(&basis).map(|(c, values)| c * values[order]).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Wright, Smith, Thresher and Wang (1982): uniform blade, no hub.
+    #[test]
+    fn frequencies_of_wright() {
+        for (speed, printed) in [
+            (0.0, [3.5160, 22.0345, 61.6972]),
+            (1.0, [3.6816, 22.1810, 61.8418]),
+            (2.0, [4.1373, 22.6149, 62.2732]),
+            (5.0, [6.4495, 25.4461, 65.2050]),
+            (10.0, [11.2023, 33.6404, 74.6493]),
+            (12.0, [13.1702, 37.6031, 79.6145]),
+        ] {
+            let blade = Rotating { speed, hub: 0.0, tip: 0.0 };
+            for (lambda, printed) in blade.ritz(20, 3).unwrap().lambdas.iter().zip(printed) {
+                assert!((lambda.sqrt() - printed).abs() < 0.6e-4, "{speed}: {} {printed}", lambda.sqrt());
+            }
+        }
+    }
+
+    #[test]
+    fn moments_balance_as_energies_do() {
+        for (speed, hub, tip) in [(0.0, 0.0, 0.5), (3.0, 0.5, 0.0), (12.0, 2.0, 1.0), (40.0, 0.1, 0.0)] {
+            let blade = Rotating { speed, hub, tip };
+            let ritz = blade.ritz(24, 4).unwrap();
+            for (lambda, shape) in ritz.lambdas.iter().zip(&ritz.shapes) {
+                let gap = blade.moment_balance(shape) / lambda - 1.0;
+                assert!(gap.abs() < 1e-9, "{blade:?}: {gap:e}");
+            }
+        }
+    }
+
+    /// At great speed the blade is a string that turns: `λ → n(2n − 1) η²` without a hub.
+    #[test]
+    fn a_fast_blade_is_a_string() {
+        let blade = Rotating { speed: 300.0, hub: 0.0, tip: 0.0 };
+        let lambdas = blade.ritz(40, 2).unwrap().lambdas;
+        for (lambda, string) in lambdas.iter().zip([1.0, 6.0]) {
+            let gap = lambda / 9e4 / string - 1.0;
+            assert!(gap > 0.0 && gap < 0.03, "{gap}");
+        }
+        // Southwell: the shape at rest bounds the first frequency from above, rest and string from below.
+        let slow = Rotating { speed: 4.0, hub: 0.0, tip: 0.0 };
+        let rest = Rotating { speed: 0.0, ..slow }.ritz(20, 1).unwrap();
+        let lambda = slow.ritz(20, 1).unwrap().lambdas[0];
+        assert!(lambda < rest.lambdas[0] + 16.0 * slow.southwell(&rest.shapes[0]));
+        assert!(lambda > rest.lambdas[0] + 16.0);
+    }
+}

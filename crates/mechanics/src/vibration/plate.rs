@@ -1,0 +1,386 @@
+//! Free vibration of thin plates and membranes: circles, and rectangles with two opposite edges simply supported.
+//!
+//! Kirchhoff's plate `D ∇⁴w = ρ h ω² w` and the membrane `T ∇²w = −μ ω² w`. A. W. Leissa, *Vibration of Plates*,
+//! NASA SP-160 (1969), chapters 2 and 4.
+
+use super::{bessel, gauss};
+use crate::beam::dynamic_stiffness::{
+    BeamError,
+    spans::{Joint, Span, SpanShape, Spans},
+};
+
+/// What holds an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edge {
+    /// Nothing.
+    Free,
+    /// The deflection is held.
+    Simple,
+    /// Deflection and slope are held.
+    Clamped,
+}
+
+/// A round body with one edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Round {
+    /// A membrane, held at its edge.
+    Membrane,
+    /// A plate.
+    Plate {
+        /// What holds the edge.
+        edge: Edge,
+        /// Poisson's ratio.
+        poisson: f64,
+    },
+}
+
+/// A vibration of a round body: `W(ρ) cos nθ` with `ρ` from 0 at the centre to 1 at the edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RoundMode {
+    /// What vibrates.
+    pub body: Round,
+    /// Nodal diameters `n`.
+    pub diameters: usize,
+    /// Number of the root with that many diameters, from 1.
+    pub place: usize,
+    /// `λ`: wave number times radius.
+    pub root: f64,
+    /// The share of `I_n(λρ)/I_n(λ)`; zero for a membrane.
+    share: f64,
+    /// The largest deflection of the sum with these shares.
+    scale: f64,
+}
+
+impl Round {
+    /// The first `count` vibrations, by ascending `λ`; those of a free plate as a whole are not among them.
+    pub fn modes(self, count: usize) -> Vec<RoundMode> {
+        let mut modes: Vec<RoundMode> = Vec::new();
+        // λ grows with the diameters, but for the free plate, whose rigid motions are left out.
+        for diameters in 0..200 {
+            let roots = self.roots(diameters, count);
+            let highest = modes.get(count - 1).map_or(f64::INFINITY, |mode| mode.root);
+            if diameters > 2 && roots.first().is_none_or(|root| *root > highest) {
+                break;
+            }
+            modes.extend((1..).zip(roots).map(|(place, root)| self.mode(diameters, place, root)));
+            modes.sort_by(|a, b| a.root.total_cmp(&b.root));
+            modes.truncate(count);
+        }
+        modes
+    }
+
+    /// The frequency equation of so many diameters: what it leaves, bounded.
+    pub fn residual(self, diameters: usize, root: f64) -> f64 {
+        let Round::Plate { edge, poisson } = self else { return bessel::j(diameters, root) };
+        let [j, i] = parts(diameters, root, poisson);
+        match edge {
+            Edge::Clamped => (j[0] * i[1] - i[0] * j[1]) / root,
+            Edge::Simple => (j[0] * i[2] - i[0] * j[2]) / root.powi(2),
+            Edge::Free => (j[2] * i[3] - i[2] * j[3]) / root.powi(5),
+        }
+    }
+
+    fn roots(self, diameters: usize, count: usize) -> Vec<f64> {
+        let n = diameters as f64;
+        let from = match self {
+            Round::Membrane => n + 0.5,
+            // The turning of a free plate about a diameter is a root at zero.
+            Round::Plate { edge: Edge::Free, .. } if diameters < 2 => 1.0,
+            Round::Plate { .. } => 0.5 * n + 0.5,
+        };
+        bessel::zeros(|x| self.residual(diameters, x), from, count)
+    }
+
+    fn mode(self, diameters: usize, place: usize, root: f64) -> RoundMode {
+        let share = match self {
+            Round::Membrane => 0.0,
+            Round::Plate { edge, poisson } => {
+                let [j, i] = parts(diameters, root, poisson);
+                match edge {
+                    Edge::Clamped | Edge::Simple => -j[0],
+                    Edge::Free => -j[2] / i[2] * i[0],
+                }
+            }
+        };
+        let mut mode = RoundMode { body: self, diameters, place, root, share, scale: 1.0 };
+        let values = (0..=400u16).map(|n| mode.deflection(f64::from(n) / 400.0));
+        mode.scale = values.fold(0.0f64, |a, b| if b.abs() > a.abs() { b } else { a });
+        mode
+    }
+}
+
+impl RoundMode {
+    /// Deflection at `ρ`, largest one.
+    pub fn deflection(&self, radius: f64) -> f64 {
+        let n = self.diameters;
+        let i = if self.share == 0.0 { 0.0 } else { self.share * self.ratio(radius, bessel::scaled_i) };
+        (bessel::j(n, self.root * radius) + i) / self.scale
+    }
+
+    /// Radii of the nodal circles inside the edge.
+    pub fn circles(&self) -> Vec<f64> {
+        let parts = 40 * self.place;
+        let at = |n: usize| n as f64 / parts as f64;
+        let values: Vec<(f64, f64)> = (1..parts).map(|n| (at(n), self.deflection(at(n)))).collect();
+        let through = values.windows(2).filter(|pair| (pair[0].1 > 0.0) != (pair[1].1 > 0.0));
+        through
+            .map(|pair| {
+                let (mut low, mut high) = (pair[0].0, pair[1].0);
+                for _ in 0..45 {
+                    let middle = 0.5 * (low + high);
+                    if (self.deflection(middle) > 0.0) == (pair[0].1 > 0.0) {
+                        low = middle;
+                    } else {
+                        high = middle;
+                    }
+                }
+                0.5 * (low + high)
+            })
+            .collect()
+    }
+
+    /// Strain energy over kinetic energy at unit frequency, integrated over the area: `λ⁴` of a plate, `λ²` of a
+    /// membrane.
+    pub fn rayleigh_quotient(&self) -> f64 {
+        let n2 = (self.diameters as f64).powi(2);
+        let (mut strain, mut kinetic) = (0.0, 0.0);
+        for (r, weight) in gauss::points(3 + self.root as usize / 4) {
+            let weight = weight * r;
+            let [w, slope, curvature] = self.derivatives(r);
+            kinetic += weight * w * w;
+            strain += weight
+                * match self.body {
+                    Round::Membrane => slope * slope + n2 * w * w / (r * r),
+                    Round::Plate { poisson, .. } => {
+                        let across = slope / r - n2 * w / (r * r);
+                        let twist = slope / r - w / (r * r);
+                        (curvature + across).powi(2)
+                            - 2.0 * (1.0 - poisson) * (curvature * across - n2 * twist * twist)
+                    }
+                };
+        }
+        strain / kinetic
+    }
+
+    /// `F(λρ)/I_n(λ)` for a scaled function of the second kind of growth.
+    fn ratio(&self, radius: f64, function: impl Fn(usize, f64) -> f64) -> f64 {
+        let decay = (self.root * (radius - 1.0)).exp();
+        function(self.diameters, self.root * radius) / bessel::scaled_i(self.diameters, self.root) * decay
+    }
+
+    /// Deflection, slope and curvature along the radius.
+    fn derivatives(&self, r: f64) -> [f64; 3] {
+        let (n, root) = (self.diameters, self.root);
+        let n2 = (n as f64).powi(2);
+        let j = bessel::j(n, root * r);
+        let j_slope = root * bessel::j_slope(n, root * r);
+        let j_bend = -j_slope / r - (root * root - n2 / (r * r)) * j;
+        let [i, i_slope] = if self.share == 0.0 {
+            [0.0; 2]
+        } else {
+            let slope = self.ratio(r, bessel::scaled_i_slope);
+            [self.ratio(r, bessel::scaled_i), root * slope].map(|x| self.share * x)
+        };
+        let i_bend = -i_slope / r + (root * root + n2 / (r * r)) * i;
+        [j + i, j_slope + i_slope, j_bend + i_bend].map(|x| x / self.scale)
+    }
+}
+
+/// Sines in both directions.
+pub mod rectangular_membrane {
+    use std::f64::consts::PI;
+
+    use crate::vibration::gauss;
+
+    /// Half waves along both sides of the lowest `count` vibrations; `aspect` is the first side over the second.
+    pub fn patterns(aspect: f64, count: usize) -> Vec<[usize; 2]> {
+        // Along the longer side come up to all of the half waves wanted.
+        let square = |[m, n]: &[usize; 2]| (*m as f64).powi(2) + (*n as f64 * aspect).powi(2);
+        let mut all: Vec<[usize; 2]> = (1..=count).flat_map(|m| (1..=count).map(move |n| [m, n])).collect();
+        all.sort_by(|a, b| square(a).total_cmp(&square(b)));
+        all.truncate(count);
+        all
+    }
+
+    /// Energy of the slope of so many half waves over that of the deflection, integrated over a unit length.
+    pub fn quotient(half_waves: usize) -> f64 {
+        let wave = half_waves as f64 * PI;
+        let slope = gauss::integral(half_waves, |x| (wave * (wave * x).cos()).powi(2));
+        slope / gauss::integral(half_waves, |x| (wave * x).sin().powi(2))
+    }
+}
+
+/// At the edge of unit radius, for `J_n(λρ)` and `I_n(λρ)`, the second over `e^λ`: deflection, slope, radial moment
+/// and edge force (Leissa, §2.1).
+fn parts(diameters: usize, root: f64, poisson: f64) -> [[f64; 4]; 2] {
+    let n2 = (diameters as f64).powi(2);
+    let of = |w: f64, slope: f64, laplacian: f64| {
+        [
+            w,
+            slope,
+            laplacian * w - (1.0 - poisson) * (slope - n2 * w),
+            laplacian * slope - (1.0 - poisson) * n2 * (slope - w),
+        ]
+    };
+    let square = root * root;
+    [
+        of(bessel::j(diameters, root), root * bessel::j_slope(diameters, root), -square),
+        of(bessel::scaled_i(diameters, root), root * bessel::scaled_i_slope(diameters, root), square),
+    ]
+}
+
+/// A rectangular plate, simply supported on the two edges across `a`; `sides` are the other two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Levy {
+    /// `a` over `b`, the distance between the other two edges.
+    pub aspect: f64,
+    /// What holds the other two edges.
+    pub sides: [Edge; 2],
+    /// Poisson's ratio.
+    pub poisson: f64,
+}
+
+/// A vibration of such a plate: `Y(η) sin mπξ`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LevyMode {
+    /// Half waves along `a`.
+    pub half_waves: usize,
+    /// Number of the root with that many, from 1.
+    pub place: usize,
+    /// `ω a² √(ρh/D)`.
+    pub number: f64,
+    /// `Y` over `η` from 0 to 1.
+    pub shape: SpanShape,
+}
+
+impl Levy {
+    /// The first `count` vibrations, by ascending frequency.
+    ///
+    /// With `w = Y(y) sin(mπx/a)` the plate is a beam under the tension `2α²` on the foundation `α⁴`, `α = mπb/a`
+    /// in units of `b`; a free edge couples its deflection with its rotation by `ν α²`.
+    ///
+    /// # Errors
+    /// Those of [`Spans::roots`].
+    pub fn modes(&self, count: usize) -> Result<Vec<LevyMode>, BeamError> {
+        let mut found: Vec<(f64, usize, usize, f64)> = Vec::new();
+        for half_waves in 1..200 {
+            let beam = self.strip(half_waves);
+            // With more half waves the first root is higher.
+            let first = match beam.roots(1) {
+                Err(BeamError::TooSlender(_)) if found.len() == count => break,
+                other => other?[0],
+            };
+            let number = |beta: f64| (beta * self.aspect).powi(2);
+            if found.get(count - 1).is_some_and(|last| number(first) > last.0) {
+                break;
+            }
+            let roots = beam.roots(count)?;
+            found.extend((1..).zip(roots).map(|(place, beta)| (number(beta), half_waves, place, beta)));
+            found.sort_by(|a, b| a.0.total_cmp(&b.0));
+            found.truncate(count);
+        }
+        let mode = |(number, half_waves, place, beta): (f64, usize, usize, f64)| {
+            let shape = self.strip(half_waves).shape(beta)?;
+            Ok(LevyMode { half_waves, place, number, shape })
+        };
+        found.into_iter().map(mode).collect()
+    }
+
+    fn strip(&self, half_waves: usize) -> Spans {
+        let alpha = (half_waves as f64 * std::f64::consts::PI / self.aspect).powi(2);
+        let joint = |edge: Edge, sign: f64| Joint {
+            held: edge != Edge::Free,
+            clamped: edge == Edge::Clamped,
+            coupling: sign * self.poisson * alpha,
+            ..Joint::default()
+        };
+        Spans {
+            spans: vec![Span {
+                length: 1.0,
+                bending: 1.0,
+                mass: 1.0,
+                axial: 2.0 * alpha,
+                foundation: alpha * alpha,
+            }],
+            joints: vec![joint(self.sides[0], 1.0), joint(self.sides[1], -1.0)],
+        }
+    }
+}
+
+impl LevyMode {
+    /// Strain energy over kinetic energy, in units of the number: `ω² a⁴ ρh/D`.
+    pub fn rayleigh_quotient(&self, aspect: f64) -> f64 {
+        self.shape.rayleigh_quotient() * aspect.powi(4)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbers(modes: &[RoundMode]) -> Vec<f64> {
+        modes.iter().map(|mode| mode.root.powi(2)).collect()
+    }
+
+    /// Leissa, tables 2.1 and 2.5 (free: ν = 0.33); simply supported with ν = 0.3, as in later tables.
+    #[test]
+    fn round_plates_of_leissa() {
+        let clamped = Round::Plate { edge: Edge::Clamped, poisson: 0.3 }.modes(4);
+        for (ours, printed) in numbers(&clamped).iter().zip([10.2158, 21.26, 34.88, 39.771]) {
+            assert!((ours / printed - 1.0).abs() < 3e-4, "{ours} {printed}");
+        }
+        let simple = Round::Plate { edge: Edge::Simple, poisson: 0.3 }.modes(4);
+        for (ours, printed) in numbers(&simple).iter().zip([4.9351, 13.8982, 25.6133, 29.7200]) {
+            assert!((ours / printed - 1.0).abs() < 2e-5, "{ours} {printed}");
+        }
+        let free = Round::Plate { edge: Edge::Free, poisson: 0.33 }.modes(3);
+        for (ours, printed) in numbers(&free).iter().zip([5.253, 9.084, 12.23]) {
+            assert!((ours / printed - 1.0).abs() < 3e-3, "{ours} {printed}");
+        }
+        for mode in clamped.iter().chain(&simple).chain(&free) {
+            let gap = mode.rayleigh_quotient() / mode.root.powi(4) - 1.0;
+            assert!(gap.abs() < 1e-11, "{mode:?}: {gap:e}");
+        }
+    }
+
+    #[test]
+    fn drums_by_their_zeros() {
+        for mode in Round::Membrane.modes(12) {
+            let gap = mode.rayleigh_quotient() / mode.root.powi(2) - 1.0;
+            assert!(gap.abs() < 1e-11, "{mode:?}: {gap:e}");
+            assert_eq!(mode.circles().len(), mode.place - 1);
+        }
+    }
+
+    /// Square plates with ν = 0.3: Leissa, J. Sound Vib. 31 (1973), table 1.
+    #[test]
+    fn square_plates_of_leissa() {
+        use Edge::{Clamped, Free, Simple};
+        for (sides, printed) in [
+            ([Simple, Simple], 19.7392),
+            ([Simple, Clamped], 23.6463),
+            ([Clamped, Clamped], 28.9509),
+            ([Clamped, Free], 12.6874),
+            ([Simple, Free], 11.6845),
+            ([Free, Free], 9.6314),
+        ] {
+            let plate = Levy { aspect: 1.0, sides, poisson: 0.3 };
+            let modes = plate.modes(6).unwrap();
+            assert!((modes[0].number - printed).abs() < 0.51e-4, "{sides:?}: {}", modes[0].number);
+            for mode in &modes {
+                let gap = mode.rayleigh_quotient(1.0) / mode.number.powi(2) - 1.0;
+                assert!(gap.abs() < 1e-11, "{sides:?}: {gap:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn simply_supported_all_round_has_a_closed_form() {
+        let plate = Levy { aspect: 1.7, sides: [Edge::Simple; 2], poisson: 0.3 };
+        for mode in plate.modes(8).unwrap() {
+            let (m, n) = (mode.half_waves as f64, mode.place as f64);
+            let exact = std::f64::consts::PI.powi(2) * (m * m + (1.7 * n).powi(2));
+            assert!((mode.number / exact - 1.0).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,286 @@
+//! The unbalance of a rotor as it is, and the forces on its bearings.
+
+use dalembert_core::{Cell, Column, Refusal, TableExhibit, Text, Worksheet};
+use dalembert_mechanics::{
+    Real,
+    balance::{self, Kind, PlaneUnbalance},
+};
+
+use super::{
+    Bearings, BearingsGiven, EquivalentPlanes, EquivalentPlanesGiven, Unbalance, corrections::Corrected,
+};
+use crate::{
+    rotor::turned,
+    sources::{ISO_TERMS, RIUL},
+};
+
+/// A component of all unbalances with their positions.
+fn along<'u, N: Real + 'u>(
+    all: impl IntoIterator<Item = &'u Unbalance<N>>,
+    of: fn(&Unbalance<N>) -> N,
+) -> Vec<(N, N)> {
+    all.into_iter().map(|u| (of(u), u.z)).collect()
+}
+
+/// Resultant of the masses and their moment, about the origin where there is no better point.
+pub(super) fn of_the_masses<W: Worksheet>(masses: &[Unbalance<W::Num>], reference: Option<W::Num>, sheet: W) {
+    let [x, y] = [along(masses, |u| u.x), along(masses, |u| u.y)];
+    let sum = |of: &[(W::Num, W::Num)]| balance::resultant(of.iter().map(|(u, _)| *u));
+    let why = ("Resultant unbalance of the masses", RIUL.at("eq. 12"));
+    let resultant = sheet.step("U_R", "kg*mm", balance::magnitude(sum(&x), sum(&y)), why);
+    let why = ("Moment of the masses", RIUL.at("eq. 13"));
+    let moment = |of: &[(W::Num, W::Num)]| match reference {
+        Some(reference) => balance::moment(of.iter().copied(), reference),
+        None => W::Num::sum(of.iter().map(|(u, z)| *u * *z)),
+    };
+    let moment = sheet.step("M_R", "kg*mm^2", balance::magnitude(moment(&x), moment(&y)), why);
+    sheet.verify(|| {
+        // The law of cosines over all pairs knows nothing of the axes x and y.
+        let by_pairs = |arm: &dyn Fn(&Unbalance<W::Num>) -> f64| {
+            let each = || masses.iter().map(|u| (u.size() * arm(u), u.y.value().atan2(u.x.value())));
+            let squared: f64 =
+                each().map(|(u, a)| each().map(|(v, b)| u * v * (a - b).cos()).sum::<f64>()).sum();
+            (squared, each().map(|(u, _)| u.abs()).sum::<f64>().powi(2))
+        };
+        let (squared, scale) = by_pairs(&|_| 1.0);
+        let difference = resultant.value().powi(2) - squared;
+        sheet.check_zero("the resultant by the law of cosines over all pairs", difference.into(), scale);
+        let (squared, scale) = by_pairs(&|u| u.z.value() - reference.map_or(0.0, Real::value));
+        let difference = moment.value().powi(2) - squared;
+        sheet.check_zero("the moment by the law of cosines over all pairs", difference.into(), scale);
+    });
+    sheet.answer("resultant", "Resultant unbalance of the masses", resultant);
+    sheet.answer("moment", "Moment of unbalance of the masses", moment);
+}
+
+/// Forces on the bearings of the masses alone and with the corrections.
+pub(super) fn bearing_forces<W: Worksheet>(
+    masses: &[Unbalance<W::Num>],
+    corrections: Option<&[Corrected<W::Num>]>,
+    known: &Bearings,
+    bearings: &BearingsGiven<W>,
+    gravity: W::Num,
+    reference: W::Num,
+    sheet: W,
+) {
+    let speed = bearings.speed;
+    let moment = |of| balance::moment(along(masses, of), reference);
+    let couple = balance::centrifugal_force(balance::magnitude(moment(|u| u.x), moment(|u| u.y)), speed);
+    let couple = sheet.step("C", "N*m", couple, ("Rotating couple of the masses", RIUL.at("eq. 13")));
+    sheet.answer("couple", "Rotating couple of the masses", couple);
+    let ends = (bearings.first, bearings.second);
+    let mut last = forces(
+        &masses.iter().collect::<Vec<_>>(),
+        ends,
+        speed,
+        (
+            "Rotating force of the masses on the first bearing",
+            "Rotating force of the masses on the second bearing",
+        ),
+        ["F_I", "F_J"],
+        sheet,
+    );
+    let [first, second] = last;
+    sheet.answer("bearing_first", "Rotating force on the first bearing", first);
+    sheet.answer("bearing_second", "Rotating force on the second bearing", second);
+    if let Some(corrections) = corrections {
+        last = forces(
+            &masses.iter().chain(corrections.iter().map(|c| &c.unbalance)).collect::<Vec<_>>(),
+            ends,
+            speed,
+            (
+                "Rotating force on the first bearing after balancing",
+                "Rotating force on the second bearing after balancing",
+            ),
+            ["F′_I", "F′_J"],
+            sheet,
+        );
+        let [first, second] = last;
+        sheet.answer("bearing_first_after", "Rotating force on the first bearing after balancing", first);
+        sheet.answer("bearing_second_after", "Rotating force on the second bearing after balancing", second);
+    }
+    let Some(rotor) = &bearings.rotor else { return };
+    let weight = sheet.step("W_G", "N", rotor.mass * gravity, "Weight of the rotor");
+    let span = bearings.second - bearings.first;
+    let [on_first, on_second] = [
+        ("P_I", weight * (bearings.second - rotor.centre) / span, "The weight's share on the first bearing"),
+        ("P_J", weight * (rotor.centre - bearings.first) / span, "The weight's share on the second bearing"),
+    ]
+    .map(|(symbol, share, why)| sheet.step(symbol, "N", share, why));
+    let greatest = |symbol, share: W::Num, force: W::Num| {
+        let why = "The force turns: at its worst it adds to the load of the weight";
+        sheet.step(symbol, "N", share.abs() + force, why)
+    };
+    let first = greatest("R_I", on_first, last[0]);
+    let second = greatest("R_J", on_second, last[1]);
+    sheet.answer("load_first", "Greatest load of the first bearing with the weight", first);
+    sheet.answer("load_second", "Greatest load of the second bearing with the weight", second);
+    let lifted = [(on_first, last[0]), (on_second, last[1])];
+    if lifted.iter().any(|(share, force)| force.value() > share.value().abs()) {
+        sheet.warn(|| {
+            Text::new("the rotating force is larger than the weight on a bearing: the journal is lifted once a turn")
+        });
+    }
+    let between = (rotor.centre.value() - known.first) * (rotor.centre.value() - known.second) <= 0.0;
+    if !between {
+        sheet.warn(|| Text::new("the centre of mass is not between the bearings: the rotor overhangs"));
+    }
+}
+
+fn forces<W: Worksheet>(
+    all: &[&Unbalance<W::Num>],
+    (first, second): (W::Num, W::Num),
+    speed: W::Num,
+    (why_first, why_second): (&'static str, &'static str),
+    [symbol_first, symbol_second]: [&'static str; 2],
+    sheet: W,
+) -> [W::Num; 2] {
+    let x = || along(all.iter().copied(), |u| u.x);
+    let y = || along(all.iter().copied(), |u| u.y);
+    let in_first = balance::magnitude(
+        balance::equivalent_in_first(x(), first, second),
+        balance::equivalent_in_first(y(), first, second),
+    );
+    let in_second = balance::magnitude(
+        balance::equivalent_in_second(x(), first, second),
+        balance::equivalent_in_second(y(), first, second),
+    );
+    let one = |symbol, size, why| {
+        sheet.step(symbol, "N", balance::centrifugal_force(size, speed), (why, RIUL.at("eqs. 7, 13")))
+    };
+    let [one, other] = [one(symbol_first, in_first, why_first), one(symbol_second, in_second, why_second)];
+    sheet.verify(|| {
+        // The bearings together carry the resultant.
+        let scale: f64 = all.iter().map(|u| u.size()).sum();
+        for of in [x(), y()] {
+            let both = balance::equivalent_in_first(of.iter().copied(), first, second)
+                + balance::equivalent_in_second(of.iter().copied(), first, second);
+            let span = (second.value() - first.value()).abs();
+            let reach = of.iter().map(|(_, z)| (z.value() - first.value()).abs()).fold(span, f64::max);
+            let resultant = balance::resultant(of.iter().map(|(u, _)| *u));
+            sheet.check_zero(
+                "the bearings together carry the resultant",
+                both - resultant,
+                scale * reach / span,
+            );
+        }
+    });
+    [one, other]
+}
+
+/// The unbalance told in two planes, and as a static and a couple part.
+pub(super) fn equivalent<W: Worksheet>(
+    masses: &[Unbalance<W::Num>],
+    known: &EquivalentPlanes,
+    planes: &EquivalentPlanesGiven<W>,
+    sheet: W,
+) -> Result<(), Refusal> {
+    if known.first == known.second {
+        return Err(Refusal::because(
+            "the two planes to tell the unbalance in are the same plane; give them different positions",
+        ));
+    }
+    let scale: f64 = masses.iter().map(Unbalance::size).sum();
+    let (first, second) = (planes.first, planes.second);
+    let in_first = "Equivalent unbalance in the first plane";
+    let in_second = "Equivalent unbalance in the second plane";
+    let [x, y] = [("U_1x", "U_2x", along(masses, |u| u.x)), ("U_1y", "U_2y", along(masses, |u| u.y))].map(
+        |(symbol_first, symbol_second, all)| {
+            let one = balance::equivalent_in_first(all.iter().copied(), first, second);
+            let other = balance::equivalent_in_second(all.iter().copied(), first, second);
+            (
+                sheet.step(symbol_first, "kg*mm", one, (in_first, ISO_TERMS.at(""))),
+                sheet.step(symbol_second, "kg*mm", other, (in_second, ISO_TERMS.at(""))),
+            )
+        },
+    );
+    let told = |(size_symbol, angle_symbol): (&'static str, &'static str),
+                (size_key, angle_key): (&'static str, &'static str),
+                (size_label, angle_label): (&'static str, &'static str),
+                (x, y): (W::Num, W::Num)| {
+        let size = sheet.step(size_symbol, "kg*mm", balance::magnitude(x, y), (size_label, ISO_TERMS.at("")));
+        sheet.answer(size_key, size_label, size);
+        if size.value() > 1e-12 * scale {
+            let angle = sheet.step(angle_symbol, "deg", turned(balance::direction(x, y)), angle_label);
+            sheet.answer(angle_key, angle_label, angle);
+        }
+    };
+    told(
+        ("U_1", "θ_1"),
+        ("equivalent_first", "equivalent_first_angle"),
+        (in_first, "Angle of the equivalent unbalance in the first plane"),
+        (x.0, y.0),
+    );
+    told(
+        ("U_2", "θ_2"),
+        ("equivalent_second", "equivalent_second_angle"),
+        (in_second, "Angle of the equivalent unbalance in the second plane"),
+        (x.1, y.1),
+    );
+    told(
+        ("U_s", "θ_s"),
+        ("static_part", "static_angle"),
+        ("Static part, equal in both planes", "Angle of the static part"),
+        (balance::static_part(x.0, x.1), balance::static_part(y.0, y.1)),
+    );
+    told(
+        ("U_k", "θ_k"),
+        ("couple_part", "couple_angle"),
+        (
+            "Couple part, in the first plane and opposite in the second",
+            "Angle of the couple part in the first plane",
+        ),
+        (balance::couple_part(x.0, x.1), balance::couple_part(y.0, y.1)),
+    );
+    Ok(())
+}
+
+/// The kinds of unbalance before and after, by the names of ISO 21940-2.
+pub(super) fn kinds<N: Real>(
+    masses: &[Unbalance<N>],
+    corrections: Option<&[Corrected<N>]>,
+    centre: Option<f64>,
+    reference: f64,
+) -> TableExhibit {
+    let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+    let row = |name: &'static str, all: Vec<PlaneUnbalance>| -> Vec<Cell> {
+        let kind = match (balance::kind(&all, centre.unwrap_or(reference), 1e-9), centre) {
+            (Kind::Balanced, _) => "balanced",
+            (Kind::Couple, _) => "couple unbalance",
+            (Kind::Dynamic, _) => "dynamic unbalance",
+            (Kind::Static, Some(_)) => "static unbalance",
+            (Kind::QuasiStatic, Some(_)) => "quasi-static unbalance",
+            (Kind::Static | Kind::QuasiStatic, None) => "static or quasi-static unbalance",
+        };
+        let all_sizes: f64 = all.iter().map(|u| u.components[0].hypot(u.components[1])).sum();
+        let sum = |axis: usize| all.iter().map(|u| u.components[axis]).sum::<f64>();
+        let moment =
+            |axis: usize| all.iter().map(|u| u.components[axis] * (u.position - reference)).sum::<f64>();
+        let reach = all.iter().map(|u| (u.position - reference).abs()).fold(0.0, f64::max);
+        let clean = |x: f64, scale: f64| if x < 1e-12 * scale { 0.0 } else { x };
+        vec![
+            name.into(),
+            kind.into(),
+            clean(sum(0).hypot(sum(1)), all_sizes).into(),
+            clean(moment(0).hypot(moment(1)), all_sizes * reach).into(),
+        ]
+    };
+    let before: Vec<PlaneUnbalance> = masses.iter().map(Unbalance::plain).collect();
+    let mut rows = Vec::new();
+    if let Some(corrections) = corrections {
+        let after = before.iter().copied().chain(corrections.iter().map(|c| c.unbalance.plain())).collect();
+        rows.push(row("with the corrections", after));
+    }
+    rows.insert(0, row("the masses", before));
+    TableExhibit {
+        title: "Kind of unbalance".into(),
+        columns: vec![
+            column("", ""),
+            column("kind", ""),
+            column("|Σ U|", "kg*mm"),
+            column("|Σ U (z − z₀)|", "kg*mm^2"),
+        ],
+        rows,
+        foot: Vec::new(),
+    }
+}

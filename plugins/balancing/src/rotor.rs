@@ -1,0 +1,130 @@
+//! What the analyses of rigid rotors have in common: how masses, angles and corrections are given.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{Inputs, Worksheet};
+use dalembert_mechanics::{Real, balance};
+
+use crate::sources::RIUL;
+
+/// What is put on a rotor, or taken off it.
+#[derive(Clone, Debug, Inputs)]
+pub enum Correction {
+    /// Radius given, mass wanted
+    Radius {
+        /// Radius.
+        #[input("r_c", "mm", positive)]
+        radius: f64,
+    },
+    /// Mass given, radius wanted
+    Mass {
+        /// Mass.
+        #[input("m_c", "kg", positive)]
+        mass: f64,
+    },
+    /// Only mass times radius is wanted
+    Product,
+}
+
+/// Whether a correction is put on or taken off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Way {
+    /// Mass is added
+    Add,
+    /// Mass is removed by drilling
+    Drill,
+}
+
+/// From where angles count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Angles {
+    /// From the mark on the rotor
+    Absolute,
+    /// From one mass to the next
+    /// The first counts from the mark.
+    Successive,
+}
+
+/// Symbols of a correction.
+pub(crate) struct Symbols {
+    pub size: &'static str,
+    pub mass: &'static str,
+    pub radius: &'static str,
+    pub angle: &'static str,
+    pub other_angle: &'static str,
+    pub weight: &'static str,
+}
+
+/// Answers of a correction, each a key and a label.
+pub(crate) struct Keys {
+    pub size: (&'static str, &'static str),
+    pub mass: (&'static str, &'static str),
+    pub radius: (&'static str, &'static str),
+    pub angle: (&'static str, &'static str),
+    pub other_angle: (&'static str, &'static str),
+    pub weight: (&'static str, &'static str),
+}
+
+/// An angle between 0 and a full turn, as they are marked on a rotor. Rounding below zero stays there.
+pub(crate) fn turned<N: Real>(angle: N) -> N {
+    if angle.value() < -1e-11 { angle + TAU } else { angle }
+}
+
+/// Size, angle, mass or radius, and weight of a correction, from its components; row 0 for the only one.
+///
+/// `scale` is the size of what cancelled in the components: a correction below its rounding is none.
+#[expect(
+    clippy::too_many_arguments,
+    reason = "a correction is its components, its names and what is known of it"
+)]
+pub(crate) fn correct<W: Worksheet>(
+    sheet: W,
+    row: usize,
+    symbols: &Symbols,
+    keys: &Keys,
+    (x, y): (W::Num, W::Num),
+    known: &CorrectionGiven<W>,
+    way: Way,
+    gravity: W::Num,
+    scale: f64,
+) {
+    let why = ("Size of the correction", RIUL.at("eq. 16"));
+    let size = sheet.step((symbols.size, row), "kg*mm", balance::magnitude(x, y), why);
+    sheet.answer((keys.size.0, row), keys.size.1, size);
+    if size.value() <= 1e-12 * scale {
+        return;
+    }
+    let mass = match known {
+        CorrectionGiven::Radius { radius } => {
+            let why = ("Mass at the given radius", RIUL.at("eq. 17"));
+            let mass = sheet.step((symbols.mass, row), "kg", size / *radius, why);
+            sheet.answer((keys.mass.0, row), keys.mass.1, mass);
+            Some(mass)
+        }
+        CorrectionGiven::Mass { mass } => {
+            let radius = sheet.step((symbols.radius, row), "mm", size / *mass, "Radius of the given mass");
+            sheet.answer((keys.radius.0, row), keys.radius.1, radius);
+            Some(*mass)
+        }
+        CorrectionGiven::Product {} => None,
+    };
+    let (direction, why) = match way {
+        Way::Add => {
+            (balance::direction(x, y), "Angle where the mass is added, in the sense of the angles given")
+        }
+        Way::Drill => (
+            balance::direction(-x, -y),
+            "Angle where the mass is removed, opposite to where it would be added",
+        ),
+    };
+    let angle = sheet.step((symbols.angle, row), "deg", turned(direction), (why, RIUL.at("eq. 19")));
+    let other = if angle.value() > 1e-11 { -angle + TAU } else { -angle };
+    let other =
+        sheet.step((symbols.other_angle, row), "deg", other, "The same place, counted the other way round");
+    sheet.answer((keys.angle.0, row), keys.angle.1, angle);
+    sheet.answer((keys.other_angle.0, row), keys.other_angle.1, other);
+    if let Some(mass) = mass {
+        let weight = sheet.step((symbols.weight, row), "N", mass * gravity, "Weight of the correction");
+        sheet.answer((keys.weight.0, row), keys.weight.1, weight);
+    }
+}

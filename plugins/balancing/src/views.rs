@@ -1,0 +1,161 @@
+//! Tables and drawings of unbalances, the same for every rotor.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{Cell, Column, Drawing, DrawnShape, Ink, Point, TableExhibit, Text, trace::ROUNDING};
+
+/// An unbalance as it is listed and drawn.
+#[derive(Clone, Debug)]
+pub(crate) struct Shown {
+    /// Its name in the table.
+    pub name: Text,
+    /// Its name in drawings.
+    pub label: String,
+    /// Mass and radius, where they are known.
+    pub mass_and_radius: Option<(f64, f64)>,
+    /// Components of the unbalance, kg·m.
+    pub unbalance: (f64, f64),
+    /// Position along the shaft, m.
+    pub position: f64,
+    /// A mass on the rotor, or a correction.
+    pub ink: Ink,
+}
+
+impl Shown {
+    fn size(&self) -> f64 {
+        self.unbalance.0.hypot(self.unbalance.1)
+    }
+
+    fn along(&self) -> (f64, f64) {
+        (self.unbalance.0 * self.position, self.unbalance.1 * self.position)
+    }
+}
+
+/// The table of textbooks, with the corrections under the masses and the sums under both. Positions and moments
+/// stand in it for rotors with more than one plane.
+pub(crate) fn table(shown: &[Shown], planes: bool) -> TableExhibit {
+    let with_masses = shown.iter().any(|s| s.mass_and_radius.is_some());
+    let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+    let mut columns = vec![column("", "")];
+    if with_masses {
+        columns.extend([column("m", "kg"), column("r", "mm")]);
+    }
+    columns.extend([column("m r", "kg*mm"), column("θ", "deg")]);
+    if planes {
+        columns.push(column("z", "mm"));
+    }
+    columns.extend([column("m r cos θ", "kg*mm"), column("m r sin θ", "kg*mm")]);
+    if planes {
+        columns.extend([column("m r z cos θ", "kg*mm^2"), column("m r z sin θ", "kg*mm^2")]);
+    }
+    let row = |s: &Shown| -> Vec<Cell> {
+        let (x, y) = s.unbalance;
+        let (u, angle) = (s.size(), y.atan2(x).rem_euclid(TAU));
+        // The cosine of a right angle is zero, not its rounding.
+        let [x, y] = [x, y].map(|component| if component.abs() < ROUNDING * u { 0.0 } else { component });
+        let mut cells: Vec<Cell> = vec![s.name.clone().into()];
+        if with_masses {
+            let (mass, radius) =
+                s.mass_and_radius.map_or((Cell::Empty, Cell::Empty), |(m, r)| (m.into(), r.into()));
+            cells.extend([mass, radius]);
+        }
+        cells.extend([u.into(), angle.into()]);
+        if planes {
+            cells.push(s.position.into());
+        }
+        cells.extend([x.into(), y.into()]);
+        if planes {
+            cells.extend([(x * s.position).into(), (y * s.position).into()]);
+        }
+        cells
+    };
+    let rows: Vec<Vec<Cell>> = shown.iter().map(row).collect();
+    let sum = |at: usize| {
+        let numbers =
+            || rows.iter().filter_map(|row| if let Cell::Number(x) = row[at] { Some(x) } else { None });
+        // A sum that cancels is zero, not its rounding.
+        let (sum, size) = (numbers().sum::<f64>(), numbers().map(f64::abs).sum::<f64>());
+        Cell::Number(if sum.abs() < 1e-12 * size { 0.0 } else { sum })
+    };
+    let sums = if planes { 4 } else { 2 };
+    let mut foot = vec![Cell::Empty; columns.len() - sums];
+    foot[0] = "sum".into();
+    foot.extend((columns.len() - sums..columns.len()).map(sum));
+    TableExhibit { title: "Masses and corrections".into(), columns, rows, foot }
+}
+
+/// Polar diagram of unbalances and corrections, along the shaft.
+pub(crate) fn polar(shown: &[Shown]) -> Drawing {
+    let reach = shown.iter().map(Shown::size).fold(0.0, f64::max);
+    let reach = if reach > 0.0 { reach } else { 1.0 };
+    let mut shapes = vec![
+        DrawnShape::Circle((0.0, 0.0), 1.0, Ink::Faint),
+        DrawnShape::Circle((0.0, 0.0), 0.5, Ink::Faint),
+        DrawnShape::Polyline(vec![(-1.1, 0.0), (1.1, 0.0)], Ink::Faint),
+        DrawnShape::Polyline(vec![(0.0, -1.1), (0.0, 1.1)], Ink::Faint),
+    ];
+    for s in shown {
+        let tip = (s.unbalance.0 / reach, s.unbalance.1 / reach);
+        shapes.push(DrawnShape::Arrow((0.0, 0.0), tip, s.ink));
+        shapes.push(DrawnShape::Label((1.12 * tip.0, 1.12 * tip.1), Text::new(s.label.clone())));
+    }
+    Drawing { title: "Unbalances and corrections along the shaft".into(), shapes }
+}
+
+/// The shaft from the side: planes, masses and corrections at their positions.
+pub(crate) fn side(shown: &[Shown], bearings: Option<[f64; 2]>) -> Drawing {
+    let positions = || shown.iter().map(|s| s.position).chain(bearings.into_iter().flatten());
+    let (low, high) = positions().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
+    let span = (high - low).max(f64::MIN_POSITIVE);
+    let at = |z: f64| 4.0 * (z - low) / span;
+    let largest = shown.iter().map(Shown::size).fold(0.0, f64::max);
+    let height = |y: f64| if largest > 0.0 { y / largest } else { 0.0 };
+    let mut shapes = vec![DrawnShape::Polyline(vec![(-0.4, 0.0), (4.4, 0.0)], Ink::Body)];
+    shapes.extend(match bearings {
+        Some(ends) => ends.map(|z| DrawnShape::Pin((at(z), 0.0))),
+        None => [DrawnShape::Pin((-0.4, 0.0)), DrawnShape::Pin((4.4, 0.0))],
+    });
+    for s in shown {
+        let tip = (at(s.position), height(s.unbalance.1));
+        if s.ink == Ink::Result {
+            shapes.push(DrawnShape::Polyline(vec![(tip.0, -1.1), (tip.0, 1.1)], Ink::Faint));
+        }
+        shapes.push(DrawnShape::Arrow((tip.0, 0.0), tip, s.ink));
+        let label = if s.ink == Ink::Result { (tip.0, 1.2) } else { tip };
+        shapes.push(DrawnShape::Label(label, Text::new(s.label.clone())));
+    }
+    Drawing { title: "The shaft from the side".into(), shapes }
+}
+
+/// The unbalances one after another: with the corrections the polygon closes.
+pub(crate) fn force_polygon(shown: &[Shown]) -> Drawing {
+    polygon("Polygon of the unbalances", shown.iter().map(|s| (s, s.unbalance)))
+}
+
+/// The moments of the unbalances about the origin one after another: balanced, the polygon closes.
+pub(crate) fn couple_polygon(shown: &[Shown]) -> Drawing {
+    polygon("Polygon of the moments about the origin", shown.iter().map(|s| (s, s.along())))
+}
+
+fn polygon<'s>(title: &'static str, vectors: impl Iterator<Item = (&'s Shown, Point)>) -> Drawing {
+    let mut at = (0.0, 0.0);
+    let mut edges = Vec::new();
+    for (shown, (x, y)) in vectors {
+        let to = (at.0 + x, at.1 + y);
+        edges.push((shown, at, to));
+        at = to;
+    }
+    let reach = edges.iter().map(|(_, _, to)| to.0.abs().max(to.1.abs())).fold(0.0, f64::max);
+    let scaled = |(x, y): Point| if reach > 0.0 { (x / reach, y / reach) } else { (0.0, 0.0) };
+    let mut shapes = Vec::new();
+    for (shown, from, to) in edges {
+        let (from, to) = (scaled(from), scaled(to));
+        if (to.0 - from.0).hypot(to.1 - from.1) < 1e-9 {
+            continue;
+        }
+        shapes.push(DrawnShape::Arrow(from, to, shown.ink));
+        let middle = (f64::midpoint(from.0, to.0), f64::midpoint(from.1, to.1));
+        shapes.push(DrawnShape::Label(middle, Text::new(shown.label.clone())));
+    }
+    Drawing { title: title.into(), shapes }
+}

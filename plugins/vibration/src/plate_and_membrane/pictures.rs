@@ -1,0 +1,161 @@
+//! Nodal lines and surfaces of the shapes.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{Drawing, DrawnShape, Exhibit, Film, Ink, Text};
+use dalembert_mechanics::vibration::plate::{LevyMode, RoundMode};
+
+/// The edge, its larger side one, or a circle of radius one.
+#[derive(Clone, Copy)]
+pub(super) enum Outline {
+    Rectangle(f64, f64),
+    Circle,
+}
+
+/// A shape with its frequency, rad/s.
+pub(super) enum Figure {
+    /// Sines in both directions.
+    Sines { pattern: [usize; 2], frequency: f64 },
+    /// A sine along `a`.
+    Levy { mode: LevyMode, frequency: f64 },
+    /// In a circle.
+    Round { mode: RoundMode, circles: Vec<f64>, frequency: f64 },
+}
+
+impl Figure {
+    pub(super) fn sines(pattern: [usize; 2], frequency: f64) -> Self {
+        Figure::Sines { pattern, frequency }
+    }
+
+    pub(super) fn levy(mode: LevyMode, frequency: f64) -> Self {
+        Figure::Levy { mode, frequency }
+    }
+
+    pub(super) fn round(mode: RoundMode, frequency: f64) -> Self {
+        Figure::Round { mode, circles: mode.circles(), frequency }
+    }
+
+    pub(super) fn frequency(&self) -> f64 {
+        match self {
+            Figure::Sines { frequency, .. }
+            | Figure::Levy { frequency, .. }
+            | Figure::Round { frequency, .. } => *frequency,
+        }
+    }
+
+    /// Half waves along `a` and number across; nodal diameters and circles.
+    pub(super) fn pattern(&self) -> [usize; 2] {
+        match self {
+            Figure::Sines { pattern, .. } => *pattern,
+            Figure::Levy { mode, .. } => [mode.half_waves, mode.place],
+            Figure::Round { mode, circles, .. } => [mode.diameters, circles.len()],
+        }
+    }
+
+    /// Deflection across the breadth, 0 to 1.
+    fn across(&self, eta: f64) -> f64 {
+        match self {
+            Figure::Sines { pattern, .. } => (pattern[1] as f64 * std::f64::consts::PI * eta).sin(),
+            Figure::Levy { mode, .. } => mode.shape.deflection(eta),
+            Figure::Round { mode, .. } => mode.deflection(eta),
+        }
+    }
+
+    /// Where the deflection across is zero inside.
+    fn zeros_across(&self) -> Vec<f64> {
+        match self {
+            Figure::Sines { pattern, .. } => (1..pattern[1]).map(|n| n as f64 / pattern[1] as f64).collect(),
+            Figure::Levy { mode, .. } => mode.shape.nodes(),
+            Figure::Round { circles, .. } => circles.clone(),
+        }
+    }
+}
+
+/// The nodal lines of the first six shapes.
+pub(super) fn nodal_lines(figures: &[Figure], outline: Outline) -> Exhibit {
+    let mut shapes = Vec::new();
+    for (n, figure) in figures.iter().take(6).enumerate() {
+        let corner = (2.6 * (n % 3) as f64, -2.9 * (n / 3) as f64);
+        let at = |x: f64, y: f64| (corner.0 + x, corner.1 + y);
+        let [lengthwise, _] = figure.pattern();
+        match outline {
+            Outline::Rectangle(a, b) => {
+                let (a, b) = (2.0 * a, 2.0 * b);
+                let edge = vec![at(0.0, 0.0), at(a, 0.0), at(a, b), at(0.0, b), at(0.0, 0.0)];
+                shapes.push(DrawnShape::Polyline(edge, Ink::Body));
+                for line in 1..lengthwise {
+                    let x = a * line as f64 / lengthwise as f64;
+                    shapes.push(DrawnShape::Polyline(vec![at(x, 0.0), at(x, b)], Ink::Result));
+                }
+                for eta in figure.zeros_across() {
+                    shapes.push(DrawnShape::Polyline(vec![at(0.0, b * eta), at(a, b * eta)], Ink::Result));
+                }
+            }
+            Outline::Circle => {
+                shapes.push(DrawnShape::Circle(at(1.0, 1.0), 1.0, Ink::Body));
+                for radius in figure.zeros_across() {
+                    shapes.push(DrawnShape::Circle(at(1.0, 1.0), radius, Ink::Result));
+                }
+                for line in 0..lengthwise {
+                    // cos nθ = 0.
+                    let angle = std::f64::consts::PI * (line as f64 + 0.5) / lengthwise as f64;
+                    let (x, y) = (angle.cos(), angle.sin());
+                    let ends = vec![at(1.0 - x, 1.0 - y), at(1.0 + x, 1.0 + y)];
+                    shapes.push(DrawnShape::Polyline(ends, Ink::Result));
+                }
+            }
+        }
+        shapes.push(DrawnShape::Label(at(0.0, -0.35), Text::new("mode {n}").with("n", n + 1)));
+    }
+    Exhibit::Drawing(Drawing { title: "Nodal lines".into(), shapes })
+}
+
+/// A shape in motion, seen from the side and above.
+pub(super) fn film(figure: &Figure, outline: Outline) -> Exhibit {
+    const FRAMES: u16 = 24;
+    let lines = surface(figure, outline);
+    let frame = |n: u16| {
+        let phase = 0.6 * (TAU * f64::from(n) / f64::from(FRAMES)).cos();
+        let seen = |(x, y, w): &(f64, f64, f64)| (x + 0.4 * y, 0.5 * y + phase * w);
+        let line = |points: &Vec<(f64, f64, f64)>| {
+            DrawnShape::Polyline(points.iter().map(seen).collect(), Ink::Motion)
+        };
+        lines.iter().map(line).collect()
+    };
+    let [first, second] = figure.pattern();
+    Exhibit::Film(Film {
+        title: Text::new("Shape ({m}, {n}) in motion").with("m", first).with("n", second),
+        frames: (0..FRAMES).map(frame).collect(),
+        period: 2.0,
+    })
+}
+
+/// Lines on the surface of a shape: places and deflections.
+fn surface(figure: &Figure, outline: Outline) -> Vec<Vec<(f64, f64, f64)>> {
+    const LINES: usize = 8;
+    const POINTS: usize = 32;
+    let part = |n: usize, of: usize| n as f64 / of as f64;
+    let [lengthwise, _] = figure.pattern();
+    let across: Vec<f64> = (0..=POINTS).map(|n| figure.across(part(n, POINTS))).collect();
+    let step = POINTS / LINES;
+    match outline {
+        Outline::Rectangle(a, b) => {
+            let (a, b) = (3.0 * a, 3.0 * b);
+            let along = |n: usize| (lengthwise as f64 * std::f64::consts::PI * part(n, POINTS)).sin();
+            let point = |i: usize, j: usize| (a * part(i, POINTS), b * part(j, POINTS), along(i) * across[j]);
+            let one_way = (0..=LINES).map(|l| (0..=POINTS).map(|i| point(i, l * step)).collect());
+            let other_way = (0..=LINES).map(|l| (0..=POINTS).map(|j| point(l * step, j)).collect());
+            one_way.chain(other_way).collect()
+        }
+        Outline::Circle => {
+            let point = |radius: usize, turn: f64| {
+                let r = 1.6 * part(radius, POINTS);
+                (r * turn.cos(), r * turn.sin(), across[radius] * (lengthwise as f64 * turn).cos())
+            };
+            let around =
+                |l: usize| (0..=2 * POINTS).map(|n| point(l * step, TAU * part(n, 2 * POINTS))).collect();
+            let spoke = |l: usize| (0..=POINTS).map(|n| point(n, TAU * part(l, 12))).collect();
+            (1..=LINES).map(around).chain((0..12).map(spoke)).collect()
+        }
+    }
+}
