@@ -54,19 +54,19 @@ pub struct RoundMode {
 impl Round {
     /// The first `count` vibrations, by ascending `λ`; those of a free plate as a whole are not among them.
     pub fn modes(self, count: usize) -> Vec<RoundMode> {
-        let mut modes: Vec<RoundMode> = Vec::new();
+        let mut found: Vec<(f64, usize, usize)> = Vec::new();
         // λ grows with the diameters, but for the free plate, whose rigid motions are left out.
         for diameters in 0..200 {
             let roots = self.roots(diameters, count);
-            let highest = modes.get(count - 1).map_or(f64::INFINITY, |mode| mode.root);
+            let highest = found.get(count - 1).map_or(f64::INFINITY, |last| last.0);
             if diameters > 2 && roots.first().is_none_or(|root| *root > highest) {
                 break;
             }
-            modes.extend((1..).zip(roots).map(|(place, root)| self.mode(diameters, place, root)));
-            modes.sort_by(|a, b| a.root.total_cmp(&b.root));
-            modes.truncate(count);
+            found.extend((1..).zip(roots).map(|(place, root)| (root, diameters, place)));
+            found.sort_by(|a, b| a.0.total_cmp(&b.0));
+            found.truncate(count);
         }
-        modes
+        found.into_iter().map(|(root, diameters, place)| self.mode(diameters, place, root)).collect()
     }
 
     /// The frequency equation of so many diameters: what it leaves, bounded.
@@ -103,7 +103,7 @@ impl Round {
             }
         };
         let mut mode = RoundMode { body: self, diameters, place, root, share, scale: 1.0 };
-        let values = (0..=400u16).map(|n| mode.deflection(f64::from(n) / 400.0));
+        let values = (0..=200u16).map(|n| mode.deflection(f64::from(n) / 200.0));
         mode.scale = values.fold(0.0f64, |a, b| if b.abs() > a.abs() { b } else { a });
         mode
     }
