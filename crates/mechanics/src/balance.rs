@@ -7,14 +7,19 @@
 
 use crate::Real;
 
+pub mod influence;
+pub mod min_max;
+mod phasor;
 mod planes;
+pub mod spread;
 mod two_plane;
 mod unknowns;
+pub mod without_phase;
 
+pub use phasor::{Phasor, two_plane_weights};
 pub use planes::{Kind, balance_planes, equivalent_in_first, equivalent_in_second, kind, least_correction};
-pub use unknowns::{Known, PartlyKnown, UnknownsError, Vanishing, balance_unknowns};
-
 pub use two_plane::{BalanceError, PlaneUnbalance, TwoPlaneBalance, balance_two_planes};
+pub use unknowns::{Known, PartlyKnown, UnknownsError, Vanishing, balance_unknowns};
 
 /// Unbalance of a mass at a radius, `U = m r`, kg·m.
 #[inline]
@@ -124,4 +129,17 @@ pub fn couple_part<S: Real>(in_a: S, in_b: S) -> S {
 #[inline]
 pub fn centrifugal_force<S: Real>(unbalance: S, speed: S) -> S {
     unbalance * speed.powi(2)
+}
+
+/// The part at the first of two places of a weight that is split between them,
+/// `m₁ = m sin(θ₂ − θ)/sin(θ₂ − θ₁)`: the law of sines in the parallelogram.
+#[inline]
+pub fn split_first<S: Real>(mass: S, angle: S, first: S, second: S) -> S {
+    mass * (second - angle).sin() / (second - first).sin()
+}
+
+/// The part at the second place, `m₂ = m sin(θ − θ₁)/sin(θ₂ − θ₁)`.
+#[inline]
+pub fn split_second<S: Real>(mass: S, angle: S, first: S, second: S) -> S {
+    mass * (angle - first).sin() / (second - first).sin()
 }

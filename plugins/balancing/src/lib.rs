@@ -1,10 +1,14 @@
 //! Analyses of balancing.
 
+pub mod field;
 pub mod known_masses;
 pub mod rotor;
 pub mod single_plane;
 mod sources;
+pub mod splitting;
+pub mod static_couple;
 pub mod two_plane;
 mod views;
+pub mod without_phase;
 
 dalembert_core::messages!("../locales/pt-BR.ftl");

@@ -27,3 +27,23 @@ pub(crate) static ISO_TERMS: Source = Source {
     short: "ISO 21940-2",
     full: "ISO 21940-2:2017, Mechanical vibration — Rotor balancing — Part 2: Vocabulary",
 };
+
+/// S. S. Rao, Mechanical Vibrations.
+pub(crate) static RAO: Source =
+    Source { short: "Rao", full: "S. S. Rao, Mechanical Vibrations, 5th ed., Prentice Hall, 2011" };
+
+/// T. P. Goodman, on least squares.
+pub(crate) static GOODMAN: Source = Source {
+    short: "Goodman",
+    full: "T. P. Goodman, A Least-Squares Method for Computing Balance Corrections, Trans. ASME, J. Eng. Ind. 86 (1964) 273–277",
+};
+
+/// M. S. Darlow, Balancing of High-Speed Machinery.
+pub(crate) static DARLOW: Source =
+    Source { short: "Darlow", full: "M. S. Darlow, Balancing of High-Speed Machinery, Springer, 1989" };
+
+/// S. Boyd and L. Vandenberghe, Convex Optimization.
+pub(crate) static BOYD: Source = Source {
+    short: "Boyd",
+    full: "S. Boyd, L. Vandenberghe, Convex Optimization, Cambridge University Press, 2004",
+};

@@ -1,0 +1,209 @@
+//! What the uncertainty of the readings does to the weights, by Monte Carlo.
+//!
+//! Every number is drawn from its own place: seed, sample and number. So samples may be shared out among any number
+//! of threads and are the same to the last bit.
+
+use std::{f64::consts::PI, thread};
+
+use nalgebra::{Complex, DMatrix};
+
+use super::influence::{TrialRun, influence_coefficients, residuals};
+
+/// Standard uncertainties of a reading.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ReadingSpread {
+    /// Of the amplitude, over the amplitude.
+    pub amplitude: f64,
+    /// Of the phase, rad.
+    pub phase: f64,
+}
+
+/// Where the influence coefficients come from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Influence<'a> {
+    /// Runs with trial weights, which stay on or not.
+    Runs(&'a [TrialRun], bool),
+    /// Known coefficients, a row for each reading, as uncertain as a reading.
+    Known(&'a DMatrix<Complex<f64>>),
+}
+
+/// A job of field balancing as it was measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measurement<'a> {
+    /// The readings without weights.
+    pub first: &'a [Complex<f64>],
+    /// The source of the influence coefficients.
+    pub influence: Influence<'a>,
+    /// The importance of each reading; 1 where it is left out.
+    pub importance: &'a [f64],
+    /// The uncertainty of each reading.
+    pub spread: ReadingSpread,
+}
+
+/// Ranges that hold 95 % of the samples.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ranges {
+    /// Size of the weight of least squares in each plane.
+    pub sizes: Vec<[f64; 2]>,
+    /// Its angle, rad, unwrapped about the angle of the given weights.
+    pub angles: Vec<[f64; 2]>,
+    /// What 95 % of the samples leave at most in each reading with the given weights.
+    pub residuals: Vec<f64>,
+}
+
+/// Two independent standard normal numbers that belong to this seed, sample and place.
+///
+/// Box and Muller, *Ann. Math. Stat.* 29 (1958), over a mixed counter.
+pub fn normal_pair(seed: u64, sample: u64, place: u64) -> [f64; 2] {
+    let bits = uniform_bits(seed, sample, place);
+    // Both halves lie strictly between 0 and 1.
+    let half = |bits: u64| ((bits & 0xffff_ffff) as f64 + 0.5) / 4_294_967_296.0;
+    let radius = (-2.0 * half(bits >> 32).ln()).sqrt();
+    let (sin, cos) = (2.0 * PI * half(bits)).sin_cos();
+    [radius * cos, radius * sin]
+}
+
+/// 64 random bits that belong to this seed, sample and place: the counter, mixed twice as Steele, Lea and Flood mix
+/// theirs (*OOPSLA* 2014).
+#[inline]
+pub fn uniform_bits(seed: u64, sample: u64, place: u64) -> u64 {
+    mix(mix(seed ^ sample.wrapping_mul(0x9e37_79b9_7f4a_7c15)) ^ place.wrapping_mul(0xd1b5_4a32_d192_ed03))
+}
+
+#[inline]
+fn mix(mut bits: u64) -> u64 {
+    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    bits ^ (bits >> 31)
+}
+
+/// The ranges of the weights of least squares and of the readings that `weights` leave, from `samples` jobs that
+/// might as well have been measured. `None` where a sample has no answer or a number is not finite.
+pub fn ranges(
+    measured: &Measurement<'_>,
+    weights: &[Complex<f64>],
+    samples: usize,
+    threads: usize,
+) -> Option<Ranges> {
+    const SEED: u64 = 0x0b41_a9ce;
+    let (planes, readings) = (weights.len(), measured.first.len());
+    let width = 2 * planes + readings;
+    let mut drawn = vec![0.0; samples * width];
+    let share = samples.div_ceil(threads.max(1)).max(1);
+    let good = thread::scope(|scope| {
+        let workers: Vec<_> = drawn
+            .chunks_mut(share * width)
+            .enumerate()
+            .map(|(n, part)| {
+                let mut work = move || {
+                    part.chunks_mut(width)
+                        .zip(n * share..)
+                        .try_for_each(|(row, sample)| one_sample(measured, weights, SEED, sample as u64, row))
+                };
+                if threads > 1 { Err(scope.spawn(work)) } else { Ok(work()) }
+            })
+            .collect();
+        workers
+            .into_iter()
+            .all(|done| done.unwrap_or_else(|worker| worker.join().unwrap_or_default()).is_some())
+    });
+    if !good || samples == 0 || drawn.iter().any(|x| !x.is_finite()) {
+        return None;
+    }
+    let column = |at: usize| {
+        let mut all: Vec<f64> = drawn.iter().skip(at).step_by(width).copied().collect();
+        all.sort_unstable_by(f64::total_cmp);
+        move |share: f64| all[((samples as f64 * share) as usize).min(samples - 1)]
+    };
+    // Intervals of equal probability beyond both ends, JCGM 101:2008, §7.7.
+    let middle = |at: usize| {
+        let column = column(at);
+        [column(0.025), column(0.975)]
+    };
+    let ranges = Ranges {
+        sizes: (0..planes).map(middle).collect(),
+        angles: (0..planes)
+            .map(|plane| middle(planes + plane).map(|turn| turn + weights[plane].arg()))
+            .collect(),
+        residuals: (0..readings).map(|row| column(2 * planes + row)(0.95)).collect(),
+    };
+    ranges.sizes.iter().flatten().all(|size| size.is_finite()).then_some(ranges)
+}
+
+/// Sizes, turns and residuals of one sample.
+fn one_sample(
+    measured: &Measurement<'_>,
+    weights: &[Complex<f64>],
+    seed: u64,
+    sample: u64,
+    row: &mut [f64],
+) -> Option<()> {
+    let planes = weights.len();
+    let mut place = 0;
+    let mut disturb = |reading: Complex<f64>| {
+        let [a, b] = normal_pair(seed, sample, place);
+        place += 1;
+        reading * Complex::from_polar(1.0 + measured.spread.amplitude * a, measured.spread.phase * b)
+    };
+    let first: Vec<Complex<f64>> = measured.first.iter().map(|v| disturb(*v)).collect();
+    let alpha = match measured.influence {
+        Influence::Known(alpha) => alpha.map(&mut disturb),
+        Influence::Runs(runs, stay) => {
+            let mut runs = runs.to_vec();
+            for reading in runs.iter_mut().flat_map(|run| &mut run.readings) {
+                *reading = disturb(*reading);
+            }
+            influence_coefficients(&first, &runs, stay).ok()?
+        }
+    };
+    let found = normal_equations(&alpha, &first, measured.importance)?;
+    for (plane, (found, nominal)) in found.iter().zip(weights).enumerate() {
+        row[plane] = found.norm();
+        row[planes + plane] = if nominal.norm() > 0.0 { (found / nominal).arg() } else { found.arg() };
+    }
+    for (place, left) in row[2 * planes..].iter_mut().zip(residuals(&alpha, &first, weights)) {
+        *place = left.norm();
+    }
+    Some(())
+}
+
+/// Least squares by `αᴴ g α W = −αᴴ g V`: half the digits, which is plenty for a sample.
+fn normal_equations(
+    alpha: &DMatrix<Complex<f64>>,
+    readings: &[Complex<f64>],
+    importance: &[f64],
+) -> Option<Vec<Complex<f64>>> {
+    let (rows, n) = alpha.shape();
+    let weight = |row: usize| importance.get(row).copied().unwrap_or(1.0);
+    let mut a = vec![Complex::ZERO; n * (n + 1)];
+    for p in 0..n {
+        for q in 0..=n {
+            a[p * (n + 1) + q] = (0..rows)
+                .map(|row| {
+                    let right = if q < n { alpha[(row, q)] } else { -readings[row] };
+                    alpha[(row, p)].conj() * right * weight(row)
+                })
+                .sum();
+        }
+    }
+    // A positive definite matrix needs no exchange of rows.
+    for p in 0..n {
+        let pivot = a[p * (n + 1) + p];
+        if pivot.norm_sqr() == 0.0 || !pivot.is_finite() {
+            return None;
+        }
+        for row in p + 1..n {
+            let factor = a[row * (n + 1) + p] / pivot;
+            for q in p..=n {
+                let above = a[p * (n + 1) + q];
+                a[row * (n + 1) + q] -= factor * above;
+            }
+        }
+    }
+    let mut x = vec![Complex::ZERO; n];
+    for p in (0..n).rev() {
+        let sum: Complex<f64> = (p + 1..n).map(|q| a[p * (n + 1) + q] * x[q]).sum();
+        x[p] = (a[p * (n + 1) + n] - sum) / a[p * (n + 1) + p];
+    }
+    Some(x)
+}

@@ -1,0 +1,188 @@
+//! Field balancing of simulated rotors.
+
+use dalembert_mechanics::balance::{
+    influence::{TrialRun, influence_coefficients, least_squares, residuals},
+    min_max::min_max,
+    spread::{Influence, Measurement, ReadingSpread, normal_pair, ranges, uniform_bits},
+    without_phase::effect,
+};
+use nalgebra::{Complex, DMatrix};
+use proptest::prelude::*;
+
+/// A rotor drawn from a number: influence of each plane on each reading, and unbalance in each plane.
+fn rotor(seed: u64, readings: usize, planes: usize) -> (DMatrix<Complex<f64>>, Vec<Complex<f64>>) {
+    let number = |place: usize| {
+        let [x, y] = normal_pair(seed, 0, place as u64);
+        Complex::new(x, y)
+    };
+    let alpha = DMatrix::from_fn(readings, planes, |row, plane| number(row * planes + plane));
+    (alpha, (0..planes).map(|plane| number(readings * planes + plane) * 30.0).collect())
+}
+
+/// What the sensors read with those weights.
+fn read(alpha: &DMatrix<Complex<f64>>, weights: &[Complex<f64>]) -> Vec<Complex<f64>> {
+    residuals(alpha, &vec![Complex::ZERO; alpha.nrows()], weights)
+}
+
+/// A run with each trial weight, the ones before taken off or not.
+fn runs(alpha: &DMatrix<Complex<f64>>, unbalance: &[Complex<f64>], stay: bool) -> Vec<TrialRun> {
+    let mut on = unbalance.to_vec();
+    (0..unbalance.len())
+        .map(|plane| {
+            if !stay {
+                on = unbalance.to_vec();
+            }
+            let weight = Complex::from_polar(10.0, plane as f64);
+            on[plane] += weight;
+            TrialRun { plane, weight, readings: read(alpha, &on) }
+        })
+        .collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
+
+    #[test]
+    fn trial_runs_recover_the_unbalance(seed: u64, planes in 1usize..6, more in 0usize..5, stay: bool) {
+        let (alpha, unbalance) = rotor(seed, planes + more, planes);
+        let first = read(&alpha, &unbalance);
+        let found = influence_coefficients(&first, &runs(&alpha, &unbalance, stay), stay).unwrap();
+        let solved = least_squares(&found, &first, &[]).unwrap();
+        let size = unbalance.iter().map(|u| u.norm()).fold(0.0, f64::max);
+        for (weight, unbalance) in solved.weights.iter().zip(&unbalance) {
+            let off = (weight + unbalance).norm();
+            prop_assert!(off <= solved.condition * 1e-10 * size, "{weight} for {unbalance}");
+        }
+    }
+
+    #[test]
+    fn the_largest_reading_is_proved_least(seed: u64, planes in 1usize..4, more in 1usize..8, limited: bool) {
+        let (alpha, unbalance) = rotor(seed, planes + more, planes);
+        let first: Vec<Complex<f64>> =
+            read(&alpha, &unbalance).into_iter().enumerate().map(|(n, v)| v + Complex::cis(n as f64) * 9.0).collect();
+        let squares = least_squares(&alpha, &first, &[]).unwrap();
+        let limit = limited.then(|| squares.weights[0].norm() * 0.8);
+        let found = min_max(&alpha, &first, limit).unwrap();
+        let size = first.iter().map(|v| v.norm()).fold(0.0, f64::max);
+        prop_assert!(found.largest - found.bound <= 1e-9 * size, "{} and {}", found.largest, found.bound);
+        if let Some(limit) = limit {
+            prop_assert!(found.weights.iter().all(|w| w.norm() <= limit));
+        } else {
+            let by_squares = squares.residuals.iter().map(|r| r.norm()).fold(0.0, f64::max);
+            prop_assert!(found.largest <= by_squares * (1.0 + 1e-9));
+        }
+    }
+
+    #[test]
+    fn sizes_alone_recover_the_effect(seed: u64) {
+        let [x, y] = normal_pair(seed, 0, 0);
+        let z = Complex::new(x, y);
+        let runs: Vec<(f64, f64)> =
+            [0.3, 2.2, 4.4].iter().map(|angle| (*angle, (z * Complex::cis(*angle) + 1.0).norm())).collect();
+        let found = effect(&runs).unwrap();
+        prop_assert!((found.best - z).norm() <= 1e-9 * (1.0 + z.norm()));
+    }
+}
+
+/// Of jobs that were really measured with that uncertainty, 95 of 100 have the truth within their ranges.
+#[test]
+fn ranges_cover_the_truth_as_often_as_they_claim() {
+    let spread = ReadingSpread { amplitude: 0.005, phase: 0.008 };
+    let mut jobs = 0;
+    let mut covered = [0; 4];
+    for job in 0..1500 {
+        let (alpha, unbalance) = rotor(job, 3, 2);
+        // What the field would not balance from these trial weights is left out.
+        let exact = read(&alpha, &unbalance);
+        if least_squares(&alpha, &exact, &[]).unwrap().condition > 4.0
+            || unbalance.iter().any(|u| !(10.0..60.0).contains(&u.norm()))
+        {
+            continue;
+        }
+        jobs += 1;
+        let mut place = 0;
+        let mut measure = |readings: Vec<Complex<f64>>| -> Vec<Complex<f64>> {
+            let disturb = |v: Complex<f64>| {
+                let [a, b] = normal_pair(77, job, place);
+                place += 1;
+                v * Complex::from_polar(1.0 + spread.amplitude * a, spread.phase * b)
+            };
+            readings.into_iter().map(disturb).collect()
+        };
+        let first = measure(read(&alpha, &unbalance));
+        let mut trials = runs(&alpha, &unbalance, false);
+        for run in &mut trials {
+            run.readings = measure(run.readings.clone());
+        }
+        let found = influence_coefficients(&first, &trials, false).unwrap();
+        let weights = least_squares(&found, &first, &[]).unwrap().weights;
+        let influence = Influence::Runs(&trials, false);
+        let measured = Measurement { first: &first, influence, importance: &[], spread };
+        let ranges = ranges(&measured, &weights, 400, 1).unwrap();
+        for plane in 0..2 {
+            let truth = -unbalance[plane];
+            let [low, high] = ranges.sizes[plane];
+            covered[plane] += u32::from((low..=high).contains(&truth.norm()));
+            let [low, high] = ranges.angles[plane];
+            let turn = (truth / weights[plane]).arg() + weights[plane].arg();
+            covered[2 + plane] += u32::from((low..=high).contains(&turn));
+        }
+    }
+    for covered in covered {
+        let share = f64::from(covered) / f64::from(jobs);
+        println!("{share} of {jobs}");
+        // Three standard deviations of the count, and what 400 samples leave open.
+        assert!((0.92..=0.98).contains(&share), "{share} of the jobs are covered");
+    }
+}
+
+/// The samples are the same to the last bit on any number of threads.
+#[test]
+fn threads_do_not_change_a_bit() {
+    let (alpha, unbalance) = rotor(5, 4, 2);
+    let first = read(&alpha, &unbalance);
+    let measured = Measurement {
+        first: &first,
+        influence: Influence::Known(&alpha),
+        importance: &[],
+        spread: ReadingSpread { amplitude: 0.02, phase: 0.03 },
+    };
+    let weights: Vec<Complex<f64>> = unbalance.iter().map(|u| -u).collect();
+    let one = ranges(&measured, &weights, 1000, 1).unwrap();
+    for threads in [2, 3, 7, 64] {
+        assert_eq!(one, ranges(&measured, &weights, 1000, threads).unwrap());
+    }
+    assert_ne!(uniform_bits(1, 2, 3), uniform_bits(1, 3, 2));
+}
+
+/// Foiles' turbine: four planes, eleven readings, weights up to 3.402.
+#[test]
+fn a_general_optimiser_finds_the_same_largest_reading() {
+    let row = |text: &str| -> Vec<Complex<f64>> {
+        text.split(' ')
+            .map(|entry| {
+                let (size, angle) = entry.split_once('@').unwrap();
+                Complex::from_polar(size.parse().unwrap(), angle.parse::<f64>().unwrap().to_radians())
+            })
+            .collect()
+    };
+    let rows = [
+        "9.8@117 17@124 7.2@114 38.5@77",
+        "2.7@43 14.3@317 4.5@213 14.3@270",
+        "12.5@323 25@261 15.2@158 30@238",
+        "22.4@92 32.6@45 23.3@315 27.8@210",
+        "26@94 40.3@9 25@330 34@213",
+        "40.3@355 43@144 29.6@61 65.4@322",
+        "20.6@339 32.3@152 36.7@41 61.8@322",
+        "12.6@226 37.6@52 18.8@153 26@176",
+        "13.4@209 26.9@76 47.5@98 71.7@312",
+        "13.4@154 22.4@307 52@299 102@165",
+        "5.4@24 7.2@199 22.4@2 27.8@99",
+    ];
+    let entries: Vec<Complex<f64>> = rows.iter().flat_map(|text| row(text)).collect();
+    let alpha = DMatrix::from_row_slice(11, 4, &entries);
+    let first = row("55@259 45@118 124@21 138@349 107@349 90@280 58@354 108@201 88@190 56@48 73@158");
+    let found = min_max(&alpha, &first, Some(3.402)).unwrap();
+    assert!((found.largest - 72.931_083).abs() < 1e-5, "{}", found.largest);
+    assert!(found.largest - found.bound <= 1e-9 * 138.0, "{} above {}", found.largest, found.bound);
+}

@@ -1,0 +1,415 @@
+//! Field balancing by influence coefficients: any number of planes, sensors and speeds.
+
+use dalembert_core::{About, Analysis, Inputs, Refusal, Text, Worksheet, register};
+use dalembert_mechanics::{
+    Real,
+    balance::{
+        influence::{self, InfluenceError},
+        min_max::min_max,
+        spread::{self, ReadingSpread},
+    },
+    intervals::IntervalSet,
+    linalg::LinalgError,
+};
+use nalgebra::{Complex, DMatrix};
+use std::{
+    f64::consts::{PI, TAU},
+    ops::Bound,
+};
+
+mod numbers;
+mod readings;
+mod show;
+mod worked;
+
+pub use self::readings::{
+    AccelerationCoefficient, AccelerationInfluence, AccelerationReading, AccelerationRun,
+    DisplacementCoefficient, DisplacementInfluence, DisplacementReading, DisplacementRun, Measured,
+    NumberCoefficient, NumberInfluence, NumberReading, NumberRun, TrialWeights, VelocityCoefficient,
+    VelocityInfluence, VelocityReading, VelocityRun,
+};
+use self::{
+    numbers::Numbers,
+    readings::{Influence, Job},
+};
+use crate::sources::{BOYD, DARLOW, GOODMAN, RAO};
+
+/// How many jobs that might as well have been measured the ranges are read from.
+const SAMPLES: usize = 400;
+
+/// Runs, conventions, and how the weights are chosen.
+#[derive(Clone, Debug, Inputs)]
+pub struct Field {
+    /// What was measured.
+    pub measured: Measured,
+    /// Phase.
+    /// What the instrument counts; with a strobe and a protractor on the rotor, take lead.
+    pub phase: PhaseSense,
+    /// Angles of weights.
+    /// Counted from the mark that the phase is read with. Where the sensors stand does not matter: their angles
+    /// cancel.
+    pub angles: WeightSense,
+    /// How the weights are chosen.
+    pub method: Method,
+    /// Radius of the weights.
+    /// The same for trial weights and corrections; with it the unbalances are answered too.
+    #[input("r", "mm", positive)]
+    pub radius: Option<f64>,
+    /// Uncertainty of an amplitude.
+    /// Standard uncertainty, over the amplitude: how far repeated runs differ.
+    #[input("u_A", "%", nonnegative, max = 50.0, default = "1 %")]
+    pub amplitude_uncertainty: f64,
+    /// Uncertainty of a phase.
+    /// Standard uncertainty.
+    #[input("u_φ", "deg", nonnegative, max = 45.0, default = "1 deg")]
+    pub phase_uncertainty: f64,
+}
+
+/// The sense in which the instrument counts the phase.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum PhaseSense {
+    /// Lead: it grows when the weight is moved with the rotation
+    Lead,
+    /// Lag: it grows when the weight is moved against the rotation
+    Lag,
+}
+
+/// The sense in which the angles of weights are counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum WeightSense {
+    /// With the rotation
+    With,
+    /// Against the rotation
+    Against,
+}
+
+/// How the weights are chosen.
+#[derive(Clone, Debug, Inputs)]
+pub enum Method {
+    /// Least squares of all readings
+    LeastSquares,
+    /// Least squares with weighting factors
+    Weighted {
+        /// Factors.
+        /// One for each reading of the first run, in its order.
+        #[input(min = 1)]
+        factors: Vec<Factor>,
+    },
+    /// The largest reading as small as possible
+    MinMax {
+        /// Largest weight allowed in a plane.
+        #[input("m_max", "g", positive)]
+        limit: Option<f64>,
+    },
+}
+
+/// How much a reading counts.
+#[derive(Clone, Debug, Inputs)]
+pub struct Factor {
+    /// Weighting factor.
+    #[input("g", "1", positive)]
+    pub factor: f64,
+}
+
+register!(Field);
+
+/// The weight of a plane on a worksheet.
+#[derive(Clone, Copy)]
+struct Found<N> {
+    mass: N,
+    angle: N,
+}
+
+impl Analysis for Field {
+    const ABOUT: About = About {
+        id: "balancing/field",
+        title: "Field balancing",
+        summary: "Correction weights from measured vibrations, by influence coefficients: runs with trial weights, any number of planes, sensors and speeds, with error bars.",
+        keywords: "balanceamento em campo balanceamento no local coeficientes de influência peso de prova massa de teste \
+                   influence coefficients trial weight single plane two plane least squares min-max trim vector fase",
+        sources: &[&RAO, &GOODMAN, &DARLOW, &BOYD],
+        cases: include_str!("../cases/field.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &FieldGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let Some(job) = self.measured.plain(&given.measured) else {
+            return Err(Refusal::because("the readings cannot be read"));
+        };
+        let opposed = (self.phase == PhaseSense::Lag) != (self.angles == WeightSense::Against);
+        let spread = ReadingSpread { amplitude: self.amplitude_uncertainty, phase: self.phase_uncertainty };
+        let numbers = Numbers::new(&job, opposed, spread, sheet)?;
+        let factors = self.factors(numbers.first.len())?;
+        let squares = influence::least_squares(&numbers.alpha, &numbers.first, &factors)
+            .map_err(|error| refusal(error, &numbers.alpha))?;
+        numbers.judge_planes(squares.condition, spread, sheet)?;
+
+        let corrections = match &self.method {
+            Method::MinMax { limit } => self.min_max(&numbers, *limit, sheet)?,
+            _ => {
+                let corrections = match worked::solve(&job, opposed, sheet) {
+                    Some(corrections) => corrections,
+                    None => self.by_least_squares(&squares, sheet),
+                };
+                for (n, (found, kernel)) in (1..).zip(corrections.iter().zip(&squares.weights)) {
+                    let apart = Complex::from_polar(found.mass.value(), found.angle.value()) - kernel;
+                    sheet.check_zero(
+                        Text::new("weight of plane {n} from all equations at once, by orthogonal factors")
+                            .with("n", n),
+                        apart.norm().into(),
+                        squares.weights.iter().map(|w| w.norm()).fold(0.0, f64::max),
+                    );
+                }
+                orthogonal(&numbers.alpha, &squares.residuals, &numbers.first, &factors, sheet);
+                corrections
+            }
+        };
+        let weights: Vec<Complex<f64>> =
+            corrections.iter().map(|w| Complex::from_polar(w.mass.value(), w.angle.value())).collect();
+        self.answers(&corrections, given.radius, sheet);
+        trim(&numbers, &weights, sheet);
+        let left = self.predict(&numbers, &weights, job.units.reading, sheet);
+        condition(squares.condition, sheet);
+        sheet.verify(|| ranges(&numbers, &factors, spread, &weights, job.units.reading, sheet));
+        show::all(&numbers, &weights, &left, &factors, job.units, sheet);
+        Ok(())
+    }
+}
+
+impl Field {
+    fn factors(&self, readings: usize) -> Result<Vec<f64>, Refusal> {
+        match &self.method {
+            Method::Weighted { factors } if factors.len() != readings => Err(Refusal::because(
+                Text::new(
+                    "there are {have} weighting factors and {want} readings in the first run; write one for each",
+                )
+                .with("have", factors.len())
+                .with("want", readings),
+            )),
+            Method::Weighted { factors } => {
+                // Only their ratios matter.
+                let largest = factors.iter().map(|f| f.factor).fold(0.0, f64::max);
+                Ok(factors.iter().map(|f| f.factor / largest).collect())
+            }
+            _ => Ok(vec![1.0; readings]),
+        }
+    }
+
+    fn by_least_squares<W: Worksheet>(&self, solved: &influence::Weights, sheet: W) -> Vec<Found<W::Num>> {
+        let how = match self.method {
+            Method::Weighted { .. } => {
+                "Weight that makes the weighted sum of the squares of all readings least"
+            }
+            _ => "Weight that makes the sum of the squares of all readings least",
+        };
+        let found = |(n, weight): (usize, &Complex<f64>)| Found {
+            mass: sheet.found(("m_c", n), "g", weight.norm(), (how, GOODMAN.at("pp. 273–277"))),
+            angle: sheet.found(("θ_c", n), "deg", full_turn(weight.arg()), "Its angle from the mark"),
+        };
+        (1..).zip(&solved.weights).map(found).collect()
+    }
+
+    fn min_max<W: Worksheet>(
+        &self,
+        numbers: &Numbers,
+        limit: Option<f64>,
+        sheet: W,
+    ) -> Result<Vec<Found<W::Num>>, Refusal> {
+        let solved =
+            min_max(&numbers.alpha, &numbers.first, limit).map_err(|error| refusal(error, &numbers.alpha))?;
+        let how = (
+            "Weight that makes the largest reading least, by the barrier of the second-order cones",
+            BOYD.at("§11.6"),
+        );
+        let found = |(n, weight): (usize, &Complex<f64>)| Found {
+            mass: sheet.found(("m_c", n), "g", weight.norm(), how),
+            angle: sheet.found(("θ_c", n), "deg", full_turn(weight.arg()), "Its angle from the mark"),
+        };
+        let corrections = (1..).zip(&solved.weights).map(found).collect();
+        sheet.check_zero(
+            "no permitted weights can bring the largest reading lower: bound from the multipliers",
+            (solved.largest - solved.bound).into(),
+            numbers.first.iter().map(|v| v.norm()).fold(0.0, f64::max),
+        );
+        Ok(corrections)
+    }
+
+    /// Correction and existing unbalance, each with its angle.
+    fn answers<W: Worksheet>(&self, corrections: &[Found<W::Num>], radius: Option<W::Num>, sheet: W) {
+        let estimated = !matches!(self.method, Method::MinMax { .. });
+        for (n, found) in (1..).zip(corrections) {
+            sheet.answer(("correction", n), "Correction weight in plane", found.mass);
+            sheet.answer(("correction_angle", n), "Angle of the correction in plane", found.angle);
+            if estimated {
+                let angle = found.angle.value();
+                let opposite = if angle < PI { found.angle + PI } else { found.angle - PI };
+                let angle = sheet.step(
+                    ("θ_e", n),
+                    "deg",
+                    opposite,
+                    "The existing unbalance lies opposite to the correction",
+                );
+                sheet.answer(("existing_angle", n), "Angle of the existing unbalance in plane", angle);
+            }
+            if let Some(radius) = radius {
+                let unbalance = sheet.step(
+                    ("U", n),
+                    "g*mm",
+                    found.mass * radius,
+                    "Unbalance of the correction: mass times radius",
+                );
+                sheet.answer(("unbalance", n), "Unbalance of the correction in plane", unbalance);
+            }
+        }
+    }
+
+    /// What the sensors will read.
+    fn predict<W: Worksheet>(
+        &self,
+        numbers: &Numbers,
+        weights: &[Complex<f64>],
+        unit: &'static str,
+        sheet: W,
+    ) -> Vec<Complex<f64>> {
+        let size = numbers.first.iter().map(|v| v.norm()).fold(0.0, f64::max);
+        let mut left = influence::residuals(&numbers.alpha, &numbers.first, weights);
+        // As many planes as readings leave nothing but rounding.
+        left.iter_mut().filter(|r| r.norm() < 1e-9 * size).for_each(|r| *r = Complex::ZERO);
+        let sizes: Vec<f64> = left.iter().map(|r| r.norm()).collect();
+        let largest = sizes.iter().copied().fold(0.0, f64::max);
+        let mean = size * (sizes.iter().map(|r| (r / size).powi(2)).sum::<f64>() / sizes.len() as f64).sqrt();
+        let largest = sheet.found(
+            "r_max",
+            unit,
+            largest,
+            "Largest reading to expect with the corrections: first reading plus influence times weights",
+        );
+        let mean = sheet.found("r_rms", unit, mean, "Root of the mean square of all readings to expect");
+        sheet.answer("largest_residual", "Largest reading to expect", largest);
+        sheet.answer("rms_residual", "Root mean square of the readings to expect", mean);
+        sheet.answer_list("residual", "Readings to expect", unit, &sizes);
+        left
+    }
+}
+
+/// An angle from 0 to a full turn, as they are marked on a rotor.
+fn full_turn(angle: f64) -> f64 {
+    let angle = angle.rem_euclid(TAU);
+    if angle < 1e-12 || TAU - angle < 1e-12 { 0.0 } else { angle }
+}
+
+fn refusal(error: InfluenceError, alpha: &DMatrix<Complex<f64>>) -> Refusal {
+    match error {
+        InfluenceError::TooFewReadings { readings, planes } => Refusal::because(
+            Text::new(
+                "{readings} readings cannot determine the weights of {planes} planes; read more sensors or speeds, or correct in fewer planes",
+            )
+            .with("readings", readings)
+            .with("planes", planes),
+        ),
+        InfluenceError::NoTrial { plane } => Refusal::because(
+            Text::new("no run has a trial weight in plane {plane}; make one, or number the planes without gaps")
+                .with("plane", plane),
+        ),
+        InfluenceError::Linalg(LinalgError::Singular { .. }) => numbers::alike(alpha),
+        InfluenceError::Linalg(_) => {
+            Refusal::because("the readings or weights are beyond the range of numbers that can be balanced")
+        }
+    }
+}
+
+/// The residuals of least squares are perpendicular to what every plane can do.
+fn orthogonal<W: Worksheet>(
+    alpha: &DMatrix<Complex<f64>>,
+    left: &[Complex<f64>],
+    first: &[Complex<f64>],
+    factors: &[f64],
+    sheet: W,
+) {
+    for plane in 0..alpha.ncols() {
+        let product = |with: &[Complex<f64>]| -> (Complex<f64>, f64) {
+            let terms = || {
+                alpha
+                    .column(plane)
+                    .iter()
+                    .zip(with)
+                    .zip(factors)
+                    .map(|((a, r), g)| a.conj() * r * *g)
+                    .collect::<Vec<_>>()
+            };
+            (terms().iter().sum(), terms().iter().map(|term| term.norm()).sum())
+        };
+        sheet.check_zero(
+            Text::new("what is left is perpendicular to all that plane {n} can do").with("n", plane + 1),
+            product(left).0.norm().into(),
+            product(first).1,
+        );
+    }
+}
+
+/// The weights to add where the trial weights are still on the rotor.
+fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
+    if !numbers.stay {
+        return;
+    }
+    for (plane, weight) in weights.iter().enumerate() {
+        let on: Complex<f64> =
+            numbers.runs.iter().filter(|run| run.plane == plane).map(|run| run.weight).sum();
+        let trim = weight - on;
+        let n = plane + 1;
+        let mass = sheet.found(
+            ("m_a", n),
+            "g",
+            trim.norm(),
+            "Weight to add while all trial weights stay on: the correction less the trial weights in this plane",
+        );
+        let angle = sheet.found(("θ_a", n), "deg", full_turn(trim.arg()), "Its angle from the mark");
+        sheet.answer(("trim", n), "Weight to add with the trial weights left on, plane", mass);
+        sheet.answer(("trim_angle", n), "Angle of the weight to add, plane", angle);
+    }
+}
+
+fn condition<W: Worksheet>(condition: f64, sheet: W) {
+    let how =
+        "Condition number of the influence coefficients: how many times an error of the readings may grow";
+    let condition = sheet.found("κ", "1", condition, how);
+    sheet.answer("condition", "Condition number", condition);
+}
+
+/// What the uncertainty of the readings does to weights and predictions. These are no numbers of the plain reading,
+/// which somebody may repeat a million times.
+fn ranges<W: Worksheet>(
+    numbers: &Numbers,
+    factors: &[f64],
+    spread: ReadingSpread,
+    weights: &[Complex<f64>],
+    unit: &'static str,
+    sheet: W,
+) {
+    if spread.amplitude == 0.0 && spread.phase == 0.0 {
+        return;
+    }
+    let measured = numbers.measured(factors, spread);
+    let Some(ranges) = spread::ranges(&measured, weights, SAMPLES, 1) else { return };
+    let between = |[low, high]: [f64; 2]| IntervalSet::interval(Bound::Included(low), Bound::Included(high));
+    for (n, (size, angle)) in (1..).zip(ranges.sizes.iter().zip(&ranges.angles)) {
+        let label = "95 % range of the correction weight in plane";
+        sheet.answer_set(("correction_range", n), label, "g", &between(*size), Vec::new());
+        // Both ends positive, as angles are marked: 350° to 370° about the mark.
+        let turn = if angle[0] < 0.0 { TAU } else { 0.0 };
+        let label = "95 % range of the angle of the correction in plane";
+        sheet.answer_set(("angle_range", n), label, "deg", &between(angle.map(|a| a + turn)), Vec::new());
+        let weight = weights[n - 1].norm();
+        if size[1] - size[0] > weight {
+            sheet.warn(|| {
+                Text::new(
+                    "the uncertainty of the readings leaves the weight of plane {n} anywhere from {low} to {high}: \
+                     take a larger trial weight or steadier readings before the next start",
+                )
+                .with("n", n)
+                .with_quantity("low", size[0], "g")
+                .with_quantity("high", size[1], "g")
+            });
+        }
+    }
+    sheet.answer_list("residual_limit", "Readings that 95 % stay below", unit, &ranges.residuals);
+}

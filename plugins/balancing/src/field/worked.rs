@@ -1,0 +1,168 @@
+//! The jobs that textbooks work by hand: one plane with one sensor, two planes with two sensors.
+
+use dalembert_core::{Symbol, Worksheet};
+use dalembert_mechanics::{
+    Real,
+    balance::{Phasor, two_plane_weights},
+};
+use std::f64::consts::{PI, TAU};
+
+use super::{
+    Found, Influence, Job,
+    readings::{Reading, Run, Units},
+};
+use crate::sources::RAO;
+
+/// The corrections, worked; `None` where the job is not one of the textbooks'.
+pub(super) fn solve<W: Worksheet>(job: &Job<W::Num>, opposed: bool, sheet: W) -> Option<Vec<Found<W::Num>>> {
+    let Influence::Runs { stay, runs } = &job.influence else { return None };
+    let in_order = runs.iter().enumerate().all(|(n, run)| run.plane == n);
+    if !in_order || runs.len() != job.first.len() {
+        return None;
+    }
+    match runs.as_slice() {
+        [run] => Some(vec![triangle(&job.first[0], run, opposed, job.units, sheet)]),
+        [_, _] => Some(two_planes(job, runs, *stay, opposed, sheet)),
+        _ => None,
+    }
+}
+
+/// The phase in the sense in which weights are counted.
+fn phase<N: Real>(reading: &Reading<N>, opposed: bool) -> N {
+    if opposed { -reading.phase } else { reading.phase }
+}
+
+/// A reading by its components.
+fn components<W: Worksheet>(
+    symbols: [Symbol; 2],
+    reading: &Reading<W::Num>,
+    opposed: bool,
+    unit: &'static str,
+    sheet: W,
+) -> Phasor<W::Num> {
+    let vector = Phasor::polar(reading.amplitude, phase(reading, opposed));
+    let why = "Component of the reading";
+    let [x, y] = symbols;
+    Phasor { x: sheet.step(x, unit, vector.x, why), y: sheet.step(y, unit, vector.y, why) }
+}
+
+/// The vector triangle of one plane and one sensor.
+fn triangle<W: Worksheet>(
+    first: &Reading<W::Num>,
+    run: &Run<W::Num>,
+    opposed: bool,
+    units: Units,
+    sheet: W,
+) -> Found<W::Num> {
+    let trial = &run.readings[0];
+    let before = components(["V_x".into(), "V_y".into()], first, opposed, units.reading, sheet);
+    let after = components(["R_x".into(), "R_y".into()], trial, opposed, units.reading, sheet);
+    let change = after.minus(before);
+    let why = ("The trial weight alone: the reading with it less the reading without it", RAO.at("§9.4.1"));
+    let change = Phasor {
+        x: sheet.step("T_x", units.reading, change.x, why),
+        y: sheet.step("T_y", units.reading, change.y, why),
+    };
+    let effect = sheet.step("T", units.reading, change.size(), "Size of the effect of the trial weight");
+    let direction = sheet.step("ψ", "deg", change.angle(), "Its angle");
+    let law_of_cosines = (first.amplitude.powi(2) + trial.amplitude.powi(2)
+        - first.amplitude * trial.amplitude * 2.0 * (trial.phase - first.phase).cos())
+    .sqrt();
+    // The law of cosines squares, which takes half the digits of a small effect.
+    let size = first.amplitude.value().max(trial.amplitude.value());
+    if effect.value() > 1e-3 * size {
+        sheet.check("effect of the trial weight by the law of cosines", law_of_cosines, effect);
+    }
+    let alpha = sheet.step(
+        "α",
+        units.coefficient,
+        effect / run.mass,
+        ("Influence coefficient: vibration for a unit of weight", RAO.at("§9.4.2")),
+    );
+    let mass = sheet.step(
+        "m_c",
+        "g",
+        first.amplitude / alpha,
+        ("Weight whose effect is as large as the first reading", RAO.at("§9.4.1")),
+    );
+    let angle = run.angle + (phase(first, opposed) - direction) + PI;
+    let why = (
+        "From the trial weight, turn by the angle from its effect to the first reading, and half a turn more to oppose it",
+        RAO.at("§9.4.1"),
+    );
+    Found { mass, angle: sheet.step("θ_c", "deg", in_one_turn(angle), why) }
+}
+
+/// Two planes and two sensors: four influence coefficients and Cramer's rule.
+fn two_planes<W: Worksheet>(
+    job: &Job<W::Num>,
+    runs: &[Run<W::Num>],
+    stay: bool,
+    opposed: bool,
+    sheet: W,
+) -> Vec<Found<W::Num>> {
+    let Units { reading, coefficient } = job.units;
+    let two = |symbols: [Symbol; 2], unit, vector: Phasor<W::Num>, why: &'static str| {
+        let [x, y] = symbols;
+        let cite = || (why, RAO.at("§9.4.2"));
+        Phasor { x: sheet.step(x, unit, vector.x, cite()), y: sheet.step(y, unit, vector.y, cite()) }
+    };
+    let vectors = |bases: [&'static str; 2], readings: &[Reading<W::Num>], run: Option<usize>| {
+        let symbol = |base: &'static str, n: usize| {
+            let symbol = Symbol::from(base);
+            run.map_or(symbol, |run| symbol.row(run)).row(n)
+        };
+        let of = |(n, read): (usize, &Reading<W::Num>)| {
+            components(bases.map(|base| symbol(base, n)), read, opposed, reading, sheet)
+        };
+        (1..).zip(readings).map(of).collect::<Vec<_>>()
+    };
+    let first = vectors(["V_x", "V_y"], &job.first, None);
+    let mut before = first.clone();
+    let mut alpha = Vec::new();
+    for (n, run) in (1..).zip(runs) {
+        let weight = two(
+            [("m_x", n).into(), ("m_y", n).into()],
+            "g",
+            Phasor::polar(run.mass, run.angle),
+            "Component of the trial weight",
+        );
+        let after = vectors(["R_x", "R_y"], &run.readings, Some(n));
+        let column: Vec<Phasor<W::Num>> = (1..)
+            .zip(after.iter().zip(&before))
+            .map(|(sensor, (after, before))| {
+                two(
+                    ["α_x", "α_y"].map(|base| Symbol::from(base).row(sensor).row(n)),
+                    coefficient,
+                    after.minus(*before).over(weight),
+                    "Influence coefficient: what the trial weight changed, over the weight",
+                )
+            })
+            .collect();
+        alpha.push(column);
+        if stay {
+            before = after;
+        }
+    }
+    let [a11, a21, a12, a22] = [alpha[0][0], alpha[0][1], alpha[1][0], alpha[1][1]];
+    (1..)
+        .zip(two_plane_weights([[a11, a12], [a21, a22]], [first[0], first[1]]))
+        .map(|(n, weight)| {
+            let weight = two(
+                [("W_x", n).into(), ("W_y", n).into()],
+                "g",
+                weight,
+                "The weights that take both readings to zero, by Cramer's rule",
+            );
+            let mass = sheet.step(("m_c", n), "g", weight.size(), "Size of the correction weight");
+            let angle = in_one_turn(weight.angle());
+            Found { mass, angle: sheet.step(("θ_c", n), "deg", angle, "Its angle from the mark") }
+        })
+        .collect()
+}
+
+/// The same angle from 0 to a full turn, as they are marked on a rotor.
+fn in_one_turn<N: Real>(angle: N) -> N {
+    let turns = (angle.value() / TAU).floor();
+    if turns == 0.0 { angle } else { angle - TAU * turns }
+}

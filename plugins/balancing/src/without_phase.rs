@@ -1,0 +1,502 @@
+//! Balancing by sizes alone: four runs for a plane, seven for two.
+
+use dalembert_core::{
+    About, Analysis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text,
+    Worksheet, register,
+};
+use dalembert_mechanics::{
+    Real,
+    balance::{
+        self,
+        influence::{self, InfluenceError},
+        without_phase::{Effect, effect},
+    },
+    linalg::LinalgError,
+};
+use nalgebra::{Complex, DMatrix};
+use std::f64::consts::{PI, TAU};
+
+use crate::sources::RAO;
+
+/// Amplitudes without and with a trial weight.
+#[derive(Clone, Debug, Inputs)]
+pub struct WithoutPhase {
+    /// Trial weight.
+    /// The same in every run, taken off after each.
+    #[input("m", "g", positive)]
+    pub trial: f64,
+    /// What was measured.
+    pub measured: Sizes,
+}
+
+/// Writes down the inputs of amplitudes of one kind; only the unit differs.
+macro_rules! kind_of_amplitude {
+    ($amplitude:ident, $run:ident, $unit:tt, $kind:tt) => {
+        /// What a sensor reads.
+        #[derive(Clone, Debug, Inputs)]
+        pub struct $amplitude {
+            /// Amplitude.
+            #[input("S", $unit, nonnegative, kind = $kind)]
+            pub amplitude: f64,
+        }
+
+        /// A run with the trial weight.
+        #[derive(Clone, Debug, Inputs)]
+        pub struct $run {
+            /// Plane of the trial weight.
+            /// Planes are numbered from 1.
+            #[input(min = 1, max = 20)]
+            pub plane: usize,
+            /// Angle of the trial weight.
+            #[input("θ", "deg")]
+            pub angle: f64,
+            /// Amplitudes.
+            /// The same sensors in the same order as in the first run.
+            #[input(min = 1)]
+            pub readings: Vec<$amplitude>,
+        }
+    };
+}
+
+kind_of_amplitude!(DisplacementSize, DisplacementTrial, "um", "Amplitude");
+kind_of_amplitude!(VelocitySize, VelocityTrial, "mm/s", "Velocity");
+kind_of_amplitude!(AccelerationSize, AccelerationTrial, "m/s^2", "Acceleration");
+kind_of_amplitude!(NumberSize, NumberTrial, "1", "Ratio");
+
+/// What was measured.
+#[derive(Clone, Debug, Inputs)]
+pub enum Sizes {
+    /// Displacement
+    Displacement {
+        /// First run, without the trial weight.
+        /// A row for each sensor; as many sensors as planes at least.
+        #[input("O", min = 1)]
+        first: Vec<DisplacementSize>,
+        /// Runs with the trial weight.
+        /// At least three angles for each plane.
+        #[input(min = 3)]
+        runs: Vec<DisplacementTrial>,
+    },
+    /// Velocity
+    Velocity {
+        /// First run, without the trial weight.
+        /// A row for each sensor; as many sensors as planes at least.
+        #[input("O", min = 1)]
+        first: Vec<VelocitySize>,
+        /// Runs with the trial weight.
+        /// At least three angles for each plane.
+        #[input(min = 3)]
+        runs: Vec<VelocityTrial>,
+    },
+    /// Acceleration
+    Acceleration {
+        /// First run, without the trial weight.
+        /// A row for each sensor; as many sensors as planes at least.
+        #[input("O", min = 1)]
+        first: Vec<AccelerationSize>,
+        /// Runs with the trial weight.
+        /// At least three angles for each plane.
+        #[input(min = 3)]
+        runs: Vec<AccelerationTrial>,
+    },
+    /// Numbers without a unit: divisions, volts
+    Number {
+        /// First run, without the trial weight.
+        /// A row for each sensor; as many sensors as planes at least.
+        #[input("O", min = 1)]
+        first: Vec<NumberSize>,
+        /// Runs with the trial weight.
+        /// At least three angles for each plane.
+        #[input(min = 3)]
+        runs: Vec<NumberTrial>,
+    },
+}
+
+register!(WithoutPhase);
+
+/// A run, whatever the kind of its amplitudes.
+struct Run<N> {
+    /// Counted from 0.
+    plane: usize,
+    angle: N,
+    sizes: Vec<N>,
+}
+
+/// All amplitudes and their unit.
+struct Job<N> {
+    unit: &'static str,
+    first: Vec<N>,
+    runs: Vec<Run<N>>,
+}
+
+impl Analysis for WithoutPhase {
+    const ABOUT: About = About {
+        id: "balancing/without-phase",
+        title: "Balancing without phase: four and seven runs",
+        summary: "Correction weights from amplitudes alone, with a trial weight at three angles or more in each plane, and how well the amplitudes agree.",
+        keywords: "balanceamento sem fase quatro corridas quatro medições sete corridas método dos círculos four run method \
+                   three circles seven run amplitude only no phase",
+        sources: &[&RAO],
+        cases: include_str!("../cases/without_phase.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &WithoutPhaseGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let job = self.job(given)?;
+        let planes = job.judge()?;
+        let effects = job.effects(planes)?;
+        for (plane, sensor, effect) in each(&effects) {
+            sheet.check_zero(
+                Text::new(
+                    "no other effect of plane {plane} comes nearer to the amplitudes of sensor {sensor}",
+                )
+                .with("plane", plane)
+                .with("sensor", sensor),
+                effect.slope.into(),
+                1.0,
+            );
+        }
+        if let ([first], true) = (job.first.as_slice(), planes == 1) {
+            circles(given.trial, *first, &job, &effects[0][0], sheet);
+        }
+        let weights = correct(given.trial, &job, &effects, sheet)?;
+        misfit(&job, &effects, sheet);
+        sheet.show(|| Exhibit::Table(table(&job, &effects)));
+        for (plane, sensor, effect) in each(&effects).take(4) {
+            sheet.show(|| Exhibit::Drawing(drawing(&job, plane, sensor, effect)));
+        }
+        sheet.show(|| Exhibit::Drawing(polar(&weights)));
+        Ok(())
+    }
+}
+
+/// Every effect with the numbers of its plane and sensor, counted from 1.
+fn each(effects: &[Vec<Effect>]) -> impl Iterator<Item = (usize, usize, &Effect)> {
+    (1..)
+        .zip(effects)
+        .flat_map(|(plane, of)| (1..).zip(of).map(move |(sensor, effect)| (plane, sensor, effect)))
+}
+
+impl WithoutPhase {
+    fn job<W: Worksheet>(&self, given: &WithoutPhaseGiven<W>) -> Result<Job<W::Num>, Refusal> {
+        macro_rules! job {
+            ($runs:expr, $first:expr, $given:expr, $unit:literal) => {
+                Job {
+                    unit: $unit,
+                    first: $first.iter().map(|size| size.amplitude).collect(),
+                    runs: ($runs.iter().zip($given))
+                        .map(|(run, given)| Run {
+                            plane: run.plane - 1,
+                            angle: given.angle,
+                            sizes: given.readings.iter().map(|size| size.amplitude).collect(),
+                        })
+                        .collect(),
+                }
+            };
+        }
+        Ok(match (&self.measured, &given.measured) {
+            (Sizes::Displacement { runs, .. }, SizesGiven::Displacement { first, runs: given }) => {
+                job!(runs, first, given, "um")
+            }
+            (Sizes::Velocity { runs, .. }, SizesGiven::Velocity { first, runs: given }) => {
+                job!(runs, first, given, "mm/s")
+            }
+            (Sizes::Acceleration { runs, .. }, SizesGiven::Acceleration { first, runs: given }) => {
+                job!(runs, first, given, "m/s^2")
+            }
+            (Sizes::Number { runs, .. }, SizesGiven::Number { first, runs: given }) => {
+                job!(runs, first, given, "1")
+            }
+            _ => return Err(Refusal::because("the readings cannot be read")),
+        })
+    }
+}
+
+impl<N: Real> Job<N> {
+    /// How many planes there are; refuses what cannot be balanced.
+    fn judge(&self) -> Result<usize, Refusal> {
+        let sensors = self.first.len();
+        if let Some(dead) = self.first.iter().position(|size| size.value() == 0.0) {
+            return Err(Refusal::because(
+                Text::new("the amplitude of sensor {n} in the first run is 0; without a first amplitude its effects cannot be compared")
+                    .with("n", dead + 1),
+            ));
+        }
+        for (n, run) in (1..).zip(&self.runs) {
+            if run.sizes.len() != sensors {
+                return Err(Refusal::because(
+                    Text::new(
+                        "trial run {run} has {have} readings and the first run {want}; write the same sensors in the same order",
+                    )
+                    .with("run", n)
+                    .with("have", run.sizes.len())
+                    .with("want", sensors),
+                ));
+            }
+        }
+        let planes = self.runs.iter().map(|run| run.plane + 1).max().unwrap_or(1);
+        for plane in 0..planes {
+            let runs = self.runs.iter().filter(|run| run.plane == plane).count();
+            if runs < 3 {
+                return Err(Refusal::because(
+                    Text::new("plane {plane} has {runs} runs; amplitudes alone need the trial weight at three angles at least")
+                        .with("plane", plane + 1)
+                        .with("runs", runs),
+                ));
+            }
+        }
+        Ok(planes)
+    }
+
+    /// The effects of the trial weight, by plane and sensor.
+    fn effects(&self, planes: usize) -> Result<Vec<Vec<Effect>>, Refusal> {
+        let of = |plane: usize, sensor: usize| {
+            let first = self.first[sensor].value();
+            let runs = self.runs.iter().filter(|run| run.plane == plane);
+            let runs: Vec<(f64, f64)> =
+                runs.map(|run| (run.angle.value(), run.sizes[sensor].value() / first)).collect();
+            effect(&runs).map_err(|error| match error {
+                LinalgError::Singular { .. } => Refusal::because(
+                    Text::new("the trial weight of plane {plane} stood at fewer than three different angles; spread them over the full turn")
+                        .with("plane", plane + 1),
+                ),
+                _ => Refusal::because("these amplitudes are beyond the range of numbers that can be balanced"),
+            })
+        };
+        (0..planes).map(|plane| (0..self.first.len()).map(|sensor| of(plane, sensor)).collect()).collect()
+    }
+}
+
+/// The construction with circles, by its formulas: one plane and one sensor.
+fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect: &Effect, sheet: W) {
+    let count = job.runs.len() as f64;
+    let angle = |run: &Run<W::Num>| run.angle.value();
+    // Cosines and sines of the angles and of twice the angles vanish in the sum where they are spread evenly.
+    let even = [1.0, 2.0].iter().all(|times| {
+        let sum: Complex<f64> = job.runs.iter().map(|run| Complex::cis(times * angle(run))).sum();
+        sum.norm() < 1e-9 * count
+    });
+    let (x, y, square) = if even {
+        let squares = || job.runs.iter().map(|run| run.sizes[0].powi(2));
+        let why = "S² = O² + T² + 2 O T cos(θ − ψ): the part that follows the cosine of the angle, T cos ψ";
+        let x = W::Num::sum(squares().zip(&job.runs).map(|(s, run)| s * run.angle.cos())) / (first * count);
+        let x = sheet.step("T_x", job.unit, x, why);
+        let y = W::Num::sum(squares().zip(&job.runs).map(|(s, run)| s * run.angle.sin())) / (first * count);
+        let y = sheet.step("T_y", job.unit, y, "The part that follows the sine of the angle, T sin ψ");
+        (x, y, W::Num::sum(squares()) / count - first.powi(2))
+    } else {
+        let size = first.value();
+        let why = "S² = O² + T² + 2 O T cos(θ − ψ), linear in T cos ψ, T sin ψ and T²: by least squares";
+        let x = sheet.found("T_x", job.unit, effect.linear.re * size, why);
+        let y = sheet.found("T_y", job.unit, -effect.linear.im * size, why);
+        let t = sheet.found("T_s", job.unit, effect.mean_square.abs().sqrt() * size, why);
+        (x, y, if effect.mean_square < 0.0 { -t.powi(2) } else { t.powi(2) })
+    };
+    sheet.check_zero(
+        "effect of the trial weight by linear least squares",
+        x - first * effect.linear.re,
+        first.value(),
+    );
+    let by_phase =
+        sheet.step("T_p", job.unit, balance::magnitude(x, y), "Effect of the trial weight from both parts");
+    let unbalance =
+        sheet.step("ψ", "deg", in_one_turn(balance::direction(x, y)), "Angle of the existing unbalance");
+    sheet.answer("existing_angle", "Angle of the existing unbalance from both parts", unbalance);
+    if by_phase.value() > 0.0 {
+        let mass = sheet.step("m_p", "g", trial * first / by_phase, "Correction weight by the two parts");
+        sheet.answer("correction_by_parts", "Correction weight by the two parts", mass);
+    }
+    if square.value() > 0.0 {
+        let size = sheet.step(
+            "T_m",
+            job.unit,
+            square.sqrt(),
+            "Effect of the trial weight from the mean square: T² = mean of S² − O²",
+        );
+        let mass = sheet.step("m_m", "g", trial * first / size, "Correction weight by the mean square");
+        sheet.answer("correction_by_mean_square", "Correction weight by the mean square", mass);
+        let apart = (size - by_phase).abs() / size;
+        let apart = sheet.step(
+            "q",
+            "%",
+            apart,
+            "How far the two ways are apart: 0 where the circles meet in a point",
+        );
+        sheet.answer("disagreement", "Disagreement of the two ways", apart);
+        if apart.value() > 0.1 {
+            sheet.warn(|| {
+                Text::new(
+                    "the circles miss each other: two ways to the effect of the trial weight differ by {share} %; repeat the \
+                     runs at a steady speed",
+                )
+                .with("share", format!("{:.0}", 100.0 * apart.value()))
+            });
+        }
+    } else {
+        sheet.warn(|| {
+            "the mean square of the runs is not above that of the first run: no vibration has such amplitudes. \
+             Repeat the runs at a steady speed"
+                .into()
+        });
+    }
+}
+
+/// The weights that take all first vibrations to zero, in units of each.
+fn correct<W: Worksheet>(
+    trial: W::Num,
+    job: &Job<W::Num>,
+    effects: &[Vec<Effect>],
+    sheet: W,
+) -> Result<Vec<Complex<f64>>, Refusal> {
+    let sensors = job.first.len();
+    let largest = job.first.iter().map(|size| size.value()).fold(0.0, f64::max);
+    let share = |sensor: usize| job.first[sensor].value() / largest;
+    let alpha =
+        DMatrix::from_fn(sensors, effects.len(), |sensor, plane| effects[plane][sensor].best * share(sensor));
+    let first: Vec<Complex<f64>> = (0..sensors).map(|sensor| Complex::from(share(sensor))).collect();
+    let solved = influence::least_squares(&alpha, &first, &[]).map_err(|error| match error {
+        InfluenceError::TooFewReadings { readings, planes } => Refusal::because(
+            Text::new(
+                "{readings} readings cannot determine the weights of {planes} planes; read more sensors or speeds, or correct in fewer planes",
+            )
+            .with("readings", readings)
+            .with("planes", planes),
+        ),
+        InfluenceError::Linalg(LinalgError::Singular { .. }) => Refusal::because(
+            "the trial weight had no effect, or the planes act alike on all sensors: take a larger trial weight, or leave a plane out",
+        ),
+        _ => Refusal::because("these amplitudes are beyond the range of numbers that can be balanced"),
+    })?;
+    for (n, weight) in (1..).zip(&solved.weights) {
+        let ratio = sheet.found(
+            ("w", n),
+            "1",
+            weight.norm(),
+            "Correction over trial weight: the effects that come nearest to all amplitudes, and with them the weights that leave least",
+        );
+        let mass = sheet.step(("m_c", n), "g", ratio * trial, "Correction weight");
+        let angle = sheet.found(
+            ("θ_c", n),
+            "deg",
+            full_turn(weight.arg()),
+            "Angle of the correction, counted as that of the trial weight",
+        );
+        sheet.answer(("correction", n), "Correction weight in plane", mass);
+        sheet.answer(("correction_angle", n), "Angle of the correction in plane", angle);
+    }
+    let left = influence::residuals(&alpha, &first, &solved.weights);
+    for plane in 0..alpha.ncols() {
+        let product: Complex<f64> = alpha.column(plane).iter().zip(&left).map(|(a, r)| a.conj() * r).sum();
+        let size: f64 = alpha.column(plane).iter().map(|a| a.norm()).sum();
+        sheet.check_zero(
+            Text::new("what is left is perpendicular to all that plane {n} can do").with("n", plane + 1),
+            product.norm().into(),
+            size,
+        );
+    }
+    Ok(solved.weights)
+}
+
+fn misfit<W: Worksheet>(job: &Job<W::Num>, effects: &[Vec<Effect>], sheet: W) {
+    let all = || {
+        each(effects).flat_map(|(_, sensor, effect)| {
+            let size = job.first[sensor - 1].value();
+            effect.left.iter().map(move |left| (left.abs(), left.abs() * size))
+        })
+    };
+    let worst = all().map(|(_, left)| left).fold(0.0, f64::max);
+    let largest = job.first.iter().map(|size| size.value()).fold(0.0, f64::max);
+    // Amplitudes that agree leave nothing but rounding.
+    let worst = if worst < 1e-9 * largest { 0.0 } else { worst };
+    let share = all().map(|(share, _)| share).fold(0.0, f64::max);
+    let misfit = sheet.found(
+        "e",
+        job.unit,
+        worst,
+        "The largest difference between an amplitude and what the effects found give",
+    );
+    sheet.answer("misfit", "Largest misfit of an amplitude", misfit);
+    if share > 0.1 {
+        sheet.warn(|| {
+            Text::new("the amplitudes do not belong together: one is off by {share} % of the first; repeat the runs at a steady speed")
+                .with("share", format!("{:.0}", 100.0 * share))
+        });
+    }
+}
+
+fn table<N: Real>(job: &Job<N>, effects: &[Vec<Effect>]) -> TableExhibit {
+    let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+    let number = |n: usize| Cell::Text(Text::new(n.to_string()));
+    let rows = each(effects).flat_map(|(plane, sensor, effect)| {
+        let first = job.first[sensor - 1].value();
+        job.runs.iter().filter(move |run| run.plane + 1 == plane).zip(&effect.left).map(move |(run, left)| {
+            let size = run.sizes[sensor - 1].value();
+            vec![
+                number(plane),
+                number(sensor),
+                run.angle.value().into(),
+                size.into(),
+                (size + left * first).into(),
+            ]
+        })
+    });
+    TableExhibit {
+        title: "Amplitudes, measured and fitted".into(),
+        columns: vec![
+            column("plane", ""),
+            column("sensor", ""),
+            column("θ", "deg"),
+            column("measured", job.unit),
+            column("fitted", job.unit),
+        ],
+        rows: rows.collect(),
+        foot: Vec::new(),
+    }
+}
+
+/// The circles: about a point of the first circle for each angle, with the amplitude of that run; they meet where the
+/// effect of the trial weight ends, in the direction of the correction.
+fn drawing<N: Real>(job: &Job<N>, plane: usize, sensor: usize, effect: &Effect) -> Drawing {
+    let first = job.first[sensor - 1].value();
+    let mut shapes =
+        vec![DrawnShape::Circle((0.0, 0.0), 1.0, Ink::Body), DrawnShape::Label((0.0, 0.0), "O".into())];
+    for (n, run) in (1..).zip(job.runs.iter().filter(|run| run.plane + 1 == plane)) {
+        let (sin, cos) = run.angle.value().sin_cos();
+        shapes.push(DrawnShape::Circle((cos, sin), run.sizes[sensor - 1].value() / first, Ink::Motion));
+        shapes.push(DrawnShape::Label((1.08 * cos, 1.08 * sin), Text::new(n.to_string())));
+    }
+    let tip = -effect.best.conj();
+    shapes.push(DrawnShape::Arrow((0.0, 0.0), (tip.re, tip.im), Ink::Result));
+    Drawing {
+        title: Text::new("Circles of plane {plane} at sensor {sensor}")
+            .with("plane", plane)
+            .with("sensor", sensor),
+        shapes,
+    }
+}
+
+/// The corrections around the shaft, in units of the trial weight.
+fn polar(weights: &[Complex<f64>]) -> Drawing {
+    let reach = weights.iter().map(|w| w.norm()).fold(1.0, f64::max);
+    let mut shapes = vec![
+        DrawnShape::Circle((0.0, 0.0), 1.0 / reach, Ink::Faint),
+        DrawnShape::Polyline(vec![(-1.1, 0.0), (1.1, 0.0)], Ink::Faint),
+        DrawnShape::Polyline(vec![(0.0, -1.1), (0.0, 1.1)], Ink::Faint),
+    ];
+    for (n, weight) in (1..).zip(weights) {
+        let tip = weight / reach;
+        shapes.push(DrawnShape::Arrow((0.0, 0.0), (tip.re, tip.im), Ink::Result));
+        shapes.push(DrawnShape::Label((1.12 * tip.re, 1.12 * tip.im), Text::new(format!("W{n}"))));
+    }
+    Drawing { title: "Corrections around the shaft, the circle being the trial weight".into(), shapes }
+}
+
+/// An angle from 0 to a full turn, as they are marked on a rotor.
+fn full_turn(angle: f64) -> f64 {
+    let angle = angle.rem_euclid(TAU);
+    if angle < 1e-12 || TAU - angle < 1e-12 { 0.0 } else { angle }
+}
+
+/// The same angle from 0 to a full turn.
+fn in_one_turn<N: Real>(angle: N) -> N {
+    if angle.value() < 0.0 { angle + 2.0 * PI } else { angle }
+}
