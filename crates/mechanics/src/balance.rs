@@ -8,6 +8,7 @@
 use crate::Real;
 
 pub mod influence;
+pub mod lanes;
 pub mod min_max;
 mod phasor;
 mod planes;

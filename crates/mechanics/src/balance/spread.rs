@@ -67,7 +67,19 @@ pub fn normal_pair(seed: u64, sample: u64, place: u64) -> [f64; 2] {
 /// theirs (*OOPSLA* 2014).
 #[inline]
 pub fn uniform_bits(seed: u64, sample: u64, place: u64) -> u64 {
-    mix(mix(seed ^ sample.wrapping_mul(0x9e37_79b9_7f4a_7c15)) ^ place.wrapping_mul(0xd1b5_4a32_d192_ed03))
+    bits_at(key(seed, sample), place)
+}
+
+/// What all numbers of a sample have in common.
+#[inline]
+pub(super) fn key(seed: u64, sample: u64) -> u64 {
+    mix(seed ^ sample.wrapping_mul(0x9e37_79b9_7f4a_7c15))
+}
+
+/// 64 random bits of the sample with that key.
+#[inline]
+pub(super) fn bits_at(key: u64, place: u64) -> u64 {
+    mix(key ^ place.wrapping_mul(0xd1b5_4a32_d192_ed03))
 }
 
 #[inline]
