@@ -11,6 +11,7 @@ pub mod influence;
 pub mod lanes;
 pub mod min_max;
 mod phasor;
+pub mod linkage;
 mod planes;
 pub mod spread;
 mod two_plane;
