@@ -218,7 +218,7 @@ impl Linkage {
             sum.moment += at[0] * force[1] - at[1] * force[0] - inertia * acceleration;
             let power = inertia * acceleration * velocity - force[0] * v[0] - force[1] * v[1];
             sum.torque += power / pose.velocities[0];
-            sum.energy += (mass * (v[0] * v[0] + v[1] * v[1]) + inertia * velocity * velocity) / 2.0;
+            sum.energy += 0.5 * mass * (v[0] * v[0] + v[1] * v[1]) + 0.5 * inertia * velocity * velocity;
             sum.first_moment[0] += mass * at[0];
             sum.first_moment[1] += mass * at[1];
         };
