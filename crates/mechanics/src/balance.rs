@@ -9,9 +9,9 @@ use crate::Real;
 
 pub mod influence;
 pub mod lanes;
+pub mod linkage;
 pub mod min_max;
 mod phasor;
-pub mod linkage;
 mod planes;
 pub mod spread;
 mod two_plane;

@@ -113,13 +113,11 @@ what-closes-the-polygons-of-forces-and-of-couples-by-newton-s-method-from-many-s
 with-the-corrections = com as correções
 
 # balancing/linkage
-after = depois
 angle-of-the-centre-of-mass-from-the-line-of-the-pins = Ângulo do centro de massa a partir da linha dos pinos
 angle-of-the-counterweight-from-the-crank = Ângulo do contrapeso a partir da manivela
 angle-of-the-counterweight-from-the-rocker = Ângulo do contrapeso a partir do balancim
 angle-of-the-counterweight-from-the-rod = Ângulo do contrapeso a partir da biela
 angle-of-the-counterweight-on-its-link = Ângulo do contrapeso na sua barra
-before = antes
 closing-of-the-loop = Fechamento da malha
 connecting-rod = Biela
 counterweights-that-leave-a-four-bar-linkage-or-a-slider-crank-without-shaking-force-and-what-they-do = Contrapesos que deixam um mecanismo de quatro barras ou biela-manivela sem força de trepidação, e o que fazem com o momento de trepidação e o torque.
