@@ -1,5 +1,7 @@
 //! How much unbalance may remain in a rotor, and whether what was measured is within it.
 
+// Long because every machine of the list of grades is an alternative with its own grade.
+
 use std::f64::consts::TAU;
 
 use dalembert_core::{
