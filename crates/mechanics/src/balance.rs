@@ -9,6 +9,7 @@ use crate::Real;
 
 pub mod influence;
 pub mod lanes;
+pub mod linkage;
 pub mod min_max;
 mod phasor;
 mod planes;

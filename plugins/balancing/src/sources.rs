@@ -47,3 +47,21 @@ pub(crate) static BOYD: Source = Source {
     short: "Boyd",
     full: "S. Boyd, L. Vandenberghe, Convex Optimization, Cambridge University Press, 2004",
 };
+
+/// ISO 21940-11, tolerances of rigid rotors.
+pub(crate) static ISO_TOLERANCES: Source = Source {
+    short: "ISO 21940-11",
+    full: "ISO 21940-11:2016 (before: ISO 1940-1:2003), Mechanical vibration — Rotor balancing — Part 11: Procedures and tolerances for rotors with rigid behaviour",
+};
+
+/// MIL-STD-167-1, vibration of shipboard equipment.
+pub(crate) static MIL_STD_167: Source = Source {
+    short: "MIL-STD-167-1",
+    full: "MIL-STD-167-1A, Mechanical vibrations of shipboard equipment, US Department of Defense, 2005",
+};
+
+/// R. S. Berkof and G. G. Lowen, force balance of linkages.
+pub(crate) static BERKOF: Source = Source {
+    short: "Berkof & Lowen",
+    full: "R. S. Berkof, G. G. Lowen, A new method for completely force balancing simple linkages, ASME J. Eng. Ind. 91 (1969) 21–26",
+};

@@ -4,6 +4,7 @@ mod close;
 
 mod absorber;
 mod balance;
+mod balance_many;
 mod beam;
 mod dimensions;
 mod eigen;

@@ -1,0 +1,448 @@
+//! Force balance of a four-bar linkage or a slider-crank by two counterweights.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{
+    About, Analysis, Axis, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    register,
+};
+use dalembert_mechanics::{
+    Real,
+    balance::{
+        self,
+        linkage::{Counterweight, Follower, Link, Linkage, Pose, Shaking},
+    },
+};
+
+use crate::{
+    rotor::turned,
+    sources::{BERKOF, NORTON},
+};
+
+/// The linkage, its masses, and where counterweights may sit.
+#[derive(Clone, Debug, Inputs)]
+pub struct LinkageBalance {
+    /// Mechanism.
+    pub mechanism: Mechanism,
+    /// Speed of the crank.
+    #[input("ω", "rpm", positive)]
+    pub speed: f64,
+    /// Radius of the counterweight of the crank.
+    #[input("R_2", "mm", positive)]
+    pub crank_radius: f64,
+    /// Radius of the other counterweight.
+    /// That of the rocker, from its fixed pin; on a slider-crank that of the rod, from the crank pin.
+    #[input("R_c", "mm", positive)]
+    pub other_radius: f64,
+}
+
+/// A linkage with a crank.
+#[derive(Clone, Debug, Inputs)]
+pub enum Mechanism {
+    /// Four-bar linkage
+    FourBar {
+        /// Crank.
+        #[input("a", "mm", positive)]
+        crank: f64,
+        /// Coupler.
+        #[input("b", "mm", positive)]
+        coupler: f64,
+        /// Rocker.
+        #[input("c", "mm", positive)]
+        rocker: f64,
+        /// Frame.
+        #[input("d", "mm", positive)]
+        frame: f64,
+        /// Closing of the loop.
+        closing: Closing,
+        /// Masses of the crank.
+        #[input("2")]
+        crank_body: Body,
+        /// Masses of the coupler.
+        #[input("3")]
+        coupler_body: Body,
+        /// Masses of the rocker.
+        #[input("4")]
+        rocker_body: Body,
+    },
+    /// Slider-crank
+    SliderCrank {
+        /// Crank.
+        #[input("a", "mm", positive)]
+        crank: f64,
+        /// Connecting rod.
+        #[input("b", "mm", positive)]
+        rod: f64,
+        /// Height of the guide over the crank pivot.
+        #[input("h", "mm", default = "0 mm")]
+        offset: f64,
+        /// Masses of the crank.
+        #[input("2")]
+        crank_body: Body,
+        /// Masses of the connecting rod.
+        #[input("3")]
+        rod_body: Body,
+        /// Mass of the slider.
+        #[input("m_4", "kg", nonnegative)]
+        slider: f64,
+    },
+}
+
+/// The side on which the loop of a four-bar linkage closes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Closing {
+    /// Open loop
+    Open,
+    /// Crossed loop
+    Crossed,
+}
+
+/// The mass of a link and where it is.
+#[derive(Clone, Debug, Inputs)]
+pub struct Body {
+    /// Mass.
+    #[input("m", "kg", nonnegative)]
+    pub mass: f64,
+    /// Distance of the centre of mass from the first pin.
+    /// The first pin of crank and rocker is the fixed one, that of the coupler is the crank pin.
+    #[input("ρ", "mm", nonnegative)]
+    pub distance: f64,
+    /// Angle of the centre of mass from the line of the pins.
+    #[input("δ", "deg", default = "0 deg")]
+    pub offset: f64,
+    /// Moment of inertia about the centre of mass.
+    #[input("I", "kg*m^2", nonnegative, default = "0 kg*m^2")]
+    pub inertia: f64,
+}
+
+register!(LinkageBalance);
+
+/// Places over a turn at which the largest values are sought.
+const PLACES: usize = 360;
+
+impl Analysis for LinkageBalance {
+    const ABOUT: About = About {
+        id: "balancing/linkage",
+        title: "Force balance of a linkage",
+        summary: "Counterweights that leave a four-bar linkage or a slider-crank without shaking force, and what they do to shaking moment and torque.",
+        keywords: "balanceamento de mecanismos quatro barras biela-manivela contrapeso força de trepidação momento torque \
+                   berkof lowen four-bar slider-crank shaking force shaking moment counterweight",
+        sources: &[&BERKOF, &NORTON],
+        cases: include_str!("../cases/linkage.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &LinkageBalanceGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let linkage = self.linkage();
+        let poses = self.poses(&linkage)?;
+        let before: Vec<Shaking> = poses.iter().map(|pose| linkage.shaking(pose, &[])).collect();
+        let force_before = largest(&before, size);
+        if force_before == 0.0 {
+            return Err(Refusal::because(
+                "no moving link has a mass, so nothing shakes; give a mass to at least one",
+            ));
+        }
+        sheet.keep_going()?;
+        let counterweights = match &given.mechanism {
+            MechanismGiven::FourBar {
+                crank, coupler, rocker, crank_body, coupler_body, rocker_body, ..
+            } => {
+                let (two, three, four) = (crank_body, coupler_body, rocker_body);
+                let carried = three.mass * *crank;
+                let why = (
+                    "Crank: its own moment and the part of the coupler that moves with the crank pin",
+                    BERKOF.at(""),
+                );
+                let along = (three.distance / *coupler) * three.offset.cos();
+                let x = -(two.mass * two.distance * two.offset.cos() + carried * (-along + 1.0));
+                let x = sheet.step("U_2x", "kg*mm", x, why);
+                let across = (three.distance / *coupler) * three.offset.sin();
+                let y = -(two.mass * two.distance * two.offset.sin() - carried * across);
+                let y = sheet.step("U_2y", "kg*mm", y, why);
+                let on_crank = counterweight(sheet, 0, (x, y), given.crank_radius, &CRANK);
+                let why = (
+                    "Rocker: its own moment and the part of the coupler that moves with the rocker pin",
+                    BERKOF.at(""),
+                );
+                let carried = three.mass * three.distance * (*rocker / *coupler);
+                let x = -(four.mass * four.distance * four.offset.cos() + carried * three.offset.cos());
+                let x = sheet.step("U_4x", "kg*mm", x, why);
+                let y = -(four.mass * four.distance * four.offset.sin() + carried * three.offset.sin());
+                let y = sheet.step("U_4y", "kg*mm", y, why);
+                [on_crank, counterweight(sheet, 2, (x, y), given.other_radius, &ROCKER)]
+            }
+            MechanismGiven::SliderCrank { crank, rod, crank_body, rod_body, slider, .. } => {
+                let (two, three) = (crank_body, rod_body);
+                let why =
+                    "Rod: with its counterweight, rod and slider have their centre of mass at the crank pin";
+                let x = -(three.mass * three.distance * three.offset.cos() + *slider * *rod);
+                let x = sheet.step("U_3x", "kg*mm", x, (why, BERKOF.at("")));
+                let y = -(three.mass * three.distance * three.offset.sin());
+                let y = sheet.step("U_3y", "kg*mm", y, (why, BERKOF.at("")));
+                let on_rod = counterweight(sheet, 1, (x, y), given.other_radius, &ROD);
+                let added = balance::correction_mass(x, y, given.other_radius);
+                let why = ("Crank: its own moment and all that hangs on the crank pin", BERKOF.at(""));
+                let hanging = three.mass + *slider + added;
+                let x = -(two.mass * two.distance * two.offset.cos() + hanging * *crank);
+                let x = sheet.step("U_2x", "kg*mm", x, why);
+                let y = -(two.mass * two.distance * two.offset.sin());
+                let y = sheet.step("U_2y", "kg*mm", y, why);
+                [counterweight(sheet, 0, (x, y), given.crank_radius, &CRANK), on_rod]
+            }
+        };
+        let after: Vec<Shaking> = poses.iter().map(|pose| linkage.shaking(pose, &counterweights)).collect();
+        let force_after = largest(&after, size);
+        let effort: f64 = linkage_effort(&linkage, &counterweights, self.speed);
+        sheet.verify(|| {
+            sheet.check_zero("no shaking force is left", force_after.into(), effort);
+            let still = after[0].first_moment;
+            let wander = after
+                .iter()
+                .map(|s| (s.first_moment[0] - still[0]).hypot(s.first_moment[1] - still[1]))
+                .fold(0.0, f64::max);
+            let speed = self.speed * self.speed;
+            sheet.check_zero("the centre of mass stands still", wander.into(), effort / speed);
+            self.check_torque(&linkage, &poses, &before, sheet);
+        });
+        let clean = |x: f64| if x < 1e-9 * effort { 0.0 } else { x };
+        let found =
+            |symbol, unit, si, why: &'static str| sheet.found(symbol, unit, si, (why, NORTON.at("ch. 12")));
+        let why_force = "Largest shaking force over a turn, in steps of 1°";
+        let first = found("F_before", "N", force_before, why_force);
+        let last = found("F_after", "N", clean(force_after), why_force);
+        sheet.answer("shaking_force", "Largest shaking force before", first);
+        sheet.answer("shaking_force_after", "Largest shaking force after", last);
+        let why_moment = "Largest shaking moment about the crank pivot over a turn, in steps of 1°";
+        let first = found("M_before", "N*m", largest(&before, |s| s.moment.abs()), why_moment);
+        let last = found("M_after", "N*m", largest(&after, |s| s.moment.abs()), why_moment);
+        sheet.answer("shaking_moment", "Largest shaking moment before", first);
+        sheet.answer("shaking_moment_after", "Largest shaking moment after", last);
+        let why_torque = "Largest torque on the crank over a turn, in steps of 1°";
+        let first = found("T_before", "N*m", largest(&before, |s| s.torque.abs()), why_torque);
+        let last = found("T_after", "N*m", largest(&after, |s| s.torque.abs()), why_torque);
+        sheet.answer("torque", "Largest torque on the crank before", first);
+        sheet.answer("torque_after", "Largest torque on the crank after", last);
+        if last.value() > 1.05 * first.value() {
+            sheet.warn(|| {
+                Text::new("the counterweights make the largest torque {times} times what it was")
+                    .with("times", format!("{:.1}", last.value() / first.value()))
+            });
+        }
+        for (title, label, unit, of) in [
+            ("Shaking force", "Force", "N", size as fn(&Shaking) -> f64),
+            ("Shaking moment about the crank pivot", "Moment", "N*m", |s| s.moment),
+            ("Torque on the crank", "Torque", "N*m", |s| s.torque),
+        ] {
+            sheet.show(|| {
+                let curve = |all: &[Shaking]| {
+                    let points = all.iter().chain([&all[0]]).enumerate();
+                    points.map(|(n, s)| (TAU * n as f64 / PLACES as f64, of(s))).collect::<Vec<_>>()
+                };
+                Exhibit::Plot(Plot::new(
+                    title,
+                    Axis::linear("Crank angle", "deg"),
+                    Axis::linear(label, unit),
+                    vec![Series::line("before", curve(&before)), Series::line("after", curve(&after))],
+                ))
+            });
+        }
+        sheet.show(|| Exhibit::Film(film(&poses, &counterweights, linkage.follower)));
+        Ok(())
+    }
+}
+
+/// Names of a counterweight: symbols and answers.
+struct Names {
+    symbols: [&'static str; 3],
+    size: (&'static str, &'static str),
+    angle: (&'static str, &'static str),
+    mass: (&'static str, &'static str),
+}
+
+const CRANK: Names = Names {
+    symbols: ["U_2", "ψ_2", "M_2"],
+    size: ("crank_unbalance", "Mass times radius of the counterweight of the crank"),
+    angle: ("crank_angle", "Angle of the counterweight from the crank"),
+    mass: ("crank_mass", "Mass of the counterweight of the crank"),
+};
+
+const ROCKER: Names = Names {
+    symbols: ["U_4", "ψ_4", "M_4"],
+    size: ("rocker_unbalance", "Mass times radius of the counterweight of the rocker"),
+    angle: ("rocker_angle", "Angle of the counterweight from the rocker"),
+    mass: ("rocker_mass", "Mass of the counterweight of the rocker"),
+};
+
+const ROD: Names = Names {
+    symbols: ["U_3", "ψ_3", "M_3"],
+    size: ("rod_unbalance", "Mass times radius of the counterweight of the rod"),
+    angle: ("rod_angle", "Angle of the counterweight from the rod"),
+    mass: ("rod_mass", "Mass of the counterweight of the rod"),
+};
+
+fn counterweight<W: Worksheet>(
+    sheet: W,
+    link: usize,
+    (x, y): (W::Num, W::Num),
+    radius: W::Num,
+    names: &Names,
+) -> Counterweight {
+    let [size_symbol, angle_symbol, mass_symbol] = names.symbols;
+    let size = sheet.step(size_symbol, "kg*mm", balance::magnitude(x, y), "Size of the counterweight");
+    sheet.answer(names.size.0, names.size.1, size);
+    let mut angle = 0.0;
+    if size.value() > 0.0 {
+        let why = "Angle of the counterweight on its link";
+        let turned = sheet.step(angle_symbol, "deg", turned(balance::direction(x, y)), why);
+        sheet.answer(names.angle.0, names.angle.1, turned);
+        angle = turned.value();
+    }
+    let mass = sheet.step(mass_symbol, "kg", size / radius, "Mass at the given radius");
+    sheet.answer(names.mass.0, names.mass.1, mass);
+    Counterweight { link, mass: mass.value(), distance: radius.value(), angle }
+}
+
+impl Body {
+    fn link(&self) -> Link {
+        Link { mass: self.mass, distance: self.distance, offset: self.offset, inertia: self.inertia }
+    }
+}
+
+impl LinkageBalance {
+    fn linkage(&self) -> Linkage {
+        match &self.mechanism {
+            Mechanism::FourBar {
+                crank,
+                coupler,
+                rocker,
+                frame,
+                closing,
+                crank_body,
+                coupler_body,
+                rocker_body,
+            } => Linkage {
+                crank: *crank,
+                coupler: *coupler,
+                crank_link: crank_body.link(),
+                coupler_link: coupler_body.link(),
+                follower: Follower::Rocker {
+                    frame: *frame,
+                    length: *rocker,
+                    crossed: *closing == Closing::Crossed,
+                    link: rocker_body.link(),
+                },
+            },
+            Mechanism::SliderCrank { crank, rod, offset, crank_body, rod_body, slider } => Linkage {
+                crank: *crank,
+                coupler: *rod,
+                crank_link: crank_body.link(),
+                coupler_link: rod_body.link(),
+                follower: Follower::Slider { offset: *offset, mass: *slider },
+            },
+        }
+    }
+
+    /// The places over a turn.
+    fn poses(&self, linkage: &Linkage) -> Result<Vec<Pose>, Refusal> {
+        let place = |n: usize| {
+            let angle = TAU * n as f64 / PLACES as f64;
+            linkage.pose(angle, self.speed).ok_or_else(|| {
+                Refusal::because(
+                    Text::new("the loop does not close at the crank angle {angle}, so the crank cannot turn round; make it shorter, or the coupler longer")
+                        .with_quantity("angle", angle, "deg"),
+                )
+            })
+        };
+        (0..PLACES).map(place).collect()
+    }
+
+    /// The torque before, where the loop is best determined, against the change of the kinetic energy about there.
+    fn check_torque<W: Worksheet>(&self, linkage: &Linkage, poses: &[Pose], before: &[Shaking], sheet: W) {
+        let best = (0..poses.len()).max_by(|a, b| poses[*a].transmission.total_cmp(&poses[*b].transmission));
+        let Some(best) = best else { return };
+        let step = 0.005;
+        let energy = |n: f64| {
+            let pose = linkage.pose(poses[best].angles[0] + n * step, self.speed)?;
+            Some(linkage.shaking(&pose, &[]).energy)
+        };
+        // Central differences of the eighth order.
+        let weights = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+        let mut slope = 0.0;
+        for (n, weight) in (1..).map(f64::from).zip(weights) {
+            let (Some(ahead), Some(behind)) = (energy(n), energy(-n)) else { return };
+            slope += weight * (ahead - behind) / step;
+        }
+        let scale = before.iter().map(|s| s.energy.max(s.torque.abs())).fold(0.0, f64::max);
+        let difference = before[best].torque - slope;
+        sheet.check_zero(
+            "the torque is the change of the kinetic energy with the angle",
+            difference.into(),
+            scale,
+        );
+    }
+}
+
+fn size(shaking: &Shaking) -> f64 {
+    shaking.force[0].hypot(shaking.force[1])
+}
+
+fn largest(all: &[Shaking], of: impl Fn(&Shaking) -> f64) -> f64 {
+    all.iter().map(of).fold(0.0, f64::max)
+}
+
+/// The size of the forces that cancel: all masses with their reach at the speed of the crank.
+fn linkage_effort(linkage: &Linkage, counterweights: &[Counterweight], speed: f64) -> f64 {
+    let (a, b) = (linkage.crank, linkage.coupler);
+    let third = match linkage.follower {
+        Follower::Rocker { length, link, .. } => link.mass * link.distance + counterweights[1].mass * length,
+        Follower::Slider { mass, .. } => mass * (a + b),
+    };
+    let own = linkage.crank_link.mass * linkage.crank_link.distance
+        + linkage.coupler_link.mass * (a + linkage.coupler_link.distance)
+        + third;
+    let added: f64 = counterweights.iter().map(|c| c.mass * (a + c.distance)).sum();
+    (own + added) * speed * speed
+}
+
+/// The linkage over a turn, with its counterweights.
+fn film(poses: &[Pose], counterweights: &[Counterweight], follower: Follower) -> Film {
+    let every = PLACES / 24;
+    let frame = |pose: &Pose| {
+        let [crank_pin, coupler_pin, end] = pose.pins.map(|[x, y]| (x, y));
+        let mut shapes = vec![
+            DrawnShape::Pin((0.0, 0.0)),
+            DrawnShape::Polyline(vec![(0.0, 0.0), crank_pin, coupler_pin], Ink::Body),
+        ];
+        let small = 0.1 * crank_pin.0.hypot(crank_pin.1);
+        match follower {
+            Follower::Rocker { .. } => {
+                shapes.push(DrawnShape::Polyline(vec![coupler_pin, end], Ink::Body));
+                shapes.push(DrawnShape::Pin(end));
+            }
+            Follower::Slider { .. } => {
+                let (x, y) = coupler_pin;
+                shapes.push(DrawnShape::Block(
+                    (x - 2.0 * small, y - small),
+                    (x + 2.0 * small, y + small),
+                    Ink::Body,
+                ));
+            }
+        }
+        for c in counterweights {
+            let from = match c.link {
+                0 => (0.0, 0.0),
+                1 => crank_pin,
+                _ => end,
+            };
+            let angle = pose.angles[c.link] + c.angle;
+            let at = (from.0 + c.distance * angle.cos(), from.1 + c.distance * angle.sin());
+            shapes.push(DrawnShape::Polyline(vec![from, at], Ink::Result));
+            shapes.push(DrawnShape::Circle(at, 1.5 * small, Ink::Result));
+        }
+        shapes
+    };
+    Film {
+        title: "The linkage with its counterweights".into(),
+        frames: poses.iter().step_by(every).map(frame).collect(),
+        period: 3.0,
+    }
+}
