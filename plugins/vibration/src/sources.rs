@@ -178,3 +178,9 @@ pub(crate) static SOUTHWELL: Source = Source {
     short: "Southwell & Gough",
     full: "R. V. Southwell and B. S. Gough, On the free transverse vibrations of airscrew blades, British Aeronautical Research Committee, Reports and Memoranda 766, 1921",
 };
+
+/// W. Ker Wilson, Practical Solution of Torsional Vibration Problems.
+pub(crate) static KER_WILSON: Source = Source {
+    short: "Ker Wilson",
+    full: "W. Ker Wilson, Practical Solution of Torsional Vibration Problems, 3rd ed., vol. 1, Chapman & Hall, 1956",
+};

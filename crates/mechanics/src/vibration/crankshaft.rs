@@ -1,0 +1,159 @@
+//! Crankshafts in torsion: the stiffness of a crank throw, and the sums of the phase vectors of the cylinders.
+//!
+//! W. Ker Wilson, *Practical Solution of Torsional Vibration Problems*, vol. 1; J. P. Den Hartog, *Mechanical
+//! Vibrations*, 4th ed., ch. 5.
+
+use std::f64::consts::PI;
+
+use crate::Real;
+
+/// A crank throw, from the middle of one journal to the middle of the next, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Throw<S> {
+    /// Length of a journal.
+    pub journal_length: S,
+    /// Diameter of the journals.
+    pub journal_diameter: S,
+    /// Bore of the journals, if they have one.
+    pub journal_bore: Option<S>,
+    /// Length of the crankpin.
+    pub pin_length: S,
+    /// Diameter of the crankpin.
+    pub pin_diameter: S,
+    /// Bore of the crankpin, if it has one.
+    pub pin_bore: Option<S>,
+    /// Thickness of a web, along the shaft.
+    pub web_thickness: S,
+    /// Width of a web.
+    pub web_width: S,
+    /// Radius of the crank.
+    pub radius: S,
+}
+
+/// What journals, crankpin and webs add to `32/(π G)` times a stiffness, reversed, 1/m³.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parts<S> {
+    /// Of the journals.
+    pub journal: S,
+    /// Of the crankpin.
+    pub pin: S,
+    /// Of the webs.
+    pub webs: S,
+}
+
+impl<S: Real> Throw<S> {
+    /// Carter's formula: `(Lⱼ + 0.8 t)/(Dⱼ⁴ − dⱼ⁴) + 0.75 L_c/(D_c⁴ − d_c⁴) + 1.5 R/(t W³)`. It fits shafts whose
+    /// webs bend more than journals and pins twist.
+    #[inline]
+    pub fn carter(&self) -> Parts<S> {
+        Parts {
+            journal: (self.journal_length + self.web_thickness * 0.8)
+                / fourth_powers(self.journal_diameter, self.journal_bore),
+            pin: self.pin_length * 0.75 / fourth_powers(self.pin_diameter, self.pin_bore),
+            webs: self.radius * 1.5 / (self.web_thickness * self.web_width.powi(3)),
+        }
+    }
+
+    /// Ker Wilson's formula: `(Lⱼ + 0.4 Dⱼ)/(Dⱼ⁴ − dⱼ⁴) + (L_c + 0.4 D_c)/(D_c⁴ − d_c⁴) + (R − 0.2 (Dⱼ + D_c))/(t W³)`.
+    /// It fits shafts with stiff webs.
+    #[inline]
+    pub fn ker_wilson(&self) -> Parts<S> {
+        Parts {
+            journal: (self.journal_length + self.journal_diameter * 0.4)
+                / fourth_powers(self.journal_diameter, self.journal_bore),
+            pin: (self.pin_length + self.pin_diameter * 0.4)
+                / fourth_powers(self.pin_diameter, self.pin_bore),
+            webs: (self.radius - (self.journal_diameter + self.pin_diameter) * 0.2)
+                / (self.web_thickness * self.web_width.powi(3)),
+        }
+    }
+}
+
+impl<S: Real> Parts<S> {
+    /// Torsional stiffness of the throw, `k = π G/(32 Σ)`, N·m/rad.
+    #[inline]
+    pub fn stiffness(&self, shear: S) -> S {
+        shear * PI / ((self.journal + self.pin + self.webs) * 32.0)
+    }
+}
+
+#[inline]
+fn fourth_powers<S: Real>(outer: S, inner: Option<S>) -> S {
+    match inner {
+        Some(inner) => outer.powi(4) - inner.powi(4),
+        None => outer.powi(4),
+    }
+}
+
+/// The sum of the phase vectors of an order: `Σ β cos nψ` and `Σ β sin nψ`, with the amplitude `β` of the crank of
+/// each cylinder and its firing angle `ψ`.
+pub fn phase_vectors(order: f64, cylinders: impl IntoIterator<Item = (f64, f64)>) -> [f64; 2] {
+    let mut sum = [0.0, 0.0];
+    for (amplitude, angle) in cylinders {
+        let (sin, cos) = (order * angle).sin_cos();
+        sum[0] += amplitude * cos;
+        sum[1] += amplitude * sin;
+    }
+    sum
+}
+
+/// Whether all cylinders push at the same instant of the vibration: a major order.
+pub fn is_major(order: f64, angles: &[f64]) -> bool {
+    let [x, y] = phase_vectors(order, angles.iter().map(|angle| (1.0, *angle)));
+    x.hypot(y) > angles.len() as f64 * (1.0 - 1e-9)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Firing angles of an even firing order.
+    fn angles(order: &[usize], cycle: f64) -> Vec<f64> {
+        let mut angles = vec![0.0; order.len()];
+        for (at, cylinder) in order.iter().enumerate() {
+            angles[cylinder - 1] = cycle * at as f64 / order.len() as f64;
+        }
+        angles
+    }
+
+    #[test]
+    fn a_straight_shaft_is_left_of_a_throw_without_webs() {
+        // Webs so wide that they do not bend: journal and pin of one diameter are a round shaft of that length.
+        let throw = Throw {
+            journal_length: 0.06,
+            journal_diameter: 0.08,
+            journal_bore: None,
+            pin_length: 0.05,
+            pin_diameter: 0.08,
+            pin_bore: None,
+            web_thickness: 0.02,
+            web_width: 1e6,
+            radius: 0.07,
+        };
+        let shaft = |length: f64| 80e9 * PI * 0.08f64.powi(4) / (32.0 * length);
+        let close = |ours: f64, wanted: f64| assert!((ours / wanted - 1.0).abs() < 1e-12, "{ours} {wanted}");
+        close(throw.carter().stiffness(80e9), shaft(0.06 + 0.016 + 0.0375));
+        close(throw.ker_wilson().stiffness(80e9), shaft(0.06 + 0.05 + 0.064));
+    }
+
+    #[test]
+    fn major_orders_of_six_cylinders() {
+        let four = angles(&[1, 5, 3, 6, 2, 4], 4.0 * PI);
+        let two = angles(&[1, 5, 3, 6, 2, 4], 2.0 * PI);
+        let major = |angles: &[f64], step: f64| {
+            (1..=24).map(|n| step * f64::from(n)).filter(|n| is_major(*n, angles)).collect::<Vec<_>>()
+        };
+        assert_eq!(major(&four, 0.5), [3.0, 6.0, 9.0, 12.0]);
+        assert_eq!(major(&two, 1.0), [6.0, 12.0, 18.0, 24.0]);
+    }
+
+    #[test]
+    fn minor_orders_of_a_straight_mode() {
+        // Amplitudes 5, 3, 1, −1, −3, −5: only the differences between the halves count at order 1½.
+        let angles = angles(&[1, 5, 3, 6, 2, 4], 4.0 * PI);
+        let amplitudes = [5.0, 3.0, 1.0, -1.0, -3.0, -5.0];
+        let [x, y] = phase_vectors(1.5, amplitudes.into_iter().zip(angles));
+        // Firing at 0, 480, 240, 600, 120, 360°: signs + + + − − −.
+        assert!((x - 18.0).abs() < 1e-12 && y.abs() < 1e-12);
+    }
+}

@@ -1,0 +1,77 @@
+//! Moments of inertia from swing tests: the time of small swings, and what follows from it.
+//!
+//! All times are periods of small swings, s; W. T. Thomson, *Theory of Vibration with Applications*, ch. 2.
+
+use std::f64::consts::PI;
+
+use crate::Real;
+
+/// Length of the simple pendulum of that period, `λ = g T²/(4π²)`, m.
+#[inline]
+pub fn reduced_length<S: Real>(gravity: S, period: S) -> S {
+    gravity * period.powi(2) / (4.0 * PI * PI)
+}
+
+/// Distance of the mass centre from the first of two points of suspension on one line through it:
+/// `h₁ = L (L − λ₂)/(2 L − λ₁ − λ₂)` for points on both sides at the distance `L`, m.
+#[inline]
+pub fn centre_between<S: Real>(distance: S, first: S, second: S) -> S {
+    distance * (distance - second) / (distance * 2.0 - first - second)
+}
+
+/// The same for two points on one side of the mass centre, the second one nearer to it:
+/// `h₁ = L (L + λ₂)/(2 L − λ₁ + λ₂)`, m.
+#[inline]
+pub fn centre_beyond<S: Real>(distance: S, first: S, second: S) -> S {
+    distance * (distance + second) / (distance * 2.0 - first + second)
+}
+
+/// Moment of inertia of a body hung on wires, `J = m g r R T²/(4π² h)`, kg·m²: wires fixed at the radii `r` below and
+/// `R` above, the vertical distance `h` between the two circles, m.
+#[inline]
+pub fn on_wires<S: Real>(weight: S, below: S, above: S, height: S, period: S) -> S {
+    weight * below * above * period.powi(2) / (height * (4.0 * PI * PI))
+}
+
+/// Square of the radius of gyration of a body whose journals roll in hollow rails, `κ² = ρ² (g T²/(4π² (R − ρ)) − 1)`,
+/// m²: radius `ρ` of the journals, `R` of the rails.
+#[inline]
+pub fn on_hollow_rails<S: Real>(gravity: S, journal: S, rails: S, period: S) -> S {
+    journal.powi(2) * (reduced_length(gravity, period) / (rails - journal) - 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GRAVITY: f64 = 9.81;
+
+    /// The period of a compound pendulum.
+    fn period(gyration: f64, distance: f64) -> f64 {
+        2.0 * PI * ((gyration.powi(2) + distance.powi(2)) / (GRAVITY * distance)).sqrt()
+    }
+
+    #[test]
+    fn the_centre_between_two_points_is_found_again() {
+        let lambda = |distance| reduced_length(GRAVITY, period(0.2, distance));
+        assert!((centre_between(0.45, lambda(0.3), lambda(0.15)) - 0.3).abs() < 1e-13);
+        assert!((centre_beyond(0.18, lambda(0.3), lambda(0.12)) - 0.3).abs() < 1e-13);
+    }
+
+    #[test]
+    fn a_ring_on_wires_at_its_own_radius_swings_like_a_pendulum_of_their_length() {
+        let (mass, radius, length) = (3.0, 0.25f64, 1.2f64);
+        let period = 2.0 * PI * (length / GRAVITY).sqrt();
+        let inertia = on_wires(mass * GRAVITY, radius, radius, length, period);
+        assert!((inertia - mass * radius * radius).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_cylinder_in_a_hollow_rail() {
+        // κ² = ρ²/2 for a solid cylinder: T = 2π√(3 (R − ρ)/(2 g)).
+        let (journal, rails) = (0.02, 0.5);
+        let period = 2.0 * PI * (1.5 * (rails - journal) / GRAVITY).sqrt();
+        let square = on_hollow_rails(GRAVITY, journal, rails, period);
+        assert!((square / (journal * journal) - 0.5).abs() < 1e-13);
+    }
+}

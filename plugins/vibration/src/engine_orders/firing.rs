@@ -1,0 +1,147 @@
+//! Which cylinder fires when, and on which mass of the line it acts.
+
+use std::f64::consts::PI;
+
+use dalembert_core::{Refusal, Text, Worksheet};
+use dalembert_mechanics::Real;
+
+use super::{Cranks, Cycle, EngineOrders, EngineOrdersGiven, Firing, FiringGiven};
+use crate::sources::DEN_HARTOG;
+
+/// The most cranks of an engine.
+const MOST_CRANKS: usize = 24;
+
+/// The cylinders of an engine.
+pub(super) struct Cylinders<N> {
+    /// Cylinder by cylinder.
+    pub(super) each: Vec<Cylinder<N>>,
+    /// How many cranks there are.
+    pub(super) cranks: usize,
+    /// Whether each crank has a cylinder of its own, in their order.
+    pub(super) one_to_a_crank: bool,
+}
+
+/// A cylinder.
+pub(super) struct Cylinder<N> {
+    /// The mass of the line that is its crank, counted from 0.
+    pub(super) mass: usize,
+    /// Its firing angle.
+    pub(super) angle: N,
+}
+
+impl<N: Real> Cylinders<N> {
+    /// The firing angles as numbers.
+    pub(super) fn values(&self) -> Vec<f64> {
+        self.each.iter().map(|one| one.angle.value()).collect()
+    }
+}
+
+/// The firing angles, with the steps that lead to them.
+pub(super) fn cylinders<W: Worksheet>(
+    problem: &EngineOrders,
+    given: &EngineOrdersGiven<W>,
+    sheet: W,
+) -> Result<Cylinders<W::Num>, Refusal> {
+    let front = problem.front.len();
+    let (each, cranks) = match (&problem.firing, &given.firing) {
+        (Firing::Even { order }, _) => {
+            let places = places(order)?;
+            let (turn, why) = match problem.cycle {
+                Cycle::Four => (4.0 * PI, "A cylinder of four strokes fires once in two turns"),
+                Cycle::Two => (2.0 * PI, "A cylinder of two strokes fires once in a turn"),
+            };
+            let turn = sheet.found("ψ_z", "deg", turn, why);
+            let interval = sheet.step(
+                "Δψ",
+                "deg",
+                turn / places.len() as f64,
+                "Turn of the crankshaft from one firing to the next",
+            );
+            let each: Vec<Cylinder<W::Num>> = places
+                .iter()
+                .enumerate()
+                .map(|(cylinder, place)| Cylinder {
+                    mass: front + cylinder,
+                    angle: sheet.step(
+                        ("ψ", cylinder + 1),
+                        "deg",
+                        interval * *place as f64,
+                        ("Firing angle, by the place in the firing order", DEN_HARTOG.at("ch. 5")),
+                    ),
+                })
+                .collect();
+            let count = each.len();
+            (each, count)
+        }
+        (Firing::Angles { cylinders }, FiringGiven::Angles { cylinders: angles }) => {
+            let each: Vec<Cylinder<W::Num>> = cylinders
+                .iter()
+                .zip(angles)
+                .map(|(cylinder, given)| Cylinder {
+                    mass: front + cylinder.crank as usize - 1,
+                    angle: given.angle,
+                })
+                .collect();
+            let most = cylinders.iter().map(|cylinder| cylinder.crank as usize).max().unwrap_or(0);
+            (each, most)
+        }
+        _ => (Vec::new(), 0),
+    };
+    if each.len() > 2 * MOST_CRANKS {
+        return Err(Refusal::because("there are more than 48 cylinders: write fewer"));
+    }
+    let cranks = match &problem.cranks {
+        Cranks::Alike { .. } => cranks,
+        Cranks::Each { cranks: listed } if listed.len() < cranks => {
+            return Err(Refusal::because(
+                Text::new("a cylinder works on crank {crank}, and there are {count}: write more cranks or another number")
+                    .with("crank", cranks)
+                    .with("count", listed.len()),
+            ));
+        }
+        Cranks::Each { cranks: listed } => listed.len(),
+    };
+    let one_to_a_crank = matches!(problem.firing, Firing::Even { .. });
+    Ok(Cylinders { each, cranks, one_to_a_crank })
+}
+
+/// The place of each cylinder in a firing order, counted from 0.
+fn places(order: &str) -> Result<Vec<usize>, Refusal> {
+    let numbers: Vec<&str> =
+        order.split(|c: char| !c.is_ascii_digit()).filter(|part| !part.is_empty()).collect();
+    let count = numbers.len();
+    if count == 0 || count > MOST_CRANKS {
+        return Err(Refusal::because(
+            "the firing order holds no cylinder, or more than 24: write the numbers of the cylinders, such as 1-3-4-2",
+        ));
+    }
+    let mut places = vec![usize::MAX; count];
+    for (place, number) in numbers.iter().enumerate() {
+        let free = number.parse::<usize>().ok().and_then(|n| places.get_mut(n.checked_sub(1)?));
+        match free {
+            Some(free) if *free == usize::MAX => *free = place,
+            _ => {
+                return Err(Refusal::because(
+                    Text::new("the firing order of {count} cylinders has no place for {number}: write each number from 1 on once")
+                        .with("count", count)
+                        .with("number", *number),
+                ));
+            }
+        }
+    }
+    Ok(places)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_firing_order_is_a_permutation() {
+        assert_eq!(places("1-5-3-6-2-4").unwrap(), [0, 4, 2, 5, 1, 3]);
+        assert_eq!(places("1, 2").unwrap(), [0, 1]);
+        for wrong in ["", "1-1", "1-3", "0-1", "99999999999999999999999-1"] {
+            assert!(places(wrong).is_err(), "{wrong}");
+        }
+    }
+}

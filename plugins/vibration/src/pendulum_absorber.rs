@@ -1,0 +1,434 @@
+//! Pendulums that hold a rotor or an oscillating mass still.
+
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
+use dalembert_mechanics::{Real, vibration::pendulum_absorber::tuned_order};
+
+mod coupled;
+mod exhibits;
+mod gravity;
+
+use self::coupled::Coupled;
+use crate::{
+    inertia::{self, Inertia},
+    sources::{DEN_HARTOG, KER_WILSON},
+};
+
+/// What the pendulum hangs on.
+#[derive(Clone, Debug, Inputs)]
+pub struct PendulumAbsorber {
+    /// Problem.
+    pub problem: Problem,
+}
+
+/// What the pendulum hangs on.
+#[derive(Clone, Debug, Inputs)]
+pub enum Problem {
+    /// On a rotor
+    /// The centrifugal field brings the pendulum back, so that its frequency follows the speed.
+    Rotor {
+        /// Pendulum.
+        pendulum: Pendulum,
+        /// Distance of the pivot from the shaft.
+        /// For rollers, that of the middle of the hole.
+        #[input("R", "m", positive)]
+        pivot: f64,
+        /// Arm.
+        arm: Arm,
+        /// Mass of a pendulum.
+        mass: Mass,
+        /// Pendulums.
+        #[input(min = 1, max = 100, default = "1")]
+        count: u32,
+        /// Inertia of the rotor.
+        /// Without the pendulums.
+        inertia: Inertia,
+        /// Stiffness of the shaft that holds the rotor.
+        /// Left out for a rotor that turns freely.
+        #[input("k", "N*m/rad", positive)]
+        stiffness: Option<f64>,
+        /// Speed.
+        #[input("Ω", "rpm", positive)]
+        speed: f64,
+        /// Order of the torque.
+        /// Left out, it is the tuned order.
+        #[input("n", "1", positive)]
+        order: Option<f64>,
+        /// Amplitude of the torque.
+        #[input("T", "N*m", positive)]
+        torque: Option<f64>,
+    },
+    /// Under an oscillating mass
+    /// Gravity brings the pendulum back; the mass moves sideways.
+    Gravity {
+        /// Mass that oscillates.
+        #[input("M", "kg", positive)]
+        body: f64,
+        /// Stiffness of its springs.
+        #[input("k", "N/m", positive)]
+        stiffness: f64,
+        /// Frequency of the force.
+        #[input("ω", "rad/s", positive)]
+        frequency: f64,
+        /// Amplitude of the force.
+        #[input("F₀", "N", positive)]
+        force: Option<f64>,
+        /// Length of the pendulum.
+        length: Length,
+        /// Mass of the pendulum.
+        mass: Mass,
+        /// Gravity.
+        #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+        gravity: f64,
+    },
+}
+
+/// The kind of pendulum.
+#[derive(Clone, Debug, Inputs)]
+pub enum Pendulum {
+    /// Small mass on an arm
+    Point,
+    /// Body on a pivot
+    /// It turns with its arm.
+    Body {
+        /// Radius of gyration about its mass centre.
+        #[input("κ", "m", positive)]
+        gyration: f64,
+    },
+    /// Bifilar: on two pins in larger holes
+    /// It does not turn on the rotor; the arm is the diameter of the holes less that of the pins.
+    Bifilar,
+    /// Roller in a hole
+    /// It rolls without slip; the arm is the radius of the hole less that of the roller.
+    Roller {
+        /// Radius of the roller.
+        #[input("a", "m", positive)]
+        radius: f64,
+        /// Shape.
+        shape: Roller,
+    },
+}
+
+/// The shape of a roller.
+#[derive(Clone, Debug, Inputs)]
+pub enum Roller {
+    /// Solid cylinder
+    Solid,
+    /// Ring
+    Ring,
+}
+
+/// What is known of the arm.
+#[derive(Clone, Debug, Inputs)]
+pub enum Arm {
+    /// Arm given
+    Given {
+        /// Arm.
+        /// From the pivot to the mass centre.
+        #[input("r", "m", positive)]
+        arm: f64,
+    },
+    /// Order to be tuned to
+    Tuned {
+        /// Order.
+        /// Vibrations in a turn that the pendulum is to take up.
+        #[input("n_t", "1", positive)]
+        order: f64,
+    },
+}
+
+/// What is known of the length of a pendulum under gravity.
+#[derive(Clone, Debug, Inputs)]
+pub enum Length {
+    /// Length given
+    Given {
+        /// Length.
+        #[input("l", "m", positive)]
+        length: f64,
+        /// Radius of gyration about its mass centre.
+        /// Left out for a small mass on a string.
+        #[input("κ", "m", positive)]
+        gyration: Option<f64>,
+    },
+    /// Tuned to the force
+    /// A small mass on a string.
+    Tuned,
+}
+
+/// What is known of the mass of a pendulum.
+#[derive(Clone, Debug, Inputs)]
+pub enum Mass {
+    /// Mass given
+    Given {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+    },
+    /// Limited swing
+    /// The lightest pendulum that does not swing further under the load that it takes up.
+    Swing {
+        /// Largest swing.
+        #[input("φ_a", "deg", positive, below = 60)]
+        swing: f64,
+    },
+}
+
+register!(PendulumAbsorber);
+
+impl Analysis for PendulumAbsorber {
+    const ABOUT: About = About {
+        id: "vibration/pendulum-absorber",
+        title: "Pendulum absorber",
+        summary: "Order, arm and mass of centrifugal pendulums and rollers on a rotor, their swing and effective inertia, and pendulums under an oscillating mass.",
+        keywords: "centrifugal pendulum CPVA bifilar Salomon roller order tuning torsional absorber antiresonance \
+                   absorvedor pendular pêndulo centrífugo bifilar rolete ordem sintonia antirressonância",
+        sources: &[&DEN_HARTOG, &KER_WILSON],
+        cases: include_str!("../cases/pendulum_absorber.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &PendulumAbsorberGiven<W>, sheet: W) -> Result<(), Refusal> {
+        match &given.problem {
+            ProblemGiven::Rotor { .. } => self.on_rotor(given, sheet),
+            ProblemGiven::Gravity { body, stiffness, frequency, force, length, mass, gravity } => {
+                gravity::Hung {
+                    body: *body,
+                    stiffness: *stiffness,
+                    frequency: *frequency,
+                    force: *force,
+                    gravity: *gravity,
+                }
+                .solve(length, mass, sheet)
+            }
+        }
+    }
+}
+
+impl PendulumAbsorber {
+    fn on_rotor<W: Worksheet>(&self, given: &PendulumAbsorberGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let (
+            ProblemGiven::Rotor {
+                pendulum, pivot, arm, mass, inertia, stiffness, speed, order, torque, ..
+            },
+            Problem::Rotor { pendulum: kind, count, .. },
+        ) = (&given.problem, &self.problem)
+        else {
+            return Ok(());
+        };
+        let (pivot, speed, count) = (*pivot, *speed, f64::from(*count));
+        let rotor = inertia::moment_of_inertia(inertia, sheet, "J".into());
+        // Radius of gyration of a roller, and what of it swings: κ²/a² for each r².
+        let (gyration, rolling) = match (pendulum, kind) {
+            (PendulumGiven::Body { gyration }, _) => (Some(*gyration), None),
+            (PendulumGiven::Roller { radius, .. }, Pendulum::Roller { shape, .. }) => {
+                let (share, why) = match shape {
+                    Roller::Solid => {
+                        (0.5, "Square of the radius of gyration of a solid roller over that of its radius")
+                    }
+                    Roller::Ring => {
+                        (1.0, "Square of the radius of gyration of a ring over that of its radius")
+                    }
+                };
+                let share = sheet.found("q", "1", share, why);
+                let gyration =
+                    sheet.step("κ", "m", *radius * share.sqrt(), "Radius of gyration of the roller");
+                (Some(gyration), Some((share, *radius)))
+            }
+            _ => (None, None),
+        };
+        let arm = match arm {
+            ArmGiven::Given { arm } => *arm,
+            ArmGiven::Tuned { order } => {
+                let found = match (rolling, gyration) {
+                    (Some((share, _)), _) => sheet.step(
+                        "r",
+                        "mm",
+                        pivot / (order.powi(2) * (share + 1.0)),
+                        (
+                            "Arm that tunes a roller to the order, from n² = R/(r (1 + q))",
+                            KER_WILSON.at("vol. 1"),
+                        ),
+                    ),
+                    (None, Some(gyration)) => {
+                        let half = sheet.step(
+                            "h",
+                            "mm",
+                            pivot / (order.powi(2) * 2.0),
+                            "The arm is a root of r² − 2 h r + κ² = 0, from n² = R r/(r² + κ²), with this h",
+                        );
+                        if gyration.value() > half.value() {
+                            return Err(Refusal::because(
+                                "no arm tunes this body to the order: write a smaller radius of gyration or a pivot further out",
+                            ));
+                        }
+                        let why = "The larger root: the shorter arm needs a far larger swing";
+                        sheet.step("r", "mm", half + (half.powi(2) - gyration.powi(2)).sqrt(), why)
+                    }
+                    (None, None) => sheet.step(
+                        "r",
+                        "mm",
+                        pivot / order.powi(2),
+                        ("Arm that tunes the pendulum to the order, from n² = R/r", DEN_HARTOG.at("ch. 5")),
+                    ),
+                };
+                sheet.answer("arm", "Arm", found);
+                found
+            }
+        };
+        let swing = match (rolling, gyration) {
+            (Some((share, _)), _) => sheet.step(
+                "s²",
+                "cm^2",
+                arm.powi(2) * (share + 1.0),
+                "Inertia of the swing for each kilogram: a roller turns the faster the smaller it is",
+            ),
+            (None, Some(gyration)) => sheet.step(
+                "s²",
+                "cm^2",
+                arm.powi(2) + gyration.powi(2),
+                "Inertia of the swing for each kilogram, about the pivot",
+            ),
+            (None, None) => sheet.step(
+                "s²",
+                "cm^2",
+                arm.powi(2),
+                "Inertia of the swing for each kilogram, about the pivot",
+            ),
+        };
+        let coupling = match (rolling, gyration) {
+            (Some((share, radius)), _) => sheet.step(
+                "c²",
+                "cm^2",
+                arm * (pivot + arm) - share * radius * arm,
+                "Coupling for each kilogram: a roller turns against the swing of its centre",
+            ),
+            (None, Some(gyration)) => sheet.step(
+                "c²",
+                "cm^2",
+                arm * (pivot + arm) + gyration.powi(2),
+                "Coupling of swing and rotor for each kilogram",
+            ),
+            (None, None) => {
+                sheet.step("c²", "cm^2", arm * (pivot + arm), "Coupling of swing and rotor for each kilogram")
+            }
+        };
+        if coupling.value() <= 0.0 {
+            return Err(Refusal::because(
+                "the roller is so large that it turns against its own swing and takes up nothing: write a smaller one",
+            ));
+        }
+        let tuned = sheet.step(
+            "n₀",
+            "1",
+            tuned_order(pivot, arm, swing),
+            (
+                "Tuned order: the frequency of the swing over the speed, at every speed",
+                DEN_HARTOG.at("ch. 5"),
+            ),
+        );
+        sheet.answer("tuned_order", "Tuned order", tuned);
+        let antiresonance = sheet.step(
+            "ω₀",
+            "rad/s",
+            tuned * speed,
+            "Frequency of the swing at this speed: there the rotor stands still",
+        );
+        sheet.answer("antiresonance", "Frequency at which the rotor stands still", antiresonance);
+        let mass = match mass {
+            MassGiven::Given { mass } => *mass,
+            MassGiven::Swing { swing: limit } => {
+                let Some(torque) = torque else {
+                    return Err(Refusal::because(
+                        "the mass for a limited swing follows from the torque: write its amplitude",
+                    ));
+                };
+                let mass = sheet.step(
+                    "m",
+                    "kg",
+                    *torque / (coupling * antiresonance.powi(2) * *limit * count),
+                    (
+                        "Mass of each pendulum: swinging at its limit it takes up the whole torque of the tuned order",
+                        DEN_HARTOG.at("ch. 5"),
+                    ),
+                );
+                sheet.answer("mass", "Mass of a pendulum", mass);
+                mass
+            }
+        };
+        let carried = (pivot + arm).powi(2);
+        let carried = match gyration {
+            Some(gyration) => carried + gyration.powi(2),
+            None => carried,
+        };
+        let together = sheet.step(
+            "J₁",
+            "kg*m^2",
+            rotor + mass * carried * count,
+            "Rotor and pendulums, held still on it",
+        );
+        let coupled =
+            sheet.step("J₁₂", "kg*m^2", mass * coupling * count, "Inertia that couples rotor and swing");
+        let swinging = sheet.step("J₂", "kg*m^2", mass * swing * count, "Inertia of the swing");
+        let motion = Coupled {
+            on_rotor: true,
+            body: together,
+            coupling: coupled,
+            swing: swinging,
+            antiresonance,
+            held: *stiffness,
+        };
+        let pair = motion.pair();
+        let own = motion.frequencies(sheet);
+        for (row, frequency) in own.iter().enumerate() {
+            let counted =
+                sheet.step(("f", row + 1), "Hz", *frequency, "The same frequency, counted in cycles");
+            sheet.answer(("frequency", row + 1), "Natural frequency of rotor and pendulum", counted);
+            let at =
+                sheet.step(("n_r", row + 1), "1", *frequency / speed, "Order that meets it at this speed");
+            sheet.answer(("resonant_order", row + 1), "Order that resonates at this speed", at);
+        }
+        let order = order.unwrap_or(tuned);
+        let off = (order.value() / tuned.value() - 1.0).abs() < 1e-12;
+        if off {
+            sheet.warn(|| {
+                Text::new("at the tuned order the pendulum acts like an infinite flywheel; friction alone leaves some motion")
+            });
+        } else {
+            let shift = tuned.powi(2) - order.powi(2);
+            let effective = sheet.step(
+                "J_e",
+                "kg*m^2",
+                together - rotor + coupled.powi(2) * order.powi(2) / (swinging * shift),
+                (
+                    "Effective inertia of the pendulums at the order of the torque; negative beyond the tuned order",
+                    DEN_HARTOG.at("ch. 5"),
+                ),
+            );
+            sheet.answer("effective_inertia", "Effective inertia of the pendulums", effective);
+            sheet.verify(|| {
+                let square = (order.value() * speed.value()).powi(2);
+                let follow = pair.coupling * square / (pair.back - pair.swing * square);
+                sheet.check(
+                    "effective inertia from the swing that a moving rotor causes",
+                    W::Num::from(pair.body + pair.coupling * follow - rotor.value()),
+                    effective,
+                );
+            });
+        }
+        let frequency = sheet.step("ω", "rad/s", order * speed, "Frequency of the torque");
+        if let Some(torque) = torque {
+            motion.steady(frequency, *torque, sheet)?;
+        }
+        let view = exhibits::Rotor {
+            pair,
+            alone: rotor.value(),
+            speed: speed.value(),
+            tuned: tuned.value(),
+            order: order.value(),
+            pivot: pivot.value(),
+            arm: arm.value(),
+        };
+        sheet.show(|| Exhibit::Plot(view.effective()));
+        sheet.show(|| Exhibit::Plot(view.against_speed()));
+        sheet.show(|| Exhibit::Film(view.film()));
+        Ok(())
+    }
+}

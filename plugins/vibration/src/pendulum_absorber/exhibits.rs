@@ -1,0 +1,148 @@
+//! Plots and sketches of pendulums as absorbers.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{Axis, Drawing, DrawnShape, Film, Ink, Plot, Scale, Series, Text};
+use dalembert_mechanics::vibration::pendulum_absorber::Pair;
+
+/// Points of a curve.
+const POINTS: u32 = 400;
+
+/// A rotor with pendulums.
+pub(super) struct Rotor {
+    pub(super) pair: Pair,
+    /// Its moment of inertia alone.
+    pub(super) alone: f64,
+    pub(super) speed: f64,
+    pub(super) tuned: f64,
+    pub(super) order: f64,
+    pub(super) pivot: f64,
+    pub(super) arm: f64,
+}
+
+impl Rotor {
+    /// Effective inertia of the pendulums against the order.
+    pub(super) fn effective(&self) -> Plot {
+        let last = 2.0 * self.tuned.max(self.order);
+        let carried = self.pair.body - self.alone;
+        let limit = 6.0 * carried.abs().max(self.alone);
+        let at = |n: u32| {
+            let order = last * f64::from(n) / f64::from(POINTS);
+            let shift = self.tuned.powi(2) - order.powi(2);
+            let effective = carried + self.pair.coupling.powi(2) * order.powi(2) / (self.pair.swing * shift);
+            // The curve is cut off beside the tuned order, where it has no bound.
+            (order, if effective.abs() < limit { effective } else { f64::INFINITY })
+        };
+        Plot::new(
+            "Effective inertia of the pendulums against the order",
+            Axis::linear("order", "1"),
+            Axis::linear("effective inertia", "kg*m^2"),
+            vec![Series::line("pendulums", (0..=POINTS).map(at).collect())],
+        )
+        .level("takes away the whole rotor", -self.alone)
+    }
+
+    /// Natural frequencies and the frequency of the torque against the speed.
+    pub(super) fn against_speed(&self) -> Plot {
+        let last = 2.0 * self.speed;
+        let curve = |which: usize| {
+            let at = |n: u32| {
+                let speed = last * f64::from(n.max(1)) / 200.0;
+                let back = self.pair.back * (speed / self.speed).powi(2);
+                (speed, Pair { back, ..self.pair }.frequencies()[which])
+            };
+            (0..=200).map(at).collect::<Vec<_>>()
+        };
+        let ray = |order: f64| vec![(0.0, 0.0), (last, order * last)];
+        let mut series = vec![Series::line("upper natural frequency", curve(1))];
+        if self.pair.held > 0.0 {
+            series.push(Series::line("lower natural frequency", curve(0)));
+        }
+        series.push(Series::line("tuned order", ray(self.tuned)));
+        if (self.order / self.tuned - 1.0).abs() > 1e-9 {
+            series.push(Series::line("order of the torque", ray(self.order)));
+        }
+        Plot::new(
+            "Natural frequencies against the speed",
+            Axis::linear("speed", "rpm"),
+            Axis::linear("frequency", "Hz"),
+            series,
+        )
+        .mark("at this speed", (self.speed, self.order * self.speed))
+    }
+
+    /// The pendulum as it swings on the rotor.
+    pub(super) fn film(&self) -> Film {
+        const FRAMES: u32 = 24;
+        let whole = self.pivot + self.arm;
+        let (pivot, arm) = (self.pivot / whole, (self.arm / whole).max(0.06));
+        let frame = |n: u32| {
+            let swing = 0.5 * (TAU * f64::from(n) / f64::from(FRAMES)).sin();
+            let end = (arm * swing.sin(), pivot + arm * swing.cos());
+            vec![
+                DrawnShape::Circle((0.0, 0.0), pivot + 0.4 * arm, Ink::Faint),
+                DrawnShape::Circle((0.0, 0.0), 1.25, Ink::Faint),
+                DrawnShape::Circle((0.0, 0.0), 0.08, Ink::Body),
+                DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, pivot)], Ink::Faint),
+                DrawnShape::Polyline(vec![(0.0, pivot), end], Ink::Body),
+                DrawnShape::Circle((0.0, pivot), 0.02, Ink::Body),
+                DrawnShape::Circle(end, 0.07, Ink::Motion),
+                DrawnShape::Label((0.06, 0.5 * pivot), Text::from("R")),
+                DrawnShape::Label((0.12, pivot + 0.4 * arm), Text::from("r")),
+            ]
+        };
+        Film {
+            title: "The pendulum on the rotor".into(),
+            frames: (0..FRAMES).map(frame).collect(),
+            period: 1.5,
+        }
+    }
+}
+
+/// A mass with a pendulum under it.
+pub(super) struct Hung {
+    pub(super) pair: Pair,
+    pub(super) frequency: f64,
+    pub(super) length: f64,
+}
+
+impl Hung {
+    /// Amplitudes against the frequency, for a unit of the force.
+    pub(super) fn response(&self) -> Plot {
+        let last = 1.6 * self.pair.frequencies()[1].max(self.frequency);
+        let at = |which: usize, scale: f64| {
+            let point = |n: u32| {
+                let frequency = last * f64::from(n) / f64::from(POINTS);
+                (frequency, (self.pair.steady(1.0, frequency)[which] * scale).abs())
+            };
+            (1..=POINTS).map(point).collect::<Vec<_>>()
+        };
+        let mut plot = Plot::new(
+            "Amplitudes of mass and end of the pendulum for each newton of the force",
+            Axis::linear("frequency", "Hz"),
+            Axis::log("amplitude over force", "m/N"),
+            vec![
+                Series::line("mass", at(0, 1.0)),
+                Series::line("swing, at the end of the pendulum", at(1, self.length)),
+            ],
+        );
+        plot.y.scale = Scale::Log;
+        plot.mark("this force", (self.frequency, self.pair.steady(1.0, self.frequency)[0].abs()))
+    }
+
+    /// The mass on its spring with the pendulum.
+    pub(super) fn drawing(&self) -> Drawing {
+        let shapes = vec![
+            DrawnShape::Ground((-2.0, -0.5), (-2.0, 0.5)),
+            DrawnShape::Spring((-2.0, 0.0), (-0.6, 0.0)),
+            DrawnShape::Block((-0.6, -0.3), (0.6, 0.3), Ink::Body),
+            DrawnShape::Polyline(vec![(0.0, 0.0), (0.5, -1.6)], Ink::Body),
+            DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, -1.7)], Ink::Faint),
+            DrawnShape::Circle((0.5, -1.6), 0.12, Ink::Motion),
+            DrawnShape::Arrow((0.7, 0.0), (1.6, 0.0), Ink::Force),
+            DrawnShape::Label((1.65, 0.1), Text::from("F₀")),
+            DrawnShape::Label((0.1, -1.2), Text::from("φ")),
+        ];
+        Drawing { title: "The mass with its pendulum".into(), shapes }
+    }
+}

@@ -1,0 +1,98 @@
+//! A pendulum under a mass that moves sideways.
+
+use dalembert_core::{Exhibit, Refusal, Worksheet};
+use dalembert_mechanics::Real;
+
+use super::{LengthGiven, MassGiven, coupled::Coupled, exhibits};
+use crate::sources::DEN_HARTOG;
+
+/// An oscillating mass with a pendulum.
+pub(super) struct Hung<N> {
+    pub(super) body: N,
+    pub(super) stiffness: N,
+    pub(super) frequency: N,
+    pub(super) force: Option<N>,
+    pub(super) gravity: N,
+}
+
+impl<N: Real> Hung<N> {
+    /// Frequencies, amplitudes and, where they are asked for, length and mass of the pendulum.
+    pub(super) fn solve<W: Worksheet<Num = N>>(
+        &self,
+        length: &LengthGiven<W>,
+        mass: &MassGiven<W>,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let (length, gyration) = match length {
+            LengthGiven::Given { length, gyration } => (*length, *gyration),
+            LengthGiven::Tuned {} => {
+                let why =
+                    ("Length that tunes the pendulum to the force, from ω² = g/l", DEN_HARTOG.at("ch. 3"));
+                let length = sheet.step("l", "m", self.gravity / self.frequency.powi(2), why);
+                sheet.answer("length", "Length of the pendulum", length);
+                (length, None)
+            }
+        };
+        let why = "Inertia of the swing for each kilogram, about the pivot";
+        let square = match gyration {
+            Some(gyration) => length.powi(2) + gyration.powi(2),
+            None => length.powi(2),
+        };
+        let square = sheet.step("s²", "m^2", square, why);
+        let antiresonance = sheet.step(
+            "ω₀",
+            "rad/s",
+            (self.gravity * length / square).sqrt(),
+            (
+                "Frequency of the pendulum on a fixed pivot: there the mass stands still",
+                DEN_HARTOG.at("ch. 3"),
+            ),
+        );
+        let counted = sheet.step("f₀", "Hz", antiresonance, "The same frequency, counted in cycles");
+        sheet.answer("antiresonance", "Frequency at which the mass stands still", counted);
+        let mass = match mass {
+            MassGiven::Given { mass } => *mass,
+            MassGiven::Swing { swing } => {
+                let Some(force) = self.force else {
+                    return Err(Refusal::because(
+                        "the mass for a limited swing follows from the force: write its amplitude",
+                    ));
+                };
+                let mass = sheet.step(
+                    "m",
+                    "kg",
+                    force / (length * antiresonance.powi(2) * *swing),
+                    "Mass of the pendulum: swinging at its limit at its own frequency it takes up the whole force",
+                );
+                sheet.answer("mass", "Mass of the pendulum", mass);
+                mass
+            }
+        };
+        let motion = Coupled {
+            on_rotor: false,
+            body: sheet.step("M₁", "kg", self.body + mass, "Mass and pendulum move sideways together"),
+            coupling: sheet.step("M₁₂", "kg*m", mass * length, "Inertia that couples mass and swing"),
+            swing: sheet.step(
+                "J₂",
+                "kg*m^2",
+                mass * square,
+                "Moment of inertia of the pendulum about its pivot",
+            ),
+            antiresonance,
+            held: Some(self.stiffness),
+        };
+        for (row, frequency) in motion.frequencies(sheet).into_iter().enumerate() {
+            let counted =
+                sheet.step(("f", row + 1), "Hz", frequency, "The same frequency, counted in cycles");
+            sheet.answer(("frequency", row + 1), "Natural frequency of mass and pendulum", counted);
+        }
+        if let Some(force) = self.force {
+            motion.steady(self.frequency, force, sheet)?;
+        }
+        let view =
+            exhibits::Hung { pair: motion.pair(), frequency: self.frequency.value(), length: length.value() };
+        sheet.show(|| Exhibit::Plot(view.response()));
+        sheet.show(|| Exhibit::Drawing(view.drawing()));
+        Ok(())
+    }
+}

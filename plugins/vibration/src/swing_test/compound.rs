@@ -1,0 +1,192 @@
+//! Compound pendulums: about one point, and about two.
+
+use std::f64::consts::{PI, TAU};
+
+use dalembert_core::{Axis, Drawing, DrawnShape, Ink, Plot, Refusal, Series, Text, Worksheet};
+use dalembert_mechanics::{Real, vibration::swing};
+
+use super::Side;
+use crate::sources::RAO;
+
+/// About one point: the moment of inertia about the mass centre, and the radius of gyration.
+pub(super) fn one_point<W: Worksheet>(
+    mass: W::Num,
+    distance: W::Num,
+    period: W::Num,
+    gravity: W::Num,
+    sheet: W,
+) -> Result<(W::Num, W::Num), Refusal> {
+    let reduced = sheet.step(
+        "λ",
+        "mm",
+        swing::reduced_length(gravity, period),
+        ("Length of the simple pendulum that swings as slowly: T² = 4π² λ/g", RAO.at("§2.3")),
+    );
+    sheet.answer(
+        "reduced_length",
+        "Length of the equal simple pendulum, to the centre of percussion",
+        reduced,
+    );
+    if reduced.value() <= distance.value() {
+        return Err(Refusal::because(
+            "the period is that of a simple pendulum shorter than the distance to the mass centre: no body swings so fast, \
+             write a longer period or a smaller distance",
+        ));
+    }
+    let about = sheet.step(
+        "J_O",
+        "kg*m^2",
+        mass * distance * reduced,
+        ("Moment of inertia about the point of suspension, from λ = J_O/(m s)", RAO.at("§2.3")),
+    );
+    sheet.answer("inertia_about_pivot", "Moment of inertia about the point of suspension", about);
+    let inertia = sheet.step(
+        "J",
+        "kg*m^2",
+        about - mass * distance.powi(2),
+        "Parallel axes: that about the mass centre is smaller by m s²",
+    );
+    let gyration = (inertia / mass).sqrt();
+    sheet.verify(|| {
+        let swings = ((gyration.powi(2) + distance.powi(2)) / (gravity * distance)).sqrt() * TAU;
+        sheet.check("the radius of gyration gives the period back", swings, period);
+    });
+    if inertia.value() < 0.02 * about.value() {
+        sheet.warn(|| {
+            Text::new("the moment of inertia is a small difference of large ones: errors of the distance and the period are multiplied; hang the body nearer to its mass centre")
+        });
+    }
+    Ok((inertia, gyration))
+}
+
+/// What two points of suspension tell.
+pub(super) struct Centre<N> {
+    pub(super) inertia: N,
+    pub(super) gyration: N,
+    /// Of the mass centre from the two points.
+    pub(super) distances: [N; 2],
+}
+
+/// About two points: where the mass centre is, and the moment of inertia about it.
+pub(super) fn two_points<W: Worksheet>(
+    mass: W::Num,
+    distance: W::Num,
+    periods: [W::Num; 2],
+    side: &Side,
+    gravity: W::Num,
+    sheet: W,
+) -> Result<Centre<W::Num>, Refusal> {
+    let reduced = |row: usize| {
+        sheet.step(
+            ("λ", row),
+            "mm",
+            swing::reduced_length(gravity, periods[row - 1]),
+            ("Length of the simple pendulum that swings as slowly", RAO.at("§2.3")),
+        )
+    };
+    let (first, second) = (reduced(1), reduced(2));
+    let length = distance.value();
+    let rest = match side {
+        Side::Between => 2.0 * length - first.value() - second.value(),
+        Side::Beyond => 2.0 * length - first.value() + second.value(),
+    };
+    if rest.abs() <= 1e-9 * length {
+        return Err(Refusal::because(
+            "the two points belong together like those of a reversible pendulum: every mass centre between them fits, \
+             choose other points",
+        ));
+    }
+    let [near, far] = match side {
+        Side::Between => {
+            let near = sheet.step(
+                ("h", 1),
+                "mm",
+                swing::centre_between(distance, first, second),
+                "From the first point to the mass centre: h₁² − λ₁ h₁ = h₂² − λ₂ h₂ = −κ², with h₁ + h₂ = L",
+            );
+            [near, sheet.step(("h", 2), "mm", distance - near, "From the second point to the mass centre")]
+        }
+        Side::Beyond => {
+            let far = sheet.step(
+                ("h", 1),
+                "mm",
+                swing::centre_beyond(distance, first, second),
+                "From the first point to the mass centre beyond the second one: h₁² − λ₁ h₁ = h₂² − λ₂ h₂ = −κ², with h₁ − h₂ = L",
+            );
+            [far, sheet.step(("h", 2), "mm", far - distance, "From the second point to the mass centre")]
+        }
+    };
+    let inside = near.value() > 0.0 && far.value() > 0.0;
+    if !inside || first.value() <= near.value() {
+        return Err(Refusal::because(
+            "no mass centre on this side fits the two periods: look whether it is between the points or beyond the second one",
+        ));
+    }
+    sheet.answer("centre", "Mass centre from the first point", near);
+    let inertia = sheet.step(
+        "J",
+        "kg*m^2",
+        mass * near * (first - near),
+        "Moment of inertia about the mass centre: m κ² = m h₁ (λ₁ − h₁)",
+    );
+    sheet.check_zero(
+        "the swings about the second point give the same moment of inertia",
+        inertia - mass * far * (second - far),
+        (mass * far * second).value().abs() + (mass * near * first).value().abs(),
+    );
+    let gyration = (inertia / mass).sqrt();
+    sheet.verify(|| {
+        let swings = ((gyration.powi(2) + far.powi(2)) / (gravity * far)).sqrt() * TAU;
+        sheet.check_zero(
+            "the radius of gyration gives the second period back",
+            swings - periods[1],
+            periods[1].value() * (1.0 + length / rest.abs()),
+        );
+    });
+    if rest.abs() < 0.05 * length {
+        sheet.warn(|| {
+            Text::new("the two periods nearly belong to a reversible pendulum: small errors of them move the mass centre far")
+        });
+    }
+    Ok(Centre { inertia, gyration, distances: [near, far] })
+}
+
+/// The period against the distance of the point of suspension from the mass centre.
+pub(super) fn period_over_distance(gyration: f64, gravity: f64, marks: &[(&'static str, f64, f64)]) -> Plot {
+    let farthest = marks.iter().fold(0.0, |farthest: f64, mark| farthest.max(mark.1));
+    let last = 3.0 * gyration.max(farthest);
+    let at = |n: u32| {
+        let distance = last * f64::from(n) / 300.0;
+        (distance, 2.0 * PI * ((gyration.powi(2) + distance.powi(2)) / (gravity * distance)).sqrt())
+    };
+    let shortest = 2.0 * PI * (2.0 * gyration / gravity).sqrt();
+    let points = (1..=300).map(at).filter(|(_, period)| *period < 4.0 * shortest).collect();
+    let plot = Plot::new(
+        "Period against the distance of the point of suspension from the mass centre",
+        Axis::linear("distance", "mm"),
+        Axis::linear("period", "s"),
+        vec![Series::line("T", points)],
+    );
+    marks
+        .iter()
+        .fold(plot, |plot, (label, distance, period)| plot.mark(*label, (*distance, *period)))
+        .mark("shortest period", (gyration, shortest))
+}
+
+/// The body with its points of suspension, at parts of the distance of the first above the mass centre.
+pub(super) fn pendulum(points: &[(&'static str, f64)]) -> Drawing {
+    let mut shapes = vec![
+        DrawnShape::Polyline(
+            vec![(-0.25, 1.3), (0.25, 1.3), (0.45, -1.2), (-0.45, -1.2), (-0.25, 1.3)],
+            Ink::Body,
+        ),
+        DrawnShape::Circle((0.0, 0.0), 0.06, Ink::Result),
+        DrawnShape::Label((0.12, 0.0), Text::from("G")),
+    ];
+    for (name, height) in points {
+        let at = (0.0, height.clamp(-1.1, 1.1));
+        shapes.push(DrawnShape::Pin(at));
+        shapes.push(DrawnShape::Label((0.12, at.1 + 0.1), Text::new("{x}").with("x", name)));
+    }
+    Drawing { title: "The body and its points of suspension".into(), shapes }
+}

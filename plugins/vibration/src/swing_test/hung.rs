@@ -1,0 +1,209 @@
+//! Bodies on wires and on rails.
+
+use std::f64::consts::{PI, TAU};
+
+use dalembert_core::{Drawing, DrawnShape, Ink, Refusal, Text, Worksheet};
+use dalembert_mechanics::{Real, vibration::swing};
+
+use super::{Platform, PlatformGiven, Wire, WireGiven, inertia, period};
+use crate::sources::{RAO, THOMSON};
+
+/// Wires on which a body hangs.
+pub(super) struct Wires<N> {
+    /// From the axis to the wires at the body.
+    pub(super) radius: N,
+    /// From the axis to the wires at the top, where it differs.
+    pub(super) top: Option<N>,
+    pub(super) length: N,
+    pub(super) gravity: N,
+}
+
+/// The moment of inertia of a body on wires.
+pub(super) fn on_wires<W: Worksheet>(
+    wires: &Wires<W::Num>,
+    mass: W::Num,
+    time: W::Num,
+    platform: Option<&PlatformGiven<W>>,
+    under: Option<&Platform>,
+    sheet: W,
+) -> Result<W::Num, Refusal> {
+    let Wires { radius, top, length, gravity } = *wires;
+    let height = match top {
+        None => length,
+        Some(top) => {
+            if (top.value() - radius.value()).abs() >= length.value() {
+                return Err(Refusal::because(
+                    "the wires are too short to reach from one circle to the other: write a larger length",
+                ));
+            }
+            sheet.step(
+                "h",
+                "mm",
+                (length.powi(2) - (top - radius).powi(2)).sqrt(),
+                "Vertical distance of the two ends of a wire",
+            )
+        }
+    };
+    let above = top.unwrap_or(radius);
+    let why = ("The wires lean as the body turns and lift it: J ω² = m g r R/h", THOMSON.at("ch. 2"));
+    let of = |weight: W::Num, time: W::Num| swing::on_wires(weight, radius, above, height, time);
+    let (whole, inertia) = match (platform, under) {
+        (Some(given), Some(under)) => {
+            let empty = period(&given.swings, &under.swings, "0", sheet);
+            let alone = sheet.step(
+                "J₀",
+                "kg*m^2",
+                of(given.mass * gravity, empty),
+                "Moment of inertia of the platform alone",
+            );
+            let both = sheet.step("J_s", "kg*m^2", of((mass + given.mass) * gravity, time), why);
+            if alone.value() >= both.value() {
+                return Err(Refusal::because(
+                    "the platform with the body has no larger moment of inertia than the platform alone: look at the periods",
+                ));
+            }
+            sheet.answer("platform", "Moment of inertia of the platform", alone);
+            let inertia = sheet.step("J", "kg*m^2", both - alone, "What the body adds to the platform");
+            ((mass + given.mass, both), inertia)
+        }
+        _ => {
+            let inertia = sheet.step("J", "kg*m^2", of(mass * gravity, time), why);
+            ((mass, inertia), inertia)
+        }
+    };
+    sheet.verify(|| {
+        let (mass, inertia) = whole;
+        let stiffness =
+            mass.value() * gravity.value() * lifted(radius.value(), above.value(), height.value());
+        sheet.check(
+            "period from the height by which the body is lifted as it turns",
+            W::Num::from((inertia.value() / stiffness).sqrt() * TAU),
+            time,
+        );
+    });
+    Ok(inertia)
+}
+
+/// Twice the height by which a body on wires is lifted, over the square of the angle, as the angle goes to zero: by the
+/// geometry of the wires at four angles, extrapolated.
+fn lifted(below: f64, above: f64, height: f64) -> f64 {
+    let at = |angle: f64| {
+        let raised = 4.0 * below * above * (angle / 2.0).sin().powi(2);
+        2.0 * raised / ((height + (height * height - raised).max(0.0).sqrt()) * angle * angle)
+    };
+    let step = 0.02 * (height / (below * above).sqrt()).min(1.0);
+    let mut row: Vec<f64> = (0..4).map(|n| at(step / f64::from(1 << n))).collect();
+    for level in 1..4 {
+        let share = f64::from(1 << (2 * level));
+        row = row.windows(2).map(|pair| (share * pair[1] - pair[0]) / (share - 1.0)).collect();
+    }
+    row[0]
+}
+
+/// The moment of inertia of a body on a torsion wire.
+pub(super) fn on_torsion_wire<W: Worksheet>(
+    time: W::Num,
+    given: &WireGiven<W>,
+    wire: &Wire,
+    sheet: W,
+) -> Result<W::Num, Refusal> {
+    let (inertia, stiffness) = match (given, wire) {
+        (WireGiven::Added { inertia: added, swings }, Wire::Added { swings: own, .. }) => {
+            let added = inertia::moment_of_inertia(added, sheet, "J_a".into());
+            let longer = period(swings, own, "a", sheet);
+            if longer.value() <= time.value() {
+                return Err(Refusal::because(
+                    "the period with the added inertia is not longer than without it: look which is which",
+                ));
+            }
+            let why = (
+                "The stiffness is the same: J/T² = (J + J_a)/T_a², so that J follows from the two periods",
+                RAO.at("§2.3"),
+            );
+            let inertia =
+                sheet.step("J", "kg*m^2", added * time.powi(2) / (longer.powi(2) - time.powi(2)), why);
+            let both = (inertia + added) * (4.0 * PI * PI) / longer.powi(2);
+            (inertia, both)
+        }
+        (WireGiven::Reference { inertia: known, swings }, Wire::Reference { swings: own, .. }) => {
+            let known = inertia::moment_of_inertia(known, sheet, "J_k".into());
+            let other = period(swings, own, "k", sheet);
+            let why = "The stiffness is the same: moments of inertia are as the squares of the periods";
+            let inertia = sheet.step("J", "kg*m^2", known * (time / other).powi(2), why);
+            (inertia, known * (4.0 * PI * PI) / other.powi(2))
+        }
+        (WireGiven::Stiffness { stiffness }, _) => {
+            let why = ("Torsional pendulum: T² = 4π² J/k_t", RAO.at("§2.3"));
+            let inertia = sheet.step("J", "kg*m^2", *stiffness * time.powi(2) / (4.0 * PI * PI), why);
+            (inertia, *stiffness)
+        }
+        _ => return Err(Refusal::because("what is known of the wire is missing: write it")),
+    };
+    sheet.verify(|| {
+        sheet.check(
+            "period of the body on the stiffness of the wire",
+            (inertia / stiffness).sqrt() * TAU,
+            time,
+        );
+    });
+    if !matches!(wire, Wire::Stiffness { .. }) {
+        let stiffness = sheet.step("k_t", "N*m/rad", stiffness, "Torsional stiffness of the wire");
+        sheet.answer("stiffness", "Torsional stiffness of the wire", stiffness);
+    }
+    Ok(inertia)
+}
+
+/// A body on wires that stand at `top` times its radius above.
+pub(super) fn wires(top: f64) -> Drawing {
+    let shapes = vec![
+        DrawnShape::Ground((1.4, 2.0), (-1.4, 2.0)),
+        DrawnShape::Polyline(vec![(-top, 2.0), (-1.0, 0.0)], Ink::Body),
+        DrawnShape::Polyline(vec![(top, 2.0), (1.0, 0.0)], Ink::Body),
+        DrawnShape::Block((-1.2, -0.25), (1.2, 0.0), Ink::Body),
+        DrawnShape::Polyline(vec![(0.0, 2.2), (0.0, -0.6)], Ink::Faint),
+        DrawnShape::Arc((0.0, -0.5), 0.4, PI, TAU, Ink::Motion),
+        DrawnShape::Label((0.4, 0.12), Text::from("r")),
+        DrawnShape::Label((1.15, 1.0), Text::from("l")),
+    ];
+    Drawing { title: "The body on its wires".into(), shapes }
+}
+
+/// A body on a torsion wire.
+pub(super) fn torsion() -> Drawing {
+    let shapes = vec![
+        DrawnShape::Ground((0.8, 2.0), (-0.8, 2.0)),
+        DrawnShape::Polyline(vec![(0.0, 2.0), (0.0, 0.0)], Ink::Body),
+        DrawnShape::Block((-1.0, -0.4), (1.0, 0.0), Ink::Body),
+        DrawnShape::Arc((0.0, -0.6), 0.5, PI, TAU, Ink::Motion),
+        DrawnShape::Label((0.1, 1.0), Text::from("k_t")),
+    ];
+    Drawing { title: "The body on the wire".into(), shapes }
+}
+
+/// A journal in a hollow rail.
+pub(super) fn rails() -> Drawing {
+    let (turn, reach) = (0.35f64, 1.7);
+    let at = (reach * turn.sin(), 2.0 - reach * turn.cos());
+    let shapes = vec![
+        DrawnShape::Arc((0.0, 2.0), 2.0, 1.15 * PI, 1.85 * PI, Ink::Body),
+        DrawnShape::Polyline(vec![(0.0, 2.0), at], Ink::Faint),
+        DrawnShape::Circle(at, 0.3, Ink::Body),
+        DrawnShape::Circle(at, 0.75, Ink::Faint),
+        DrawnShape::Label((0.1, 1.2), Text::from("R")),
+        DrawnShape::Label((at.0 + 0.05, at.1), Text::from("ρ")),
+    ];
+    Drawing { title: "The journal in the hollow rail".into(), shapes }
+}
+
+/// A journal on an inclined rail.
+pub(super) fn incline() -> Drawing {
+    let shapes = vec![
+        DrawnShape::Ground((0.0, 0.0), (3.0, 1.0)),
+        DrawnShape::Polyline(vec![(0.0, 0.0), (3.0, 0.0)], Ink::Faint),
+        DrawnShape::Circle((1.905, 0.985), 0.3, Ink::Body),
+        DrawnShape::Circle((1.905, 0.985), 0.75, Ink::Faint),
+        DrawnShape::Arrow((1.6, 1.2), (0.9, 0.97), Ink::Motion),
+        DrawnShape::Label((0.7, 0.05), Text::from("α")),
+    ];
+    Drawing { title: "The journal on the inclined rail".into(), shapes }
+}
