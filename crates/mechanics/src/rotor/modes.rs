@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{
-    Assembled, RotorError,
+    Assembled, RotorError, Support,
     basis::Basis,
     response::Orbit,
     stiffness::{Node, Stiffness},
@@ -13,7 +13,11 @@ use super::{
 use crate::linalg;
 
 /// Where a share of the square of a natural frequency is as good as exact.
-const EXACT: f64 = 1e-11;
+const EXACT: f64 = 1e-10;
+
+/// What may be lost of the energy of a mode when shapes are condensed, as a multiple of the share that is as good as
+/// exact: shapes taken for one mode hold most of what is lost of another.
+const CONDENSED: f64 = 10.0;
 
 /// A motion whose frequency is below this share of the size of its eigenvalue (ζ > 0.954) creeps rather than swings.
 /// Internal damping gives such motions a slow turn with the spin, which is no vibration.
@@ -59,7 +63,7 @@ pub struct Spectrum {
 pub struct Reduced<'a> {
     pub(super) rotor: &'a Assembled,
     basis: Basis,
-    count: usize,
+    pub(super) count: usize,
 }
 
 impl Mode {
@@ -122,21 +126,33 @@ impl<'a> Reduced<'a> {
     ) -> Result<Self, RotorError> {
         let middle = speeds.iter().sum::<f64>() / speeds.len().max(1) as f64;
         let mut reduced = Self { rotor, basis: Basis::new(rotor, middle)?, count };
+        let mut found = Vec::new();
         for &speed in speeds {
-            // Each round squares the error or so; more than a few mean that rounding is the limit.
+            let mut modes = reduced.modes(speed)?.modes;
+            // A round leaves a small part of the error; more than a few mean that rounding is the limit.
             for _ in 0..10 {
                 let mut answers = Vec::new();
-                for mode in reduced.modes(speed)?.modes {
+                let mut worst = 0.0f64;
+                for mode in &modes {
                     let residual = Stiffness::new(rotor, mode.lambda, speed).times(&mode.shape);
                     let (error, shapes) = reduced.basis.error(&mode.shape, &residual);
                     if error > share {
+                        worst = worst.max(error);
                         answers.extend(shapes);
                     }
                 }
-                if answers.is_empty() || !reduced.basis.improve(rotor, answers, share)? {
+                // Directions are rough while the error is large: only the main ones are worth a shape.
+                let least = (0.05 * share).max(1e-3 * worst);
+                if answers.is_empty() || !reduced.basis.improve(rotor, answers, least)? {
                     break;
                 }
+                modes = reduced.modes(speed)?.modes;
             }
+            found.extend(modes.into_iter().map(|mode| mode.shape));
+        }
+        // Bearings that change with speed may ask for other shapes between these speeds.
+        if !found.is_empty() && rotor.supports.iter().all(Support::is_constant) {
+            reduced.basis.condense(rotor, &found, CONDENSED * share)?;
         }
         Ok(reduced)
     }
