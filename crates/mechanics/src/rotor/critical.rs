@@ -188,7 +188,7 @@ fn secant(
 ) -> Result<Critical, RotorError> {
     let first = mode.lambda;
     let at = |mode: &mut Mode, speed: f64| -> Result<f64, RotorError> {
-        mode.lambda = polished(rotor, mode, speed)?;
+        *mode = polished(rotor, mode, speed)?;
         Ok(function(mode.lambda, speed))
     };
     let mut before = speed;

@@ -127,13 +127,14 @@ impl<'a> Reduced<'a> {
         let middle = speeds.iter().sum::<f64>() / speeds.len().max(1) as f64;
         let mut reduced = Self { rotor, basis: Basis::new(rotor, middle)?, count };
         let mut found = Vec::new();
+        let mut creeps = false;
         for &speed in speeds {
-            let mut modes = reduced.modes(speed)?.modes;
+            let mut spectrum = reduced.modes(speed)?;
             // A round leaves a small part of the error; more than a few mean that rounding is the limit.
             for _ in 0..10 {
                 let mut answers = Vec::new();
                 let mut worst = 0.0f64;
-                for mode in &modes {
+                for mode in &spectrum.modes {
                     let residual = Stiffness::new(rotor, mode.lambda, speed).times(&mode.shape);
                     let (error, shapes) = reduced.basis.error(&mode.shape, &residual);
                     if error > share {
@@ -146,12 +147,15 @@ impl<'a> Reduced<'a> {
                 if answers.is_empty() || !reduced.basis.improve(rotor, answers, least)? {
                     break;
                 }
-                modes = reduced.modes(speed)?.modes;
+                spectrum = reduced.modes(speed)?;
             }
-            found.extend(modes.into_iter().map(|mode| mode.shape));
+            creeps |= !spectrum.overdamped.is_empty();
+            found.extend(spectrum.modes.into_iter().map(|mode| mode.shape));
         }
-        // Bearings that change with speed may ask for other shapes between these speeds.
-        if !found.is_empty() && rotor.supports.iter().all(Support::is_constant) {
+        // Bearings that change with speed may ask for other shapes between these speeds, and motions that creep back
+        // or away have shapes that no mode holds.
+        let steady = reduced.basis.shift == 0.0 && rotor.supports.iter().all(Support::is_constant);
+        if steady && !creeps && !found.is_empty() {
             reduced.basis.condense(rotor, &found, CONDENSED * share)?;
         }
         Ok(reduced)
@@ -316,11 +320,12 @@ fn alike(matrix: &DMatrix<f64>) -> bool {
     (0..m).all(|i| (0..m).all(|j| off(i, j) <= least))
 }
 
-/// The eigenvalue nearest to that of a mode, by a step of inverse iteration on all equations of the rotor at a speed.
+/// The mode nearest to one of a reduced model, its eigenvalue and shape (of unit mass) by inverse iteration on all
+/// equations of the rotor at a speed.
 ///
 /// # Errors
 /// `Linalg` where the equations cannot be factorised.
-pub fn polished(rotor: &Assembled, mode: &Mode, speed: f64) -> Result<Complex<f64>, RotorError> {
+pub fn polished(rotor: &Assembled, mode: &Mode, speed: f64) -> Result<Mode, RotorError> {
     let mut lambda = mode.lambda;
     let mut shape: Vec<Node> = mode.shape.clone();
     for offset in [1e-5, 1e-7] {
@@ -345,10 +350,11 @@ pub fn polished(rotor: &Assembled, mode: &Mode, speed: f64) -> Result<Complex<f6
             sum
         };
         lambda = near - inner(&shape, &shape) / inner(&shape, &turned);
-        shape = turned;
+        let size = inner(&turned, &turned).re.sqrt();
+        shape = turned.into_iter().map(|node| node.map(|x| x / size)).collect();
     }
     if lambda.re.is_finite() && lambda.im.is_finite() {
-        Ok(lambda)
+        Ok(Mode { lambda, shape, coordinates: mode.coordinates.clone() })
     } else {
         Err(linalg::LinalgError::NotConverged.into())
     }
