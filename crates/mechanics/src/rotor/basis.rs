@@ -79,8 +79,7 @@ impl Basis {
         let loads: Vec<DVector<f64>> = bearings.chain(discs).chain(rigid).collect();
         let answers = loads.iter().map(|load| basis.factors.solve(load));
         let answers = answers.map(|shape| &shape / basis.energy(&shape).sqrt()).collect();
-        basis.improve(rotor, answers, 1e-14)?;
-        Ok(basis)
+        if basis.improve(rotor, answers, 1e-14)? { Ok(basis) } else { Err(RotorError::Rigid) }
     }
 
     /// The number of shapes.
@@ -150,8 +149,7 @@ impl Basis {
         let shapes = shapes.collect();
         self.shapes.clear();
         self.weighted.clear();
-        self.improve(rotor, shapes, share)?;
-        Ok(())
+        if self.improve(rotor, shapes, share)? { Ok(()) } else { Err(RotorError::Rigid) }
     }
 
     /// Leaves of a shape what is new against the shapes from the `first` on.
@@ -180,6 +178,9 @@ impl Basis {
         // Largest first: the lowest frequencies.
         let order: Vec<usize> =
             (0..self.len()).rev().filter(|&n| eigen.values[n] > MASSLESS * largest).collect();
+        if order.is_empty() {
+            return Err(RotorError::Rigid);
+        }
         let masses: Vec<f64> = order.iter().map(|&n| eigen.values[n] * scale).collect();
         self.vectors = shapes * eigen.vectors.select_columns(&order);
         for (mut vector, mass) in self.vectors.column_iter_mut().zip(&masses) {
