@@ -17,12 +17,16 @@ const ELEMENTS: usize = 30;
 const ROUNDS: usize = 9;
 
 fn main() {
-    let modes = measure(|| {
-        let rotor = Assembled::new(&rotor()).expect("the rotor is well formed");
-        let reduced = Reduced::new(&rotor, 12, &[0.0, 1000.0]).expect("the rotor has modes");
-        let speeds: Vec<f64> = (0..50).map(|n| f64::from(n) * 1000.0 / 49.0).collect();
-        black_box(campbell(&reduced, &speeds).expect("the rotor has modes"));
-    });
+    let modes = |count: usize| {
+        measure(|| {
+            let rotor = Assembled::new(&rotor()).expect("the rotor is well formed");
+            let reduced = Reduced::new(&rotor, count, &[0.0, 1000.0]).expect("the rotor has modes");
+            let speeds: Vec<f64> = (0..50).map(|n| f64::from(n) * 1000.0 / 49.0).collect();
+            black_box(campbell(&reduced, &speeds).expect("the rotor has modes"));
+        })
+    };
+    // Six modes are what the Campbell diagram of the yardstick shows.
+    let (six, twelve) = (modes(6), modes(12));
     let response = measure(|| {
         let rotor = Assembled::new(&rotor()).expect("the rotor is well formed");
         let unbalance = Unbalance { node: ELEMENTS / 3, size: 1e-3, angle: 0.0 };
@@ -31,9 +35,10 @@ fn main() {
             black_box(unbalance_response(&rotor, &[unbalance], speed).expect("the rotor is damped"));
         }
     });
-    println!("rotor of 30 elements, 12 modes at 50 speeds\t{modes:.1} ms\t");
+    println!("rotor of 30 elements, 6 modes at 50 speeds\t{six:.1} ms\t");
+    println!("rotor of 30 elements, 12 modes at 50 speeds\t{twelve:.1} ms\t");
     println!("rotor of 30 elements, unbalance at 501 speeds\t{response:.1} ms\t");
-    println!("rotor of 30 elements, both\t{:.1} ms\t≤ 50 ms", modes + response);
+    println!("rotor of 30 elements, 6 modes and unbalance\t{:.1} ms\t≤ 50 ms", six + response);
 }
 
 /// The median time of a few rounds, ms.

@@ -150,6 +150,11 @@ impl Support {
         Self { node, hold: Hold::Bearing(vec![(0.0, coefficients)]) }
     }
 
+    /// Whether it is the same at every speed.
+    pub fn is_constant(&self) -> bool {
+        !matches!(&self.hold, Hold::Bearing(table) if table.len() > 1)
+    }
+
     /// The coefficients of a bearing at a speed; `None` for a rigid support.
     pub fn at(&self, speed: f64) -> Option<Coefficients> {
         let Hold::Bearing(table) = &self.hold else { return None };

@@ -308,7 +308,8 @@ impl RotorDynamics {
         conservative: bool,
         sheet: W,
     ) -> Result<(), Refusal> {
-        let mut lambda = modes::polished(all, mode, self.speed).map_err(refusal)?;
+        let exact = modes::polished(all, mode, self.speed).map_err(refusal)?;
+        let mut lambda = exact.lambda;
         if conservative || lambda.re.abs() < STILL * lambda.norm() {
             lambda.re = 0.0;
         }
@@ -372,7 +373,7 @@ impl RotorDynamics {
         }
         if self.speed > 0.0 {
             let orbit = (0..all.nodes())
-                .map(|node| mode.orbit(node))
+                .map(|node| exact.orbit(node))
                 .max_by(|a, b| a.major.total_cmp(&b.major))
                 .map_or(0.0, |orbit| orbit.minor / orbit.major);
             let ratio = if orbit.abs() < 1e-9 { 0.0 } else { orbit };

@@ -3,15 +3,19 @@
 //! The first shapes are the answers of the shaft on its mean bearings to the loads that rotation and the bearings can
 //! put on it; the Ritz modes in their space are the coordinates. How much a mode is still off is told by its residual
 //! in the full equations, and where that is too much the shapes that would take the residual away are added: some
-//! rounds of them make ten digits. With all shapes the space is the full model.
+//! rounds of them make ten digits. With all shapes the space is the full model. Since the modes of many speeds share
+//! their shapes, the fewest shapes that hold them all are taken in the end: an eigenproblem costs their number cubed.
+//!
+//! Shapes are measured by their strain energy, in whose share a natural frequency errs.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{Assembled, Plane, RotorError, plane, stiffness::Node};
 use crate::linalg;
 
-/// The plane of `x` or `y`, and the real or the imaginary part.
-type Part = (usize, fn(&Complex<f64>) -> f64);
+/// Below this share of the largest modal mass of shapes of unit energy a shape counts as massless: its frequency
+/// would be millions of times the lowest.
+const MASSLESS: f64 = 1e-14;
 
 /// Ritz modes of one plane.
 pub(super) struct Basis {
@@ -28,9 +32,9 @@ pub(super) struct Basis {
     pub(super) hysteretic: DMatrix<f64>,
     stiffness: Plane,
     factors: plane::Factors,
-    /// The shapes before they became Ritz modes.
+    /// The shapes before they became Ritz modes, orthonormal in the stiffness.
     shapes: Vec<DVector<f64>>,
-    /// The mass times each of them.
+    /// The stiffness times each of them.
     weighted: Vec<DVector<f64>>,
 }
 
@@ -73,9 +77,9 @@ impl Basis {
             DVector::from_fn(size, |n, _| if n % 2 == 0 { rotor.positions[n / 2] } else { 1.0 } / length);
         let rigid = [level, tilted].map(|shape| rotor.mass.times(&shape));
         let loads: Vec<DVector<f64>> = bearings.chain(discs).chain(rigid).collect();
-        basis.add(rotor, &loads);
-        basis.ritz(rotor)?;
-        Ok(basis)
+        let answers = loads.iter().map(|load| basis.factors.solve(load));
+        let answers = answers.map(|shape| &shape / basis.energy(&shape).sqrt()).collect();
+        if basis.improve(rotor, answers, 1e-14)? { Ok(basis) } else { Err(RotorError::Rigid) }
     }
 
     /// The number of shapes.
@@ -83,44 +87,106 @@ impl Basis {
         self.shapes.len()
     }
 
-    /// Adds the answers to loads, as far as they are new.
-    fn add(&mut self, rotor: &Assembled, loads: &[DVector<f64>]) {
-        for load in loads {
-            let shape = self.factors.solve(load);
-            let size = norm(&shape, &rotor.mass.times(&shape));
+    /// The share by which the square of a natural frequency is still off, from the residual of its mode in the full
+    /// equations; and the shapes that would take the residual away, each with its part of that share as energy.
+    pub(super) fn error(&self, shape: &[Node], residual: &[Node]) -> (f64, [DVector<f64>; 4]) {
+        let whole: f64 = parts(shape).iter().map(|part| self.energy(part)).sum();
+        let loads = parts(residual);
+        let answers = loads.each_ref().map(|load| self.factors.solve(load));
+        let off: f64 = loads.iter().zip(&answers).map(|(load, answer)| load.dot(answer)).sum();
+        (off / whole, answers.map(|answer| answer / whole.sqrt()))
+    }
+
+    /// Adds what is new of some shapes and makes new Ritz modes; false where nothing was. Always the shape of which
+    /// most is new goes next, until the energy left of each is below `least`: so the shapes remain few.
+    pub(super) fn improve(
+        &mut self,
+        rotor: &Assembled,
+        mut answers: Vec<DVector<f64>>,
+        least: f64,
+    ) -> Result<bool, RotorError> {
+        let before = self.len();
+        answers.retain(|answer| answer.iter().all(|x| x.is_finite()));
+        let mut parted = 0;
+        loop {
+            for answer in &mut answers {
+                self.part_from(parted, answer);
+            }
+            parted = self.len();
+            let energies = answers.iter().map(|answer| self.energy(answer));
+            let Some((most, energy)) = energies.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)) else { break };
+            if energy < least || parted == self.factors.size() {
+                break;
+            }
+            let mut shape = answers.swap_remove(most);
+            self.part_from(0, &mut shape);
+            let weighted = self.stiffness.times(&shape);
+            let size = shape.dot(&weighted).sqrt();
             if size > 0.0 && size.is_finite() {
-                self.take(rotor, shape / size, 1e-7);
+                self.shapes.push(shape / size);
+                self.weighted.push(weighted / size);
             }
+        }
+        let new = self.len() > before;
+        if new {
+            self.ritz(rotor)?;
+        }
+        Ok(new)
+    }
+
+    /// Takes the fewest shapes that hold some modes, up to a share of their energy, in place of all.
+    pub(super) fn condense(
+        &mut self,
+        rotor: &Assembled,
+        modes: &[Vec<Node>],
+        share: f64,
+    ) -> Result<(), RotorError> {
+        let shapes = modes.iter().flat_map(|mode| {
+            let parts = parts(mode);
+            let whole: f64 = parts.iter().map(|part| self.energy(part)).sum();
+            parts.map(|part| part / whole.sqrt())
+        });
+        let shapes = shapes.collect();
+        self.shapes.clear();
+        self.weighted.clear();
+        if self.improve(rotor, shapes, share)? { Ok(()) } else { Err(RotorError::Rigid) }
+    }
+
+    /// Leaves of a shape what is new against the shapes from the `first` on.
+    fn part_from(&self, first: usize, shape: &mut DVector<f64>) {
+        for (other, weighted) in self.shapes.iter().zip(&self.weighted).skip(first) {
+            let share = weighted.dot(shape);
+            shape.axpy(-share, other, 1.0);
         }
     }
 
-    /// Takes what is new of a shape, if it is no smaller than that.
-    fn take(&mut self, rotor: &Assembled, mut shape: DVector<f64>, least: f64) {
-        for _ in 0..2 {
-            for (other, weighted) in self.shapes.iter().zip(&self.weighted) {
-                let share = weighted.dot(&shape);
-                shape.axpy(-share, other, 1.0);
-            }
-        }
-        let weighted = rotor.mass.times(&shape);
-        let left = norm(&shape, &weighted);
-        if left > least {
-            self.shapes.push(shape / left);
-            self.weighted.push(weighted / left);
-        }
+    /// Twice the strain energy of a shape on the mean bearings.
+    fn energy(&self, shape: &DVector<f64>) -> f64 {
+        shape.dot(&self.stiffness.times(shape)).max(0.0)
     }
 
-    /// Makes Ritz modes of the shapes.
+    /// Makes Ritz modes of the shapes; what has next to no mass has none.
     fn ritz(&mut self, rotor: &Assembled) -> Result<(), RotorError> {
-        if self.shapes.is_empty() {
+        let shapes = DMatrix::from_columns(&self.shapes);
+        let mass = project(&rotor.mass, &shapes);
+        let scale = mass.amax();
+        if !(scale > 0.0 && scale.is_finite()) {
             return Err(RotorError::Rigid);
         }
-        let shapes = DMatrix::from_columns(&self.shapes);
-        let stiffness = project(&self.stiffness, &shapes);
-        let scale = stiffness.amax();
-        let eigen = linalg::symmetric_eigen(&(stiffness / scale))?;
-        self.vectors = shapes * eigen.vectors;
-        self.frequencies = eigen.values.iter().map(|value| (value.max(0.0) * scale).sqrt()).collect();
+        let eigen = linalg::symmetric_eigen(&(mass / scale))?;
+        let largest = eigen.values.max();
+        // Largest first: the lowest frequencies.
+        let order: Vec<usize> =
+            (0..self.len()).rev().filter(|&n| eigen.values[n] > MASSLESS * largest).collect();
+        if order.is_empty() {
+            return Err(RotorError::Rigid);
+        }
+        let masses: Vec<f64> = order.iter().map(|&n| eigen.values[n] * scale).collect();
+        self.vectors = shapes * eigen.vectors.select_columns(&order);
+        for (mut vector, mass) in self.vectors.column_iter_mut().zip(&masses) {
+            vector /= mass.sqrt();
+        }
+        self.frequencies = masses.iter().map(|mass| mass.sqrt().recip()).collect();
         self.gyroscopic = project(&rotor.gyroscopic, &self.vectors);
         if rotor.internal {
             self.viscous = project(&rotor.viscous, &self.vectors);
@@ -128,53 +194,14 @@ impl Basis {
         }
         Ok(())
     }
-
-    /// The share by which the square of a natural frequency is still off, from the residual of its mode (of unit
-    /// mass) in the full equations; and the shapes that would take the residual away.
-    pub(super) fn error(&self, shape: &[Node], residual: &[Node]) -> (f64, [DVector<f64>; 4]) {
-        let part = |from: &[Node], plane: usize, of: fn(&Complex<f64>) -> f64| {
-            DVector::from_fn(2 * from.len(), |n, _| of(&from[n / 2][2 * plane + n % 2]))
-        };
-        let parts: [Part; 4] = [(0, |x| x.re), (0, |x| x.im), (1, |x| x.re), (1, |x| x.im)];
-        let loads = parts.map(|(plane, of)| part(residual, plane, of));
-        let answers = loads.each_ref().map(|load| self.factors.solve(load));
-        let off: f64 = loads.iter().zip(&answers).map(|(load, answer)| load.dot(answer)).sum();
-        let whole: f64 = parts
-            .iter()
-            .map(|&(plane, of)| {
-                let shape = part(shape, plane, of);
-                shape.dot(&self.stiffness.times(&shape))
-            })
-            .sum();
-        (off / whole, answers)
-    }
-
-    /// Adds shapes and makes new Ritz modes; false where nothing was new. Parts of them whose square is far below
-    /// the share that matters are left out.
-    pub(super) fn improve(
-        &mut self,
-        rotor: &Assembled,
-        mut answers: Vec<DVector<f64>>,
-        share: f64,
-    ) -> Result<bool, RotorError> {
-        let before = self.len();
-        let size = |shape: &DVector<f64>| norm(shape, &rotor.mass.times(shape));
-        answers.sort_by(|a, b| size(b).total_cmp(&size(a)));
-        for answer in answers {
-            if answer.iter().all(|x| x.is_finite()) {
-                self.take(rotor, answer, 0.1 * share.sqrt());
-            }
-        }
-        if self.len() == before {
-            return Ok(false);
-        }
-        self.ritz(rotor)?;
-        Ok(true)
-    }
 }
 
-fn norm(shape: &DVector<f64>, weighted: &DVector<f64>) -> f64 {
-    shape.dot(weighted).max(0.0).sqrt()
+/// The real shapes of a complex one: real and imaginary part in the plane of `x`, and in that of `y`.
+fn parts(of: &[Node]) -> [DVector<f64>; 4] {
+    let part = |plane: usize, value: fn(&Complex<f64>) -> f64| {
+        DVector::from_fn(2 * of.len(), |n, _| value(&of[n / 2][2 * plane + n % 2]))
+    };
+    [part(0, |x| x.re), part(0, |x| x.im), part(1, |x| x.re), part(1, |x| x.im)]
 }
 
 fn project(plane: &Plane, vectors: &DMatrix<f64>) -> DMatrix<f64> {

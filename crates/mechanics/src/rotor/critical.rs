@@ -19,7 +19,8 @@ pub struct Critical {
     pub mode: Mode,
 }
 
-/// The critical speeds of a conservative rotor up to a speed, without going over the speeds.
+/// The critical speeds of a conservative rotor up to a speed, the lowest of them, as many as the reduced model has
+/// modes; without going over the speeds.
 ///
 /// With `ω = s Ω` the equations of free whirl are `(K − ω²(M − iG/s)) v = 0`, a Hermitian eigenproblem for any
 /// slope `s` of the line. `M − iG/s` is not positive where polar inertia prevails; such whirl has no critical speed.
@@ -59,7 +60,7 @@ pub fn direct(reduced: &Reduced<'_>, slope: f64, highest: f64) -> Result<Vec<Cri
     let mut basis: Vec<DVector<Complex<f64>>> = Vec::new();
     for at in (0..2 * n).rev() {
         let value = pairs.values[at];
-        if value <= 0.0 {
+        if value <= 0.0 || found.len() == reduced.count {
             break;
         }
         let frequency = (scale / value).sqrt();
@@ -187,7 +188,7 @@ fn secant(
 ) -> Result<Critical, RotorError> {
     let first = mode.lambda;
     let at = |mode: &mut Mode, speed: f64| -> Result<f64, RotorError> {
-        mode.lambda = polished(rotor, mode, speed)?;
+        *mode = polished(rotor, mode, speed)?;
         Ok(function(mode.lambda, speed))
     };
     let mut before = speed;

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{
-    Assembled, RotorError,
+    Assembled, RotorError, Support,
     basis::Basis,
     response::Orbit,
     stiffness::{Node, Stiffness},
@@ -13,7 +13,11 @@ use super::{
 use crate::linalg;
 
 /// Where a share of the square of a natural frequency is as good as exact.
-const EXACT: f64 = 1e-11;
+const EXACT: f64 = 1e-10;
+
+/// What may be lost of the energy of a mode when shapes are condensed, as a multiple of the share that is as good as
+/// exact: shapes taken for one mode hold most of what is lost of another.
+const CONDENSED: f64 = 10.0;
 
 /// A motion whose frequency is below this share of the size of its eigenvalue (ζ > 0.954) creeps rather than swings.
 /// Internal damping gives such motions a slow turn with the spin, which is no vibration.
@@ -59,7 +63,7 @@ pub struct Spectrum {
 pub struct Reduced<'a> {
     pub(super) rotor: &'a Assembled,
     basis: Basis,
-    count: usize,
+    pub(super) count: usize,
 }
 
 impl Mode {
@@ -122,21 +126,37 @@ impl<'a> Reduced<'a> {
     ) -> Result<Self, RotorError> {
         let middle = speeds.iter().sum::<f64>() / speeds.len().max(1) as f64;
         let mut reduced = Self { rotor, basis: Basis::new(rotor, middle)?, count };
+        let mut found = Vec::new();
+        let mut creeps = false;
         for &speed in speeds {
-            // Each round squares the error or so; more than a few mean that rounding is the limit.
+            let mut spectrum = reduced.modes(speed)?;
+            // A round leaves a small part of the error; more than a few mean that rounding is the limit.
             for _ in 0..10 {
                 let mut answers = Vec::new();
-                for mode in reduced.modes(speed)?.modes {
+                let mut worst = 0.0f64;
+                for mode in &spectrum.modes {
                     let residual = Stiffness::new(rotor, mode.lambda, speed).times(&mode.shape);
                     let (error, shapes) = reduced.basis.error(&mode.shape, &residual);
                     if error > share {
+                        worst = worst.max(error);
                         answers.extend(shapes);
                     }
                 }
-                if answers.is_empty() || !reduced.basis.improve(rotor, answers, share)? {
+                // Directions are rough while the error is large: only the main ones are worth a shape.
+                let least = (0.05 * share).max(1e-3 * worst);
+                if answers.is_empty() || !reduced.basis.improve(rotor, answers, least)? {
                     break;
                 }
+                spectrum = reduced.modes(speed)?;
             }
+            creeps |= !spectrum.overdamped.is_empty();
+            found.extend(spectrum.modes.into_iter().map(|mode| mode.shape));
+        }
+        // Bearings that change with speed may ask for other shapes between these speeds, and motions that creep back
+        // or away have shapes that no mode holds.
+        let steady = reduced.basis.shift == 0.0 && rotor.supports.iter().all(Support::is_constant);
+        if steady && !creeps && !found.is_empty() {
+            reduced.basis.condense(rotor, &found, CONDENSED * share)?;
         }
         Ok(reduced)
     }
@@ -300,11 +320,12 @@ fn alike(matrix: &DMatrix<f64>) -> bool {
     (0..m).all(|i| (0..m).all(|j| off(i, j) <= least))
 }
 
-/// The eigenvalue nearest to that of a mode, by a step of inverse iteration on all equations of the rotor at a speed.
+/// The mode nearest to one of a reduced model, its eigenvalue and shape (of unit mass) by inverse iteration on all
+/// equations of the rotor at a speed.
 ///
 /// # Errors
 /// `Linalg` where the equations cannot be factorised.
-pub fn polished(rotor: &Assembled, mode: &Mode, speed: f64) -> Result<Complex<f64>, RotorError> {
+pub fn polished(rotor: &Assembled, mode: &Mode, speed: f64) -> Result<Mode, RotorError> {
     let mut lambda = mode.lambda;
     let mut shape: Vec<Node> = mode.shape.clone();
     for offset in [1e-5, 1e-7] {
@@ -329,10 +350,11 @@ pub fn polished(rotor: &Assembled, mode: &Mode, speed: f64) -> Result<Complex<f6
             sum
         };
         lambda = near - inner(&shape, &shape) / inner(&shape, &turned);
-        shape = turned;
+        let size = inner(&turned, &turned).re.sqrt();
+        shape = turned.into_iter().map(|node| node.map(|x| x / size)).collect();
     }
     if lambda.re.is_finite() && lambda.im.is_finite() {
-        Ok(lambda)
+        Ok(Mode { lambda, shape, coordinates: mode.coordinates.clone() })
     } else {
         Err(linalg::LinalgError::NotConverged.into())
     }

@@ -102,6 +102,11 @@ impl Plane {
 }
 
 impl Factors {
+    /// The number of freedoms.
+    pub(super) fn size(&self) -> usize {
+        2 * self.pivots.len()
+    }
+
     /// The solution of `A x = b`.
     pub(super) fn solve(&self, b: &DVector<f64>) -> DVector<f64> {
         let mut x = b.clone();

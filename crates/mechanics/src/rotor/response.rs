@@ -3,7 +3,7 @@
 use nalgebra::Complex;
 
 use super::{
-    Assembled, RotorError,
+    Assembled, Coefficients, RotorError,
     stiffness::{Node, Stiffness},
 };
 
@@ -62,11 +62,8 @@ pub fn unbalance_response(
     let factors = Stiffness::new(rotor, Complex::new(0.0, speed), speed).factors().ok_or(unbounded)?;
     let response = factors.solve(&force);
     // At rest the work of the force equals the elastic energy; near an undamped resonance it falls far behind it.
-    let rest = Stiffness::new(rotor, Complex::new(0.0, 0.0), 0.0).times(&response);
-    let pair = |a: &[Node], b: &[Node]| -> f64 {
-        a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| a.conj() * b).sum::<Complex<f64>>().norm()
-    };
-    let (work, energy) = (pair(&response, &force), pair(&response, &rest));
+    let work = force.iter().flatten().zip(response.iter().flatten()).map(|(a, b)| a.conj() * b);
+    let (work, energy) = (work.sum::<Complex<f64>>().norm(), elastic_energy(rotor, &response));
     let fine = response.iter().flatten().all(|x| x.re.is_finite() && x.im.is_finite());
     if !fine || (energy > 1e9 * work && work > 0.0) { Err(unbounded) } else { Ok(response) }
 }
@@ -94,6 +91,29 @@ pub fn residual(
         left.fold(0.0, f64::max) / size(freedom).max(f64::MIN_POSITIVE)
     });
     Ok(worst.fold(0.0, f64::max))
+}
+
+/// Twice the strain energy of shaft and bearings in an amplitude.
+fn elastic_energy(rotor: &Assembled, amplitude: &[Node]) -> f64 {
+    let mut energy = 0.0;
+    let mut form =
+        |factor: f64, a: Complex<f64>, b: Complex<f64>| energy += factor * (a.re * b.re + a.im * b.im);
+    for (n, node) in amplitude.iter().enumerate() {
+        for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            for plane in [0, 2] {
+                form(rotor.stiffness.diagonal[n][(i, j)], node[plane + i], node[plane + j]);
+                if let Some(next) = amplitude.get(n + 1) {
+                    form(2.0 * rotor.stiffness.above[n][(i, j)], node[plane + i], next[plane + j]);
+                }
+            }
+        }
+    }
+    for (node, Coefficients { stiffness, .. }) in rotor.bearings(0.0) {
+        for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            form(stiffness[i][j], amplitude[node][2 * i], amplitude[node][2 * j]);
+        }
+    }
+    energy
 }
 
 /// The forces of unbalances, those on freedoms that do not move left out.

@@ -1,5 +1,7 @@
 //! The dynamic stiffness `D(λ) = λ²M + λ(C + ΩG) + K` of a rotor at a speed, factorised node by node.
 
+use std::array::from_fn;
+
 use nalgebra::{Complex, Matrix2};
 
 use super::{Assembled, Coefficients, Plane};
@@ -52,7 +54,7 @@ impl Stiffness {
     }
 
     fn of(rotor: &Assembled, powers: Powers, speed: f64) -> Self {
-        let block = |pick: &dyn Fn(&Plane) -> Matrix2<f64>| {
+        let block = |pick: &dyn Fn(&Plane) -> Matrix2<f64>| -> Block {
             let (mass, gyroscopic, stiffness) =
                 (pick(&rotor.mass), pick(&rotor.gyroscopic), pick(&rotor.stiffness));
             let (viscous, hysteretic) = if rotor.internal {
@@ -86,12 +88,14 @@ impl Stiffness {
                 }
             }
         }
-        let between = 0..rotor.nodes() - 1;
-        Self {
-            diagonal,
-            above: between.clone().map(|n| block(&|plane: &Plane| plane.above[n])).collect(),
-            below: between.map(|n| block(&|plane: &Plane| plane.above[n].transpose())).collect(),
-        }
+        let above: Vec<Block> =
+            (0..rotor.nodes() - 1).map(|n| block(&|plane: &Plane| plane.above[n])).collect();
+        // Below the diagonal each of the four parts of a block is transposed for itself.
+        let below = above
+            .iter()
+            .map(|above| from_fn(|i| from_fn(|j| above[2 * (i / 2) + j % 2][2 * (j / 2) + i % 2])))
+            .collect();
+        Self { diagonal, above, below }
     }
 
     pub(super) fn times(&self, x: &[Node]) -> Vec<Node> {
