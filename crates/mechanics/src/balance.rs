@@ -5,6 +5,8 @@
 //! Weights in place of masses (N·m) change nothing: gravity cancels. Positions count from any origin.
 //! Equation numbers: Riul, *Dinâmica das Máquinas*, Unit II.
 
+use std::f64::consts::TAU;
+
 use crate::Real;
 
 pub mod influence;
@@ -51,6 +53,19 @@ pub fn magnitude<S: Real>(x: S, y: S) -> S {
 #[inline]
 pub fn direction<S: Real>(x: S, y: S) -> S {
     y.atan2(x)
+}
+
+/// Direction from components as it is marked on a rotor, rad in `[0, 2π)`. A component that is rounding beside the
+/// other counts as none: what lies on the axis neither jumps by a turn nor to just below one.
+#[inline]
+pub fn marked_direction<S: Real>(x: S, y: S) -> S {
+    if y.value().abs() <= 1e-14 * x.value().abs() {
+        y.abs().atan2(x)
+    } else if y.value() < 0.0 {
+        direction(x, y) + TAU
+    } else {
+        direction(x, y)
+    }
 }
 
 /// Mass of a correction from its components and the radius where it is put, `m = √(U_x² + U_y²)/r`, kg.

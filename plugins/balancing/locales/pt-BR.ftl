@@ -112,7 +112,7 @@ what-closes-the-polygon-of-forces-by-newton-s-method-from-many-starts = O que fe
 what-closes-the-polygons-of-forces-and-of-couples-by-newton-s-method-from-many-starts = O que fecha os polígonos de forças e de conjugados, pelo método de Newton a partir de muitos inícios
 with-the-corrections = com as correções
 
-# balancing/linkage
+# balancing/linkage-balance
 angle-of-the-centre-of-mass-from-the-line-of-the-pins = Ângulo do centro de massa a partir da linha dos pinos
 angle-of-the-counterweight-from-the-crank = Ângulo do contrapeso a partir da manivela
 angle-of-the-counterweight-from-the-rocker = Ângulo do contrapeso a partir do balancim
@@ -488,10 +488,10 @@ errors-of-the-readings-may-grow-condition-times-in-the-weights-see-the-table-of-
 every-amplitude-of-the-first-run-is-0-so-there-is-nothing-to-balance-check-sensors-and-filter = todas as amplitudes da primeira medição são 0, portanto não há o que balancear; verifique sensores e filtro
 largest-reading = maior leitura
 largest-weight = maior massa
-left-out = deixado de fora
+plane-left-out = plano deixado de fora
 no-permitted-weights-can-bring-the-largest-reading-lower-bound-from-the-multipliers = nenhuma massa permitida reduz mais a maior leitura: limite a partir dos multiplicadores
 no-run-has-a-trial-weight-in-plane-plane-make-one-or-number-the-planes-without-gaps = nenhuma medição tem massa de teste no plano { $plane }; faça uma, ou numere os planos sem lacunas
-none = nenhum
+no-plane = nenhum plano
 plane-n-has-no-influence-on-any-reading-a-weight-there-changes-nothing = o plano { $n } não influi em nenhuma leitura; uma massa ali nada muda
 planes-one-and-other-act-alike-on-all-sensors-cosine-cosine-so-their-weights-cannot-be-told-apart = os planos { $one } e { $other } atuam igualmente em todos os sensores (cosseno { $cosine }), portanto suas massas não se distinguem; deixe um deles de fora, ou acrescente um sensor ou uma velocidade que os veja de modo diferente
 planes-one-and-other-act-alike-on-the-sensors-cosine-cosine-their-weights-may-be-large-and-opposite = os planos { $one } e { $other } atuam quase igualmente nos sensores (cosseno { $cosine }): suas massas podem ser grandes e opostas; deixe um deles de fora

@@ -2,7 +2,7 @@
 
 pub mod field;
 pub mod known_masses;
-pub mod linkage;
+pub mod linkage_balance;
 pub mod rotor;
 pub mod single_plane;
 mod sources;

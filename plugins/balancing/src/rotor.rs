@@ -65,11 +65,6 @@ pub(crate) struct Keys {
     pub weight: (&'static str, &'static str),
 }
 
-/// An angle between 0 and a full turn, as they are marked on a rotor. Rounding below zero stays there.
-pub(crate) fn turned<N: Real>(angle: N) -> N {
-    if angle.value() < -1e-11 { angle + TAU } else { angle }
-}
-
 /// Size, angle, mass or radius, and weight of a correction, from its components; row 0 for the only one.
 ///
 /// `scale` is the size of what cancelled in the components: a correction below its rounding is none.
@@ -109,15 +104,16 @@ pub(crate) fn correct<W: Worksheet>(
         CorrectionGiven::Product {} => None,
     };
     let (direction, why) = match way {
-        Way::Add => {
-            (balance::direction(x, y), "Angle where the mass is added, in the sense of the angles given")
-        }
+        Way::Add => (
+            balance::marked_direction(x, y),
+            "Angle where the mass is added, in the sense of the angles given",
+        ),
         Way::Drill => (
-            balance::direction(-x, -y),
+            balance::marked_direction(-x, -y),
             "Angle where the mass is removed, opposite to where it would be added",
         ),
     };
-    let angle = sheet.step((symbols.angle, row), "deg", turned(direction), (why, RIUL.at("eq. 19")));
+    let angle = sheet.step((symbols.angle, row), "deg", direction, (why, RIUL.at("eq. 19")));
     let other = if angle.value() > 1e-11 { -angle + TAU } else { -angle };
     let other =
         sheet.step((symbols.other_angle, row), "deg", other, "The same place, counted the other way round");

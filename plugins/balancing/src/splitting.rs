@@ -279,7 +279,7 @@ fn combine<W: Worksheet>(weights: &[WeightGiven<W>], sheet: W) -> Result<(), Ref
         ));
     }
     let mass = sheet.step("m", "g", balance::magnitude(x, y), "Size of the one weight");
-    let angle = sheet.step("θ", "deg", in_one_turn(balance::direction(x, y)), "Its angle");
+    let angle = sheet.step("θ", "deg", balance::marked_direction(x, y), "Its angle");
     sheet.answer("mass", "Weight in place of all", mass);
     sheet.answer("angle", "Angle of the weight", angle);
     // Seen from the one weight, the others have nothing across it.
@@ -336,11 +336,6 @@ fn drill<W: Worksheet>([mass, diameter, point, density]: [W::Num; 4], sheet: W) 
 fn total<N: Real>(weights: impl Iterator<Item = Phasor<N>>) -> Phasor<N> {
     let all: Vec<Phasor<N>> = weights.collect();
     Phasor { x: N::sum(all.iter().map(|w| w.x)), y: N::sum(all.iter().map(|w| w.y)) }
-}
-
-/// The same angle from 0 to a full turn, as they are marked on a rotor.
-fn in_one_turn<N: Real>(angle: N) -> N {
-    if angle.value() < 0.0 { angle + TAU } else { angle }
 }
 
 /// Weights around the shaft: the single ones and the one that stands for them.

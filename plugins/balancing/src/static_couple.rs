@@ -7,7 +7,6 @@ use dalembert_mechanics::{
     Real,
     balance::{self, Phasor},
 };
-use std::f64::consts::TAU;
 
 use crate::{
     field::{AccelerationReading, DisplacementReading, NumberReading, VelocityReading},
@@ -164,11 +163,11 @@ fn decompose<W: Worksheet>(
     sheet.answer("couple", "Couple part", couple);
     // A part that is only rounding has no direction.
     if size.value() > 1e-12 * scale {
-        let angle = sheet.step("σ", "deg", in_one_turn(common.angle()), "Its angle");
+        let angle = sheet.step("σ", "deg", common.marked_angle(), "Its angle");
         sheet.answer("static_angle", "Angle of the static part", angle);
     }
     if couple.value() > 1e-12 * scale {
-        let angle = sheet.step("γ", "deg", in_one_turn(opposite.angle()), "Its angle in the first vector");
+        let angle = sheet.step("γ", "deg", opposite.marked_angle(), "Its angle in the first vector");
         sheet.answer("couple_angle", "Angle of the couple part in the first vector", angle);
     }
     sheet.check_zero(
@@ -192,10 +191,6 @@ fn decompose<W: Worksheet>(
     let (one, two) = (plain(one), plain(two));
     sheet.show(|| Exhibit::Drawing(drawing([one, two], common, opposite)));
     Ok(())
-}
-
-fn in_one_turn<N: Real>(angle: N) -> N {
-    if angle.value() < 0.0 { angle + TAU } else { angle }
 }
 
 /// Both vectors, and the two parts from whose tip they branch.

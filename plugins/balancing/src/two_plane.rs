@@ -5,7 +5,6 @@ use dalembert_mechanics::{
     Real, Vector,
     balance::{self, PlaneUnbalance},
 };
-use std::f64::consts::TAU;
 
 use crate::{
     sources::{MABIE, RIUL},
@@ -227,16 +226,15 @@ impl TwoPlane {
             }
         };
         let (direction, why) = match self.way {
-            Way::Add => {
-                (balance::direction(x, y), "Angle where the mass is added, counter-clockwise from the mark")
-            }
+            Way::Add => (
+                balance::marked_direction(x, y),
+                "Angle where the mass is added, counter-clockwise from the mark",
+            ),
             Way::Drill => (
-                balance::direction(-x, -y),
+                balance::marked_direction(-x, -y),
                 "Angle where the mass is removed, opposite to where it would be added",
             ),
         };
-        // Angles count from 0 to a full turn, as they are marked on a rotor.
-        let direction = if direction.value() < 0.0 { direction + TAU } else { direction };
         let angle = sheet.step(angle, "deg", direction, (why, RIUL.at("eq. 19")));
         Corrected { unbalance: size, angle, mass, wanted }
     }

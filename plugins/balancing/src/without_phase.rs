@@ -14,7 +14,7 @@ use dalembert_mechanics::{
     linalg::LinalgError,
 };
 use nalgebra::{Complex, DMatrix};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use crate::sources::RAO;
 
@@ -299,7 +299,7 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
     let by_phase =
         sheet.step("T_p", job.unit, balance::magnitude(x, y), "Effect of the trial weight from both parts");
     let unbalance =
-        sheet.step("ψ", "deg", in_one_turn(balance::direction(x, y)), "Angle of the existing unbalance");
+        sheet.step("ψ", "deg", balance::marked_direction(x, y), "Angle of the existing unbalance");
     sheet.answer("existing_angle", "Angle of the existing unbalance from both parts", unbalance);
     if by_phase.value() > 0.0 {
         let mass = sheet.step("m_p", "g", trial * first / by_phase, "Correction weight by the two parts");
@@ -494,9 +494,4 @@ fn polar(weights: &[Complex<f64>]) -> Drawing {
 fn full_turn(angle: f64) -> f64 {
     let angle = angle.rem_euclid(TAU);
     if angle < 1e-12 || TAU - angle < 1e-12 { 0.0 } else { angle }
-}
-
-/// The same angle from 0 to a full turn.
-fn in_one_turn<N: Real>(angle: N) -> N {
-    if angle.value() < 0.0 { angle + 2.0 * PI } else { angle }
 }

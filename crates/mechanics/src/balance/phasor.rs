@@ -61,6 +61,12 @@ impl<S: Real> Phasor<S> {
     pub fn angle(self) -> S {
         self.y.atan2(self.x)
     }
+
+    /// Its angle as it is marked on a rotor, rad in `[0, 2π)`.
+    #[inline]
+    pub fn marked_angle(self) -> S {
+        super::marked_direction(self.x, self.y)
+    }
 }
 
 /// The weights in two planes that take the readings of two sensors to zero, `α W = −V`, by Cramer's rule over

@@ -87,7 +87,7 @@ fn left_out(numbers: &Numbers, factors: &[f64], unit: &'static str) -> TableExhi
         let keep: Vec<usize> = (0..planes).filter(|plane| Some(*plane) != out).collect();
         let name = match out {
             Some(plane) => Text::new("plane {n}").with("n", plane + 1),
-            None => "none".into(),
+            None => "no plane".into(),
         };
         let alpha = numbers.alpha.select_columns(&keep);
         match influence::least_squares(&alpha, &numbers.first, factors) {
@@ -108,7 +108,7 @@ fn left_out(numbers: &Numbers, factors: &[f64], unit: &'static str) -> TableExhi
     TableExhibit {
         title: "Leaving a plane out, by least squares".into(),
         columns: vec![
-            column("left out", ""),
+            column("plane left out", ""),
             column("condition", "1"),
             column("largest weight", "g"),
             column("largest reading", unit),

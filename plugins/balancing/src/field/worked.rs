@@ -155,7 +155,7 @@ fn two_planes<W: Worksheet>(
                 "The weights that take both readings to zero, by Cramer's rule",
             );
             let mass = sheet.step(("m_c", n), "g", weight.size(), "Size of the correction weight");
-            let angle = in_one_turn(weight.angle());
+            let angle = weight.marked_angle();
             Found { mass, angle: sheet.step(("θ_c", n), "deg", angle, "Its angle from the mark") }
         })
         .collect()

@@ -9,10 +9,7 @@ use dalembert_mechanics::{
 use super::{
     Bearings, BearingsGiven, EquivalentPlanes, EquivalentPlanesGiven, Unbalance, corrections::Corrected,
 };
-use crate::{
-    rotor::turned,
-    sources::{ISO_TERMS, RIUL},
-};
+use crate::sources::{ISO_TERMS, RIUL};
 
 /// A component of all unbalances with their positions.
 fn along<'u, N: Real + 'u>(
@@ -201,7 +198,7 @@ pub(super) fn equivalent<W: Worksheet>(
         let size = sheet.step(size_symbol, "kg*mm", balance::magnitude(x, y), (size_label, ISO_TERMS.at("")));
         sheet.answer(size_key, size_label, size);
         if size.value() > 1e-12 * scale {
-            let angle = sheet.step(angle_symbol, "deg", turned(balance::direction(x, y)), angle_label);
+            let angle = sheet.step(angle_symbol, "deg", balance::marked_direction(x, y), angle_label);
             sheet.answer(angle_key, angle_label, angle);
         }
     };

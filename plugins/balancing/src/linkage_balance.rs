@@ -14,10 +14,7 @@ use dalembert_mechanics::{
     },
 };
 
-use crate::{
-    rotor::turned,
-    sources::{BERKOF, NORTON},
-};
+use crate::sources::{BERKOF, NORTON};
 
 /// The linkage, its masses, and where counterweights may sit.
 #[derive(Clone, Debug, Inputs)]
@@ -122,13 +119,13 @@ const PLACES: usize = 360;
 
 impl Analysis for LinkageBalance {
     const ABOUT: About = About {
-        id: "balancing/linkage",
+        id: "balancing/linkage-balance",
         title: "Force balance of a linkage",
         summary: "Counterweights that leave a four-bar linkage or a slider-crank without shaking force, and what they do to shaking moment and torque.",
         keywords: "balanceamento de mecanismos quatro barras biela-manivela contrapeso força de trepidação momento torque \
                    berkof lowen four-bar slider-crank shaking force shaking moment counterweight",
         sources: &[&BERKOF, &NORTON],
-        cases: include_str!("../cases/linkage.toml"),
+        cases: include_str!("../cases/linkage_balance.toml"),
     };
 
     fn solve<W: Worksheet>(&self, given: &LinkageBalanceGiven<W>, sheet: W) -> Result<(), Refusal> {
@@ -292,7 +289,7 @@ fn counterweight<W: Worksheet>(
     let mut angle = 0.0;
     if size.value() > 0.0 {
         let why = "Angle of the counterweight on its link";
-        let turned = sheet.step(angle_symbol, "deg", turned(balance::direction(x, y)), why);
+        let turned = sheet.step(angle_symbol, "deg", balance::marked_direction(x, y), why);
         sheet.answer(names.angle.0, names.angle.1, turned);
         angle = turned.value();
     }
