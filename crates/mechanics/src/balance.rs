@@ -1,4 +1,4 @@
-//! Balancing of rigid rotors.
+//! Balancing of rigid rotors, and of engines in [`reciprocating`].
 //!
 //! An unbalance is `U = m r` at an angle `θ` in a plane at the position `z` along the shaft; its components are
 //! `m r cos θ` and `m r sin θ`, kg·m. Components along x and y obey the same equations, one direction at a time.
@@ -12,9 +12,11 @@ use crate::Real;
 pub mod influence;
 pub mod lanes;
 pub mod linkage;
+pub mod locomotive;
 pub mod min_max;
 mod phasor;
 mod planes;
+pub mod reciprocating;
 pub mod spread;
 mod two_plane;
 mod unknowns;

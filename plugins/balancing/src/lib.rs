@@ -3,6 +3,8 @@
 pub mod field;
 pub mod known_masses;
 pub mod linkage_balance;
+pub mod locomotive;
+pub mod reciprocating;
 pub mod rotor;
 pub mod single_plane;
 mod sources;

@@ -65,3 +65,13 @@ pub(crate) static BERKOF: Source = Source {
     short: "Berkof & Lowen",
     full: "R. S. Berkof, G. G. Lowen, A new method for completely force balancing simple linkages, ASME J. Eng. Ind. 91 (1969) 21–26",
 };
+
+/// T. Bevan, The Theory of Machines.
+pub(crate) static BEVAN: Source =
+    Source { short: "Bevan", full: "T. Bevan, The Theory of Machines, 3rd ed., Longmans, 1956" };
+
+/// J. P. Den Hartog, Mechanical Vibrations.
+pub(crate) static DEN_HARTOG: Source = Source {
+    short: "Den Hartog",
+    full: "J. P. Den Hartog, Mechanical Vibrations, 4th ed., McGraw-Hill, 1956; Dover, 1985",
+};

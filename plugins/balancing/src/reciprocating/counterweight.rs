@@ -1,0 +1,268 @@
+//! Rotating masses, counterweights opposite the cranks, balance shafts.
+
+use dalembert_core::{Refusal, Text, Worksheet};
+use dalembert_mechanics::{
+    Real,
+    balance::{self, reciprocating as engine},
+};
+
+use super::{
+    ReciprocatingGiven, Shafts,
+    layout::Placed,
+    orders::{self, Order, Pair},
+};
+use crate::{
+    rotor::turned,
+    sources::{BEVAN, DEN_HARTOG, NORTON},
+};
+
+/// The forces that turn with the cranks: what is left of the first order, when counterweights take their part.
+pub(super) fn rotating<W: Worksheet>(
+    given: &ReciprocatingGiven<W>,
+    cylinders: &[Placed<W::Num>],
+    primary: &[W::Num],
+    found: &[Order<W::Num>],
+    about: Option<W::Num>,
+    sheet: W,
+) -> Pair<W::Num> {
+    let first = &found[0];
+    let Some(counterweight) = &given.counterweight else {
+        return with_rotating_masses(given, cylinders, first, about, sheet);
+    };
+    masses(counterweight.fraction, counterweight.radius, cylinders, sheet);
+    let left = sheet.step(
+        "κ",
+        "1",
+        W::Num::from(1.0) - counterweight.fraction * 2.0,
+        (
+            "Part of the forward vector that is left: the counterweights turn with it, and it is half of the reciprocating masses",
+            DEN_HARTOG.at("ch. 5"),
+        ),
+    );
+    let forward = first.force.forward.map(|x| left * x);
+    let forward_size = first.force.forward_size * left.abs();
+    let pair = Pair { forward, forward_size, ..first.force };
+    let most = sheet.step(
+        "F_res",
+        "N",
+        forward_size + pair.backward_size,
+        "Greatest primary force that remains with the counterweights",
+    );
+    let least = sheet.step(
+        "F′_res",
+        "N",
+        (forward_size - pair.backward_size).abs(),
+        "Least primary force that remains with the counterweights",
+    );
+    sheet.answer("residual", "Greatest primary force with counterweights", most);
+    sheet.answer("residual_min", "Least primary force with counterweights", least);
+    if let Some(angle) = given.angle {
+        let [x, y] = orders::at(1, &pair, angle);
+        let x = sheet.step("X_res", "N", x, "What remains upward at the crank angle");
+        let y = sheet.step("Y_res", "N", y, "What remains across at the crank angle");
+        let size = sheet.step("R_res", "N", balance::magnitude(x, y), "What remains at the crank angle");
+        sheet.answer("residual_along", "Upward primary force with counterweights at the crank angle", x);
+        sheet.answer("residual_across", "Primary force across with counterweights at the crank angle", y);
+        sheet.answer("residual_at", "Primary force with counterweights at the crank angle", size);
+        sheet.verify(|| {
+            // Piston by piston and counterweight by counterweight.
+            let (mut u, mut v) = (0.0, 0.0);
+            for (c, k) in cylinders.iter().zip(primary) {
+                let (k, crank) = (k.value(), angle.value() + c.throw.value());
+                let along = k * (crank - c.line.value()).cos();
+                u += along * c.line.value().cos() - counterweight.fraction.value() * k * crank.cos();
+                v += along * c.line.value().sin() - counterweight.fraction.value() * k * crank.sin();
+            }
+            let what = "what remains, added up piston by piston and counterweight by counterweight";
+            sheet.check_zero(what, (x.value() - u).into(), first.scale);
+            sheet.check_zero(what, (y.value() - v).into(), first.scale);
+        });
+    }
+    if let Some(couple) = &first.couple {
+        let most = sheet.step(
+            "C_res",
+            "N*m",
+            couple.forward_size * left.abs() + couple.backward_size,
+            "Greatest primary couple that remains with the counterweights",
+        );
+        sheet.answer("residual_couple", "Greatest primary couple with counterweights", most);
+    }
+    if first.force.forward_size.value() > 1e-9 * first.scale {
+        best(first, sheet);
+    }
+    pair
+}
+
+/// The fraction with the least greatest force: half, found again by a search.
+fn best<W: Worksheet>(first: &Order<W::Num>, sheet: W) {
+    let (p, q) = (first.force.forward_size.value(), first.force.backward_size.value());
+    let how = "Fraction with the least greatest force: the counterweights cancel the forward vector";
+    let best = sheet.found("c_best", "1", 0.5, (how, DEN_HARTOG.at("ch. 5")));
+    let why = "Greatest primary force at that fraction: the backward vector alone";
+    let least = sheet.step("F_best", "N", first.force.backward_size, why);
+    sheet.answer("best_fraction", "Best fraction of the reciprocating mass to balance", best);
+    sheet.answer("best_residual", "Greatest primary force at the best fraction", least);
+    sheet.verify(|| {
+        let greatest = |c: f64| (1.0 - 2.0 * c).abs() * p + q;
+        let grid = (0..=1000).map(|k| f64::from(k) / 1000.0);
+        let searched = grid.map(|c| (greatest(c), c)).min_by(|a, b| a.0.total_cmp(&b.0));
+        let near = searched.map_or(0.5, |(_, c)| c);
+        sheet.check("the least greatest force among a thousand fractions", best, near.into());
+    });
+}
+
+/// The mass of the counterweights.
+fn masses<W: Worksheet>(fraction: W::Num, radius: W::Num, cylinders: &[Placed<W::Num>], sheet: W) {
+    let place = |c: &Placed<W::Num>| (c.throw.value(), c.position.value());
+    let together = cylinders.iter().all(|c| place(c) == place(&cylinders[0]));
+    let alike = cylinders[0].row == 0;
+    let of_one = |c: &Placed<W::Num>| (c.rotating + fraction * c.mass) * c.crank;
+    let cite = BEVAN.at("ch. 14");
+    if together {
+        let product = if alike {
+            of_one(&cylinders[0]) * cylinders.len() as f64
+        } else {
+            W::Num::sum(cylinders.iter().map(of_one))
+        };
+        let why = ("Rotating mass and the fraction of the reciprocating mass, at the crank pin", cite);
+        let product = sheet.step("U", "kg*m", product, why);
+        let mass = sheet.step("B", "kg", product / radius, ("Counterweight opposite the crank", cite));
+        sheet.answer("counterweight_product", "Mass times radius of the counterweight", product);
+        sheet.answer("counterweight", "Mass of the counterweight", mass);
+        return;
+    }
+    let listed = if alike { &cylinders[..1] } else { cylinders };
+    for c in listed {
+        let why = ("Counterweight opposite its crank for one cylinder", cite);
+        let mass = sheet.step(("B", c.row), "kg", of_one(c) / radius, why);
+        sheet.answer(("counterweight", c.row), "Mass of the counterweight for one cylinder", mass);
+    }
+}
+
+/// Without counterweights the rotating masses add to the forward vector.
+fn with_rotating_masses<W: Worksheet>(
+    given: &ReciprocatingGiven<W>,
+    cylinders: &[Placed<W::Num>],
+    first: &Order<W::Num>,
+    about: Option<W::Num>,
+    sheet: W,
+) -> Pair<W::Num> {
+    if cylinders.iter().all(|c| c.rotating.value() == 0.0) {
+        return first.force;
+    }
+    let alike = cylinders[0].row == 0;
+    let mut strengths: Vec<W::Num> = Vec::new();
+    for c in cylinders {
+        let strength = match strengths.first() {
+            Some(same) if alike => *same,
+            _ => {
+                let value = engine::primary_amplitude(c.rotating, c.crank, given.speed);
+                sheet.step(("K_r", c.row), "N", value, "Centrifugal force of the rotating mass of a cylinder")
+            }
+        };
+        strengths.push(strength);
+    }
+    let sum = |of: fn(W::Num) -> W::Num, arm: Option<W::Num>| {
+        W::Num::sum(cylinders.iter().zip(&strengths).map(|(c, k)| match arm {
+            Some(about) => *k * (c.position - about) * of(c.throw),
+            None => *k * of(c.throw),
+        }))
+    };
+    let why = "Sum over the rotating masses";
+    let x = sheet.step("R_x", "N", sum(W::Num::cos, None), why);
+    let y = sheet.step("R_y", "N", sum(W::Num::sin, None), why);
+    let force = sheet.step("R", "N", balance::magnitude(x, y), "Force that turns with the crankshaft");
+    sheet.answer("rotating_force", "Force of the rotating masses", force);
+    if about.is_some() {
+        let x = sheet.step("S_x", "N*m", sum(W::Num::cos, about), why);
+        let y = sheet.step("S_y", "N*m", sum(W::Num::sin, about), why);
+        let why = "Couple that turns with the crankshaft";
+        let couple = sheet.step("S", "N*m", balance::magnitude(x, y), why);
+        sheet.answer("rotating_couple", "Couple of the rotating masses", couple);
+    }
+    let [px, py] = first.force.forward;
+    let (px, py) = (px + x, py + y);
+    Pair { forward: [px, py], forward_size: balance::magnitude(px, py), ..first.force }
+}
+
+/// A pair of shafts that turns against the two vectors of an order.
+pub(super) fn shafts<W: Worksheet>(
+    which: Shafts,
+    speed: W::Num,
+    found: &[Order<W::Num>],
+    first: Pair<W::Num>,
+    about: Option<W::Num>,
+    scale: f64,
+    sheet: W,
+) -> Result<(), Refusal> {
+    let (order, n) = match which {
+        Shafts::First => (found.first(), 1),
+        Shafts::Second => (found.get(1), 2),
+    };
+    let Some(order) = order else {
+        return Err(Refusal::because(
+            "balance shafts at twice the speed need the secondary forces; give the length of the rod",
+        ));
+    };
+    let force = if n == 1 { first } else { order.force };
+    let small = 1e-9 * scale;
+    let speed =
+        if n == 1 { speed } else { sheet.step("Ω", "rpm", speed * f64::from(n), "Speed of the shafts") };
+    let cite = NORTON.at("ch. 14");
+    let vectors = [
+        (
+            ("shaft_forward", "Mass times radius of the shaft that turns with the crank"),
+            ("shaft_forward_angle", "Angle of its mass when the crank angle is 0, forward shaft"),
+            ["U_f", "η_f"],
+            (force.forward, force.forward_size),
+        ),
+        (
+            ("shaft_backward", "Mass times radius of the shaft that turns against the crank"),
+            ("shaft_backward_angle", "Angle of its mass when the crank angle is 0, backward shaft"),
+            ["U_b", "η_b"],
+            (force.backward, force.backward_size),
+        ),
+    ];
+    let mut any = false;
+    for (size_of, angle_of, [size, angle], ([x, y], force)) in vectors {
+        if force.value() <= small {
+            continue;
+        }
+        any = true;
+        let why = ("Its centrifugal force is as large as the vector it cancels", cite);
+        let product = sheet.step(size, "kg*mm", force / speed.powi(2), why);
+        sheet.answer(size_of.0, size_of.1, product);
+        let why = "Its mass stands opposite the vector";
+        let angle = sheet.step(angle, "deg", turned(balance::direction(-x, -y)), why);
+        sheet.answer(angle_of.0, angle_of.1, angle);
+        sheet.verify(|| {
+            // At the crank angle 0 the shaft's force and the vector are gone along both directions.
+            let pull = product.value() * speed.value().powi(2);
+            sheet.check_zero(
+                "nothing of the vector is left along the vertical",
+                (x.value() + pull * angle.value().cos()).into(),
+                scale,
+            );
+            sheet.check_zero(
+                "nothing of the vector is left across",
+                (y.value() + pull * angle.value().sin()).into(),
+                scale,
+            );
+        });
+    }
+    if any {
+        if let (Some(couple), Some(about), 2) = (&order.couple, about, n) {
+            let [px, py] = force.forward;
+            let [mx, my] = couple.forward;
+            if force.forward_size.value() > small {
+                let arm = (mx * px + my * py) / force.forward_size.powi(2);
+                let why = "Where along the shaft the force acts: there the shafts stand";
+                let place = sheet.step("z_s", "mm", about + arm, why);
+                sheet.answer("shaft_position", "Position of the balance shafts along the engine", place);
+            }
+        }
+        return Ok(());
+    }
+    sheet.warn(|| Text::new("there is no force of this order, so the shafts need no mass for it"));
+    Ok(())
+}

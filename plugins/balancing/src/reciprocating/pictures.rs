@@ -1,0 +1,150 @@
+//! What is drawn of an engine.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{
+    Axis, Cell, Column, Drawing, DrawnShape, Film, Ink, Plot, Point, Series, TableExhibit, Text,
+    trace::ROUNDING,
+};
+use dalembert_mechanics::{
+    Real,
+    balance::reciprocating::{self as engine, Piston, PistonMotion},
+};
+
+use super::orders::Order;
+
+const POINTS: u32 = 240;
+
+fn over_a_turn(
+    pistons: &[Piston],
+    motion: PistonMotion,
+    about: f64,
+    axis: usize,
+    couple: bool,
+) -> Vec<Point> {
+    let reach = pistons.iter().map(|p| (p.position - about).abs()).fold(0.0, f64::max);
+    let scale = pistons.iter().map(|p| p.amplitude).sum::<f64>() * if couple { reach } else { 1.0 };
+    let at = |k: u32| {
+        let angle = TAU * f64::from(k) / f64::from(POINTS);
+        let (force, moment) = engine::shaking(pistons, motion, about, angle);
+        let value = if couple { moment[axis] } else { force[axis] };
+        (angle, if value.abs() < 1e-12 * scale { 0.0 } else { value })
+    };
+    (0..=POINTS).map(at).collect()
+}
+
+fn curves(pistons: &[Piston], motion: PistonMotion, about: f64, couple: bool) -> Vec<Series> {
+    let curve = |label: &'static str, motion, axis| {
+        Series::line(label, over_a_turn(pistons, motion, about, axis, couple))
+    };
+    let mut series = Vec::new();
+    if motion == PistonMotion::OneTerm {
+        series.push(curve("upward, primary", motion, 0));
+    } else {
+        series.push(curve("upward, exact motion", PistonMotion::Exact, 0));
+        series.push(curve("upward, two terms", PistonMotion::TwoTerms, 0));
+    }
+    if pistons.iter().any(|p| p.line.sin().abs() > ROUNDING) {
+        let motion = if motion == PistonMotion::OneTerm { motion } else { PistonMotion::Exact };
+        series.push(curve("across", motion, 1));
+    }
+    series
+}
+
+/// The shaking force over a turn.
+pub(super) fn forces(pistons: &[Piston], motion: PistonMotion, about: f64) -> Plot {
+    let x = Axis::linear("Crank angle", "deg");
+    let y = Axis::linear("Shaking force", "N");
+    Plot::new("Shaking force over a turn", x, y, curves(pistons, motion, about, false))
+}
+
+/// The shaking couple over a turn.
+pub(super) fn couples(pistons: &[Piston], motion: PistonMotion, about: f64) -> Plot {
+    let x = Axis::linear("Crank angle", "deg");
+    let y = Axis::linear("Shaking couple", "N*m");
+    Plot::new("Shaking couple over a turn", x, y, curves(pistons, motion, about, true))
+}
+
+/// The way of the tip of the force over a turn: across to the right, upward up.
+pub(super) fn ellipse(pistons: &[Piston], motion: PistonMotion, about: f64) -> Drawing {
+    let size: f64 = pistons.iter().map(|p| p.amplitude).sum();
+    let size = if size > 0.0 { size } else { 1.0 };
+    let tips: Vec<Point> = (0..=POINTS)
+        .map(|k| {
+            let angle = TAU * f64::from(k) / f64::from(POINTS);
+            let ([up, across], _) = engine::shaking(pistons, motion, about, angle);
+            (across / size, up / size)
+        })
+        .collect();
+    let shapes = vec![
+        DrawnShape::Circle((0.0, 0.0), 1.0, Ink::Faint),
+        DrawnShape::Polyline(vec![(-1.1, 0.0), (1.1, 0.0)], Ink::Faint),
+        DrawnShape::Polyline(vec![(0.0, -1.1), (0.0, 1.1)], Ink::Faint),
+        DrawnShape::Polyline(tips, Ink::Force),
+        DrawnShape::Label((0.05, 1.15), "Σ m r ω²".into()),
+    ];
+    Drawing { title: "Way of the shaking force over a turn".into(), shapes }
+}
+
+/// Orders, with their forward and backward vectors.
+pub(super) fn table<N: Real>(found: &[Order<N>]) -> TableExhibit {
+    let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+    let with_couples = found.iter().any(|order| order.couple.is_some());
+    let mut columns = vec![
+        column("order", "1"),
+        column("force forward", "N"),
+        column("force backward", "N"),
+        column("greatest force", "N"),
+    ];
+    if with_couples {
+        columns.extend([
+            column("couple forward", "N*m"),
+            column("couple backward", "N*m"),
+            column("greatest couple", "N*m"),
+        ]);
+    }
+    let row = |order: &Order<N>| -> Vec<Cell> {
+        let clean = |x: f64, scale: f64| if x < 1e-12 * scale { 0.0 } else { x };
+        let [p, q] =
+            [order.force.forward_size, order.force.backward_size].map(|x| clean(x.value(), order.scale));
+        let mut cells: Vec<Cell> = vec![f64::from(order.number).into(), p.into(), q.into(), (p + q).into()];
+        if let Some(couple) = &order.couple {
+            let [m, n] = [couple.forward_size, couple.backward_size].map(Real::value);
+            cells.extend([m.into(), n.into(), (m + n).into()]);
+        }
+        cells
+    };
+    let rows = found.iter().map(row).collect();
+    TableExhibit { title: "Orders of the shaking force".into(), columns, rows, foot: Vec::new() }
+}
+
+/// Stars of the cranks, one for each order, turning at the order's speed.
+pub(super) fn stars(pistons: &[Piston], orders: &[u8]) -> Film {
+    const FRAMES: u32 = 24;
+    let frame = |k: u32| {
+        let turned = TAU * f64::from(k) / f64::from(FRAMES);
+        let mut shapes = Vec::new();
+        for (n, order) in orders.iter().enumerate() {
+            let (h, centre) = (f64::from(*order), 2.8 * n as f64);
+            shapes.push(DrawnShape::Circle((centre, 0.0), 1.0, Ink::Faint));
+            shapes.push(DrawnShape::Polyline(vec![(centre, -1.1), (centre, 1.1)], Ink::Faint));
+            for (piston, number) in pistons.iter().zip(1..) {
+                let angle = h * (turned + piston.throw - piston.line) + piston.line;
+                let tip = (centre + angle.sin(), angle.cos());
+                shapes.push(DrawnShape::Arrow((centre, 0.0), tip, Ink::Force));
+                // Arrows that fall on one another are told apart by the distance of their numbers.
+                let out = 1.1 + 0.14 * f64::from((number - 1) / 4);
+                let label = (centre + out * angle.sin(), out * angle.cos());
+                shapes.push(DrawnShape::Label(label, Text::new(number.to_string())));
+            }
+            let name = Text::new("order {n}").with("n", order);
+            shapes.push(DrawnShape::Label((centre, -1.5), name));
+        }
+        shapes
+    };
+    Film {
+        title: "Stars of the cranks by orders".into(),
+        frames: (0..FRAMES).map(frame).collect(),
+        period: 4.0,
+    }
+}
