@@ -13,7 +13,6 @@ use dalembert_mechanics::{
 
 use crate::{
     reciprocating::{Throw, ThrowGiven},
-    rotor::turned,
     sources::{BEVAN, KHURMI},
 };
 
@@ -378,7 +377,7 @@ impl Locomotive {
                 }
                 let why = "Angle from the first crank, in the sense from the first crank to the second";
                 let angle =
-                    sheet.step((names.angle_symbol, row), "deg", turned(balance::direction(x, y)), why);
+                    sheet.step((names.angle_symbol, row), "deg", balance::marked_direction(x, y), why);
                 sheet.answer((names.angle, row), names.labels[2], angle);
                 if names.driving {
                     angles[wheel] = angle.value();

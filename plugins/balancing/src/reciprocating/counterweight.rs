@@ -11,10 +11,7 @@ use super::{
     layout::Placed,
     orders::{self, Order, Pair},
 };
-use crate::{
-    rotor::turned,
-    sources::{BEVAN, DEN_HARTOG, NORTON},
-};
+use crate::sources::{BEVAN, DEN_HARTOG, NORTON};
 
 /// The forces that turn with the cranks: what is left of the first order, when counterweights take their part.
 pub(super) fn rotating<W: Worksheet>(
@@ -233,7 +230,7 @@ pub(super) fn shafts<W: Worksheet>(
         let product = sheet.step(size, "kg*mm", force / speed.powi(2), why);
         sheet.answer(size_of.0, size_of.1, product);
         let why = "Its mass stands opposite the vector";
-        let angle = sheet.step(angle, "deg", turned(balance::direction(-x, -y)), why);
+        let angle = sheet.step(angle, "deg", balance::marked_direction(-x, -y), why);
         sheet.answer(angle_of.0, angle_of.1, angle);
         sheet.verify(|| {
             // At the crank angle 0 the shaft's force and the vector are gone along both directions.

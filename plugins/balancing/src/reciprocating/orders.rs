@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 };
 
 use super::{Terms, layout::Placed};
-use crate::{rotor::turned, sources::DEN_HARTOG};
+use crate::sources::DEN_HARTOG;
 
 /// A vector that turns forward and one that turns backward.
 #[derive(Clone, Copy)]
@@ -280,7 +280,8 @@ fn directions<W: Worksheet>(n: usize, pair: &Pair<W::Num>, symbols: [&'static st
     let direction = match direction.value() {
         small if small.abs() < 1e-11 => 0.0.into(),
         whole if whole > TAU - 1e-9 => direction - TAU,
-        _ => turned(direction),
+        below if below < 0.0 => direction + TAU,
+        _ => direction,
     };
     let direction =
         sheet.step(symbols[1], "deg", direction, "Direction of the greatest force, from the vertical");
