@@ -28,6 +28,8 @@ pub(super) struct Order<N> {
     pub number: u8,
     /// Sum of the amplitudes, the size of what may cancel.
     pub scale: f64,
+    /// The largest distance from the point about which couples are told.
+    pub reach: f64,
     pub force: Pair<N>,
     pub couple: Option<Pair<N>>,
 }
@@ -209,7 +211,9 @@ pub(super) fn of_order<W: Worksheet>(
         let size = sheet.step(names.at[2], "N", balance::magnitude(x, y), "Force at the crank angle");
         sheet.answer(("force_at", n), "Force at the crank angle, order", size);
     }
-    Order { number: order, scale, force, couple }
+    let origin = about.map_or(0.0, Real::value);
+    let reach = cylinders.iter().map(|c| (c.position.value() - origin).abs()).fold(0.0, f64::max);
+    Order { number: order, scale, reach, force, couple }
 }
 
 /// Components at a crank angle of a vector that turns forward and one that turns backward.
