@@ -417,7 +417,7 @@ the-firing-order-order-contradicts-the-arrangement-cylinders-one-and-other-are-o
 the-firing-order-order-does-not-name-all-cylinders-name-each-of-the-count-cylinders-once-such-as-1-3 = a ordem de ignição { $order } não cita todos os cilindros; cite cada um dos { $count } cilindros uma vez, como em 1-3-4-2
 the-firing-order-order-names-cylinder-word-twice-name-each-of-the-count-cylinders-once = a ordem de ignição { $order } cita o cilindro { $word } duas vezes; cite cada um dos { $count } cilindros uma vez
 the-firing-order-order-names-word-but-the-cylinders-are-1-to-count-name-each-of-them-once = a ordem de ignição { $order } cita { $word }, mas os cilindros vão de 1 a { $count }; cite cada um deles uma vez
-the-greatest-force-is-not-above-that-of-all-pistons-at-their-tops = a maior força não passa da soma de todos os pistões no ponto morto superior
+the-greatest-force-from-the-vectors-of-the-orders-or-from-the-slider-crank-as-a-mechanism = a maior força pelos vetores das ordens, ou pelo mecanismo biela-manivela
 the-least-greatest-force-among-a-thousand-fractions = a menor força máxima entre mil frações
 the-order-by-the-fourier-integral-of-the-pistons-forces-over-a-turn = a ordem pela integral de Fourier das forças dos pistões em uma volta
 the-rod-of-rod-must-be-longer-than-the-crank-of-crank-or-the-crank-cannot-go-round-give-a-rod-of-at = a biela de { $rod } deve ser mais longa que a manivela de { $crank }, senão a manivela não dá a volta; dê uma biela de pelo menos 1,01 raio da manivela
