@@ -13,6 +13,14 @@ use super::{
 };
 use crate::sources::{BEVAN, DEN_HARTOG, NORTON};
 
+/// What a pair of balance shafts has against it.
+#[derive(Clone, Copy)]
+pub(super) struct Turning<N> {
+    pub force: Pair<N>,
+    /// Sizes of the couples that turn forward and backward.
+    pub couple: Option<[N; 2]>,
+}
+
 /// The forces that turn with the cranks: what is left of the first order, when counterweights take their part.
 pub(super) fn rotating<W: Worksheet>(
     given: &ReciprocatingGiven<W>,
@@ -21,7 +29,7 @@ pub(super) fn rotating<W: Worksheet>(
     found: &[Order<W::Num>],
     about: Option<W::Num>,
     sheet: W,
-) -> Pair<W::Num> {
+) -> Turning<W::Num> {
     let first = &found[0];
     let Some(counterweight) = &given.counterweight else {
         return with_rotating_masses(given, cylinders, first, about, sheet);
@@ -84,10 +92,11 @@ pub(super) fn rotating<W: Worksheet>(
         );
         sheet.answer("residual_couple", "Greatest primary couple with counterweights", most);
     }
+    let couple = first.couple.map(|couple| [couple.forward_size * left.abs(), couple.backward_size]);
     if first.force.forward_size.value() > 1e-9 * first.scale {
         best(first, sheet);
     }
-    pair
+    Turning { force: pair, couple }
 }
 
 /// The fraction with the least greatest force: half, found again by a search.
@@ -143,9 +152,10 @@ fn with_rotating_masses<W: Worksheet>(
     first: &Order<W::Num>,
     about: Option<W::Num>,
     sheet: W,
-) -> Pair<W::Num> {
+) -> Turning<W::Num> {
     if cylinders.iter().all(|c| c.rotating.value() == 0.0) {
-        return first.force;
+        let couple = first.couple.map(|couple| [couple.forward_size, couple.backward_size]);
+        return Turning { force: first.force, couple };
     }
     let alike = cylinders[0].row == 0;
     let mut strengths: Vec<W::Num> = Vec::new();
@@ -170,16 +180,20 @@ fn with_rotating_masses<W: Worksheet>(
     let y = sheet.step("R_y", "N", sum(W::Num::sin, None), why);
     let force = sheet.step("R", "N", balance::magnitude(x, y), "Force that turns with the crankshaft");
     sheet.answer("rotating_force", "Force of the rotating masses", force);
-    if about.is_some() {
+    let mut all = None;
+    if let (true, Some(pair)) = (about.is_some(), &first.couple) {
         let x = sheet.step("S_x", "N*m", sum(W::Num::cos, about), why);
         let y = sheet.step("S_y", "N*m", sum(W::Num::sin, about), why);
         let why = "Couple that turns with the crankshaft";
         let couple = sheet.step("S", "N*m", balance::magnitude(x, y), why);
         sheet.answer("rotating_couple", "Couple of the rotating masses", couple);
+        let [mx, my] = pair.forward;
+        all = Some([balance::magnitude(mx + x, my + y), pair.backward_size]);
     }
     let [px, py] = first.force.forward;
     let (px, py) = (px + x, py + y);
-    Pair { forward: [px, py], forward_size: balance::magnitude(px, py), ..first.force }
+    let force = Pair { forward: [px, py], forward_size: balance::magnitude(px, py), ..first.force };
+    Turning { force, couple: all }
 }
 
 /// A pair of shafts that turns against the two vectors of an order.
@@ -187,7 +201,7 @@ pub(super) fn shafts<W: Worksheet>(
     which: Shafts,
     speed: W::Num,
     found: &[Order<W::Num>],
-    first: Pair<W::Num>,
+    first: Turning<W::Num>,
     about: Option<W::Num>,
     scale: f64,
     sheet: W,
@@ -201,7 +215,11 @@ pub(super) fn shafts<W: Worksheet>(
             "balance shafts at twice the speed need the secondary forces; give the length of the rod",
         ));
     };
-    let force = if n == 1 { first } else { order.force };
+    let (force, couple) = if n == 1 {
+        (first.force, first.couple)
+    } else {
+        (order.force, order.couple.map(|couple| [couple.forward_size, couple.backward_size]))
+    };
     let small = 1e-9 * scale;
     let speed =
         if n == 1 { speed } else { sheet.step("Ω", "rpm", speed * f64::from(n), "Speed of the shafts") };
@@ -260,6 +278,32 @@ pub(super) fn shafts<W: Worksheet>(
         }
         return Ok(());
     }
-    sheet.warn(|| Text::new("there is no force of this order, so the shafts need no mass for it"));
+    for (couple, symbol, key, label) in [
+        (
+            couple.map(|[forward, _]| forward),
+            "D_f",
+            "shaft_couple_forward",
+            "Mass times radius times distance of the two masses of the shaft that turns with the crank",
+        ),
+        (
+            couple.map(|[_, backward]| backward),
+            "D_b",
+            "shaft_couple_backward",
+            "Mass times radius times distance of the two masses of the shaft that turns against the crank",
+        ),
+    ] {
+        let Some(couple) = couple.filter(|couple| couple.value() > small * order.reach) else { continue };
+        any = true;
+        let why = ("Two masses opposite each other make a couple as large as the vector it cancels", cite);
+        let product = sheet.step(symbol, "kg*m^2", couple / speed.powi(2), why);
+        sheet.answer(key, label, product);
+    }
+    if !any {
+        sheet.warn(|| {
+            Text::new(
+                "there is neither a force nor a couple of this order, so the shafts need no masses for it",
+            )
+        });
+    }
     Ok(())
 }

@@ -9,6 +9,7 @@ use dalembert_mechanics::{
         self,
         reciprocating::{self as engine, Piston, PistonMotion},
     },
+    slider_crank,
 };
 
 use super::{Terms, layout::Placed};
@@ -28,6 +29,8 @@ pub(super) struct Order<N> {
     pub number: u8,
     /// Sum of the amplitudes, the size of what may cancel.
     pub scale: f64,
+    /// The largest distance from the point about which couples are told.
+    pub reach: f64,
     pub force: Pair<N>,
     pub couple: Option<Pair<N>>,
 }
@@ -209,7 +212,9 @@ pub(super) fn of_order<W: Worksheet>(
         let size = sheet.step(names.at[2], "N", balance::magnitude(x, y), "Force at the crank angle");
         sheet.answer(("force_at", n), "Force at the crank angle, order", size);
     }
-    Order { number: order, scale, force, couple }
+    let origin = about.map_or(0.0, Real::value);
+    let reach = cylinders.iter().map(|c| (c.position.value() - origin).abs()).fold(0.0, f64::max);
+    Order { number: order, scale, reach, force, couple }
 }
 
 /// Components at a crank angle of a vector that turns forward and one that turns backward.
@@ -286,6 +291,42 @@ fn directions<W: Worksheet>(n: usize, pair: &Pair<W::Num>, symbols: [&'static st
     let direction =
         sheet.step(symbols[1], "deg", direction, "Direction of the greatest force, from the vertical");
     sheet.answer(("direction", n), "Direction of the greatest force of order", direction);
+}
+
+/// The greatest force over a turn from the vectors of the orders; in the exact motion, which has more orders than
+/// these, from the accelerations of the slider-cranks.
+pub(super) fn greatest_again<N: Real>(found: &[Order<N>], pistons: &[Piston], motion: PistonMotion) -> f64 {
+    let plain = |[x, y]: [N; 2]| [x.value(), y.value()];
+    let force = |angle: f64| {
+        let mut sum = [0.0; 2];
+        if motion == PistonMotion::Exact {
+            for piston in pistons {
+                let (crank, rod, turned) = (piston.ratio, 1.0, angle + piston.throw - piston.line);
+                let swing = slider_crank::rod_angle(crank, rod, 0.0, turned);
+                let speed = slider_crank::rod_speed(crank, rod, turned, swing, 1.0);
+                let turning = slider_crank::rod_acceleration(crank, rod, turned, swing, 1.0, speed, 0.0);
+                let along =
+                    slider_crank::slider_acceleration(crank, rod, turned, swing, 1.0, speed, 0.0, turning);
+                let along = -piston.amplitude * along / crank;
+                sum[0] += along * piston.line.cos();
+                sum[1] += along * piston.line.sin();
+            }
+        } else {
+            for order in found {
+                let pair = Pair {
+                    forward: plain(order.force.forward),
+                    backward: plain(order.force.backward),
+                    forward_size: order.force.forward_size.value(),
+                    backward_size: order.force.backward_size.value(),
+                };
+                let [x, y] = at(order.number, &pair, angle);
+                sum[0] += x;
+                sum[1] += y;
+            }
+        }
+        sum
+    };
+    engine::greatest(force).1
 }
 
 /// Every order again, as the Fourier integral of the forces of all pistons added up one by one.
