@@ -102,3 +102,33 @@ fn copies_go_to_the_clipboard_of_the_terminal() {
     pty.types("q");
     assert_eq!(pty.exit_code(), Some(0));
 }
+
+/// A fan is balanced where it stands: the first run, a trial weight, the correction, and the page for the file.
+///
+/// 10 µm at 90° become 10 µm at 0° by 5 g at 0°: the weight turns the vibration by (10 − 10i) µm, so that the
+/// correction is −10i·5/(10 − 10i) g = 5/√2 g at −45°.
+#[test]
+fn a_fan_is_balanced_in_the_field_and_the_page_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (job, page) = (folder.path().join("job.toml"), folder.path().join("page.md"));
+    let mut pty = started(Launch::new(pty::program()).in_script(&format!(
+        "\"$PROGRAM\" balancing/field && \"$PROGRAM\" solve '{}' --format markdown -o '{}'; exit $?",
+        job.display(),
+        page.display()
+    )));
+    pty.expect("Field balancing");
+    pty.types("<down><down><down>10 um<enter><down>90 deg<enter>");
+    // The trial weight, and what was read with it.
+    pty.types("<down><down><down><down><down><down><down>5 g<enter><down>0 deg<enter>");
+    pty.types("<down><down><down>10 um<enter><down>0 deg<enter>");
+    pty.expect("3.5355 g");
+    pty.expect("315°");
+    pty.types(&format!("s{}<enter>", job.display()));
+    pty.expect("saved as");
+    pty.types("q");
+    assert_eq!(pty.exit_code(), Some(0));
+    let page = fs::read_to_string(&page).expect("the page is there");
+    for words in ["3.5355", "315", "existing unbalance", "135"] {
+        assert!(page.contains(words), "{words}:\n{page}");
+    }
+}
