@@ -374,7 +374,7 @@ of-the-first-cylinder-of-each-pair = Do primeiro cilindro de cada par.
 offset-of-a-bank-along-the-shaft-from-the-one-before = Deslocamento de uma bancada ao longo do eixo em relação à anterior
 opposed-pistons-in-one-cylinder-on-two-shafts = Pistões opostos em um só cilindro, em dois virabrequins
 opposite-every-crank-they-balance-its-rotating-mass-and-a-fraction-of-its-reciprocating-mass = Opostos a cada manivela: equilibram sua massa rotativa e uma fração de sua massa alternativa.
-order = ordem
+order = Ordem
 order-n = ordem { $n }
 orders-of-the-shaking-force = Ordens da força de trepidação
 pairs-of-cylinders = Pares de cilindros
@@ -653,6 +653,7 @@ the-planes-are-so-close-together-that-a-correction-is-times-times-the-largest-un
 planes-a-and-b-are-the-same-plane-so-no-corrections-there-can-balance-a-couple-give-them-different = os planos A e B são o mesmo plano, portanto nenhuma correção ali equilibra um conjugado; dê-lhes posições diferentes
 
 # balancing/field
+the-range-of-the-weight-of-plane-n-is-wide-beside-the-weight-itself-fewer-than-95-of-100-such-jobs = a faixa da massa do plano { $n } é larga em comparação com a própria massa: menos de 95 em cada 100 trabalhos assim ficam dentro de suas faixas (87 dos simulados); repita as corridas, ou use uma massa de teste maior
 a-row-for-each-plane-and-each-reading-both-numbered-from-1 = Uma linha para cada plano e cada leitura, ambos numerados a partir de 1.
 a-row-for-each-sensor-and-for-each-speed-where-there-are-several = Uma linha para cada sensor, e para cada velocidade onde houver várias.
 against-the-rotation = Contra a rotação
