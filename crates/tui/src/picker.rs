@@ -95,8 +95,9 @@ pub fn family(id: &str) -> Text {
     })
 }
 
-/// Whole words of the title come first, then whole words of anything else, then titles that match with gaps; other
-/// words do not match with gaps, or nearly everything would.
+/// Whole words of the title come first, then whole words of anything else (those that stand together as they were
+/// typed before those that are scattered), then titles that match with gaps; other words do not match with gaps, or
+/// nearly everything would.
 fn visible(listings: &[Listing], filter: &str) -> Vec<usize> {
     if filter.trim().is_empty() {
         return (0..listings.len()).collect();
@@ -104,6 +105,7 @@ fn visible(listings: &[Listing], filter: &str) -> Vec<usize> {
     let mut matcher = Matcher::new(Config::DEFAULT);
     let pattern = |kind| Pattern::new(filter, CaseMatching::Ignore, Normalization::Smart, kind);
     let (with_gaps, as_is) = (pattern(AtomKind::Fuzzy), pattern(AtomKind::Substring));
+    let phrase = filter.trim().to_lowercase();
     let mut of =
         |pattern: &Pattern, text: &str| pattern.score(Utf32Str::new(text, &mut Vec::new()), &mut matcher);
     let mut rank = |listing: &Listing| {
@@ -113,9 +115,10 @@ fn visible(listings: &[Listing], filter: &str) -> Vec<usize> {
         let best = |pattern: &Pattern, of: &mut dyn FnMut(&Pattern, &str) -> Option<u32>| {
             names.iter().filter_map(|name| of(pattern, name)).max()
         };
-        let exact = best(&as_is, &mut of).map(|score| (2, score));
+        let together = || u8::from(listing.words.to_lowercase().contains(&phrase));
+        let exact = best(&as_is, &mut of).map(|score| (3, score));
         exact
-            .or_else(|| of(&as_is, &listing.words).map(|score| (1, score)))
+            .or_else(|| of(&as_is, &listing.words).map(|score| (1 + together(), score)))
             .or_else(|| best(&with_gaps, &mut of).map(|score| (0, score)))
     };
     let mut found: Vec<((u8, u32), usize)> =

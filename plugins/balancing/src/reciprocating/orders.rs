@@ -265,7 +265,7 @@ fn sums<W: Worksheet>(
 
 /// The crank angle at which the force is greatest, and its direction.
 fn directions<W: Worksheet>(n: usize, pair: &Pair<W::Num>, symbols: [&'static str; 2], sheet: W) {
-    let [p, q] = [pair.forward, pair.backward].map(|[x, y]| balance::direction(x, y));
+    let [p, q] = [pair.forward, pair.backward].map(|[x, y]| balance::marked_direction(x, y));
     let half = (q - p) / (2 * n) as f64;
     // Within one period of the order; rounding below zero stays there.
     let period = PI / n as f64;
