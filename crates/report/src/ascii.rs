@@ -94,6 +94,7 @@ const WORDS: &[(char, &str)] = &[
     ('Ψ', "Psi"),
     ('Ω', "Omega"),
     ('√', "sqrt"),
+    ('∠', "@"),
     ('∑', "sum"),
     ('∞', "infinity"),
     ('°', "deg"),

@@ -145,17 +145,17 @@ fn decompose<W: Worksheet>(
         let polar = Phasor::polar(size, angle);
         Phasor { x: component(x, polar.x), y: component(y, polar.y) }
     };
-    let one = vector(["V₁ₓ", "V₁ᵧ"], first);
-    let two = vector(["V₂ₓ", "V₂ᵧ"], second);
+    let one = vector(["V_1x", "V_1y"], first);
+    let two = vector(["V_2x", "V_2y"], second);
     let why = "Static part: what both have in common, half the sum";
     let common = Phasor {
-        x: sheet.step("Sₓ", unit, balance::static_part(one.x, two.x), why),
-        y: sheet.step("Sᵧ", unit, balance::static_part(one.y, two.y), why),
+        x: sheet.step("S_x", unit, balance::static_part(one.x, two.x), why),
+        y: sheet.step("S_y", unit, balance::static_part(one.y, two.y), why),
     };
     let why = "Couple part: what is opposite in them, half the difference; it stands in the first, its opposite in the second";
     let opposite = Phasor {
-        x: sheet.step("Cₓ", unit, balance::couple_part(one.x, two.x), why),
-        y: sheet.step("Cᵧ", unit, balance::couple_part(one.y, two.y), why),
+        x: sheet.step("C_x", unit, balance::couple_part(one.x, two.x), why),
+        y: sheet.step("C_y", unit, balance::couple_part(one.y, two.y), why),
     };
     let size = sheet.step("S", unit, common.size(), "Size of the static part");
     sheet.answer("static", "Static part", size);
