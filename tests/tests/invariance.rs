@@ -199,8 +199,11 @@ fn measure(shape: &Shape) -> Option<dalembert_core::Measure> {
     }
 }
 
+/// Every case of every analysis, or of the one that `DALEMBERT_ONLY` names.
 fn for_every_problem(mut look: impl FnMut(&str, &'static Entry, &Record, &Solution)) {
-    for entry in registry() {
+    let only = std::env::var("DALEMBERT_ONLY").ok();
+    assert!(only.as_deref().is_none_or(|id| dalembert_core::find(id).is_some()), "no analysis is {only:?}");
+    for entry in registry().iter().filter(|entry| only.as_deref().is_none_or(|id| id == entry.about.id)) {
         for case in cases::cases(entry).unwrap_or_else(|err| panic!("{}: {err}", entry.about.id)) {
             if case.refused.is_some() {
                 continue;
