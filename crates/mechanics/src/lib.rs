@@ -9,6 +9,7 @@ pub mod beam;
 pub mod identification;
 pub mod intervals;
 pub mod linalg;
+pub mod planar;
 pub mod polynomial;
 pub mod rigid;
 pub mod roots;

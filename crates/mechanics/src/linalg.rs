@@ -7,6 +7,7 @@
 
 mod band;
 mod complex;
+mod elimination;
 mod exact;
 mod lowest;
 mod nonsymmetric;
@@ -17,6 +18,7 @@ use nalgebra::{DMatrix, DVector};
 pub use self::{
     band::{ComplexBand, SymmetricBand},
     complex::{ComplexLu, solve_complex},
+    elimination::Elimination,
     lowest::lowest_modes,
     nonsymmetric::{ComplexEigen, complex_eigen, complex_eigenvalues},
     pencil::{generalised_eigen, generalised_eigenvalues},

@@ -14,6 +14,7 @@ mod identification;
 mod intervals;
 mod linalg;
 mod many_degrees;
+mod planar;
 mod polynomial;
 mod real;
 mod rigid;

@@ -1,0 +1,128 @@
+//! Plane mechanisms of any shape: rigid bodies, joints, drivers and loads.
+//!
+//! The positions `q` of a mechanism are the origin and the angle `(x, y, θ)` of each body; the origin of a body is
+//! its mass centre. Joints and drivers are [equations](Joint) `Φ(q) = 0` between [measures](Measure), so that
+//!
+//! - positions satisfy `Φ(q, t) = 0`, velocities `Φ_q q̇ = −Φ_t`, accelerations `Φ_q q̈ = γ`;
+//! - motion and forces satisfy `M q̈ = Q + Φ_qᵀ λ` (Newton and Euler), where the multiplier `λ` of an equation is the
+//!   effort that the joint or driver exerts along its measure: a force along a length, a couple about an angle,
+//!   positive when it pushes the measure to grow;
+//! - for virtual velocities `δq` that the joints allow, `δqᵀ (Q − M q̈) + Σ T δm = 0` over the drivers (virtual
+//!   power), which gives the driving efforts `T` without any reaction.
+//!
+//! P. E. Nikravesh, *Computer-Aided Analysis of Mechanical Systems* (1988), ch. 4, 6 and 8; E. J. Haug,
+//! *Computer-Aided Kinematics and Dynamics of Mechanical Systems* (1989), ch. 3 and 6.
+
+mod balance;
+mod equation;
+mod follow;
+mod load;
+mod measure;
+mod system;
+
+pub use balance::{Acting, Dynamics, LoadPower};
+pub use equation::{Driver, Equation, Joint, Profile, Term};
+pub use follow::{Followed, Passed};
+pub use load::{Effort, Load};
+pub use measure::{Frame, Measure, Point, Pose, Slope};
+pub use system::{Mobility, State, System};
+
+/// A plane mechanism.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Mechanism {
+    /// The moving bodies; the ground is none of them.
+    pub bodies: Vec<Body>,
+    /// What holds them together.
+    pub joints: Vec<Joint>,
+    /// What moves or holds it: one for each degree of freedom.
+    pub drivers: Vec<Driver>,
+    /// What acts on it.
+    pub loads: Vec<Load>,
+    /// Acceleration of gravity, m/s².
+    pub gravity: [f64; 2],
+}
+
+/// A rigid body. Its origin is its mass centre.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Body {
+    /// Mass, kg; zero for one whose inertia does not count.
+    pub mass: f64,
+    /// Moment of inertia about the mass centre, kg m².
+    pub inertia: f64,
+}
+
+/// Why a mechanism has no answer. Bodies, joints, drivers and loads are counted from 0.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PlanarError {
+    /// A number is not finite, a mass or inertia is negative, or a length that must be positive is not.
+    #[error(
+        "{what} {index} has a number that it cannot have: every number must be finite and no mass negative"
+    )]
+    Number {
+        /// Body, joint, driver or load.
+        what: &'static str,
+        /// Which.
+        index: usize,
+    },
+    /// A joint, driver or load names a body that there is not.
+    #[error("{what} {index} is attached to body {body}, but there are {bodies} bodies")]
+    NoSuchBody {
+        /// Joint, driver or load.
+        what: &'static str,
+        /// Which.
+        index: usize,
+        /// The body that it names.
+        body: usize,
+        /// How many there are.
+        bodies: usize,
+    },
+    /// The joints cannot all hold at once.
+    #[error("the mechanism does not close: joint {joint} stays open by {gap}")]
+    DoesNotClose {
+        /// The equation with the largest gap: of this joint, or of the driver numbered after the joints.
+        joint: usize,
+        /// What is left of it, m or rad.
+        gap: f64,
+    },
+    /// Some freedom has no driver.
+    #[error("{free} degrees of freedom have no driver")]
+    UnderDriven {
+        /// How many are left.
+        free: usize,
+    },
+    /// A driver is not free to move: the joints or the other drivers hold it already.
+    #[error("driver {driver} is held already by the joints or by other drivers")]
+    OverDriven {
+        /// Which.
+        driver: usize,
+    },
+    /// A driver cannot go on: the mechanism has reached a limit position.
+    #[error("driver {driver} cannot pass {at}: the mechanism has reached a limit position")]
+    Limit {
+        /// Which.
+        driver: usize,
+        /// The last value of its measure that can be reached, m or rad.
+        at: f64,
+    },
+    /// In this position the drivers do not determine the motion: a dead centre.
+    #[error("driver {driver} cannot move the mechanism from this position, a dead centre")]
+    DeadCentre {
+        /// A driver that has lost its hold.
+        driver: usize,
+    },
+    /// Friction grows faster than what drives against it: the mechanism locks itself.
+    #[error("the friction in joint {joint} finds no balance: the mechanism jams")]
+    Jammed {
+        /// A joint with friction.
+        joint: usize,
+    },
+    /// A number overflowed on the way.
+    #[error("a result is not finite")]
+    NotFinite,
+}
+
+impl From<crate::linalg::LinalgError> for PlanarError {
+    fn from(_: crate::linalg::LinalgError) -> Self {
+        PlanarError::NotFinite
+    }
+}

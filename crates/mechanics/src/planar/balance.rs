@@ -1,0 +1,290 @@
+//! The efforts that move a mechanism, by virtual power and by Newton and Euler.
+
+use super::{
+    Frame, Joint, Load, Measure, Mechanism, PlanarError, State, System,
+    load::wrench,
+    system::{poses, project, slope},
+};
+
+/// Rounds of the friction forces before a mechanism counts as jammed.
+const ROUNDS: usize = 500;
+
+/// The efforts on a moving mechanism.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Dynamics {
+    /// The effort of each driver by virtual power, N or N m: positive when it pushes its measure to grow.
+    pub efforts: Vec<f64>,
+    /// The same by Newton and Euler.
+    pub newton_euler: Vec<f64>,
+    /// The multiplier of each equation, in the order of [`System::equations`]: the effort that a joint or driver
+    /// exerts along its measure.
+    pub multipliers: Vec<f64>,
+    /// `∂q/∂m` for each driver: how every body moves with a unit velocity of the driver and the others held.
+    pub coefficients: Vec<Vec<[f64; 3]>>,
+    /// The power of every load, weight and inertia load.
+    pub powers: Vec<LoadPower>,
+    /// Kinetic energy, J.
+    pub kinetic_energy: f64,
+    /// Its rate `Σ (m a · v + I α ω)`, W.
+    pub energy_rate: f64,
+}
+
+/// The part that a load has in the balance of virtual power.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadPower {
+    /// Which load.
+    pub of: Acting,
+    /// Its virtual power for a unit velocity of each driver.
+    pub generalised: Vec<f64>,
+    /// Its power, W.
+    pub power: f64,
+}
+
+/// Something that has power.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Acting {
+    /// A load, counted from 0.
+    Load(usize),
+    /// The weight of a body.
+    Weight(usize),
+    /// The inertia force of a body, `−m a`.
+    InertiaForce(usize),
+    /// The inertia couple of a body, `−I α`.
+    InertiaCouple(usize),
+}
+
+impl System {
+    /// The efforts of the drivers, the reactions of the joints and the power of every load.
+    ///
+    /// # Errors
+    /// `UnderDriven`, `OverDriven`, `DeadCentre`, `Jammed`, `NotFinite`.
+    pub fn dynamics(&self, state: &State) -> Result<Dynamics, PlanarError> {
+        let elimination = self.factored(&state.positions)?;
+        let drivers = self.mechanism.drivers.len();
+        let coefficients: Vec<Vec<[f64; 3]>> = (0..drivers)
+            .map(|driver| {
+                let mut unit = vec![0.0; self.equations.len()];
+                unit[self.first_driver() + driver] = 1.0;
+                Ok(self.unscaled(&elimination.solve(&unit)?))
+            })
+            .collect::<Result<_, PlanarError>>()?;
+        let mut acting = self.acting(state);
+        let frictions = self.frictions(state);
+        let multipliers = {
+            let without = forces(state.positions.len(), &acting);
+            let mut all = without.clone();
+            let mut last: Option<Vec<f64>> = None;
+            let mut round = 0;
+            loop {
+                let balance: Vec<f64> =
+                    all.iter().flat_map(|[x, y, moment]| [-x, -y, -moment / self.length]).collect();
+                let multipliers = elimination.solve_transposed(&balance)?;
+                if frictions.is_empty() || last.as_ref().is_some_and(|last| same(last, &multipliers)) {
+                    break multipliers;
+                }
+                round += 1;
+                if round > ROUNDS || multipliers.iter().any(|x| x.abs() > 1e200) {
+                    return Err(PlanarError::Jammed { joint: frictions[0].joint });
+                }
+                all.clone_from(&without);
+                for friction in &frictions {
+                    let part = friction.on_bodies(&multipliers);
+                    for (body, force) in part {
+                        add(&mut all[body], force);
+                    }
+                }
+                last = Some(multipliers);
+            }
+        };
+        for friction in &frictions {
+            acting.push((Acting::Load(friction.load), friction.on_bodies(&multipliers)));
+        }
+        acting.sort_by_key(|(of, _)| match *of {
+            Acting::Load(load) => (0, load),
+            Acting::Weight(body) => (1, body),
+            Acting::InertiaForce(body) => (2, body),
+            Acting::InertiaCouple(body) => (3, body),
+        });
+        let powers: Vec<LoadPower> = acting
+            .iter()
+            .map(|(of, parts)| LoadPower {
+                of: *of,
+                generalised: coefficients.iter().map(|motion| virtual_power(parts, motion)).collect(),
+                power: virtual_power(parts, &state.velocities),
+            })
+            .collect();
+        let efforts = (0..drivers)
+            .map(|driver| -powers.iter().map(|load| load.generalised[driver]).sum::<f64>())
+            .collect();
+        let (kinetic_energy, energy_rate) = self.energy(state);
+        Ok(Dynamics {
+            efforts,
+            newton_euler: multipliers[self.first_driver()..].to_vec(),
+            multipliers,
+            coefficients,
+            powers,
+            kinetic_energy,
+            energy_rate,
+        })
+    }
+
+    /// Kinetic energy and its rate.
+    pub fn energy(&self, state: &State) -> (f64, f64) {
+        let of_body = |((body, v), a): ((&super::Body, &[f64; 3]), &[f64; 3])| {
+            let energy = body.mass * (v[0] * v[0] + v[1] * v[1]) + body.inertia * v[2] * v[2];
+            let rate = body.mass * (v[0] * a[0] + v[1] * a[1]) + body.inertia * v[2] * a[2];
+            (energy / 2.0, rate)
+        };
+        let bodies = self.mechanism.bodies.iter().zip(&state.velocities).zip(&state.accelerations);
+        bodies.map(of_body).fold((0.0, 0.0), |sum, part| (sum.0 + part.0, sum.1 + part.1))
+    }
+
+    /// The potential energy of weights, springs and constant efforts and forces, J, from an arbitrary level; none if
+    /// a load has none.
+    pub fn potential(&self, positions: &[[f64; 3]]) -> Option<f64> {
+        let poses = poses(positions);
+        let [gx, gy] = self.mechanism.gravity;
+        let weights: f64 = self
+            .mechanism
+            .bodies
+            .iter()
+            .zip(positions)
+            .map(|(body, at)| -body.mass * (gx * at[0] + gy * at[1]))
+            .sum();
+        self.mechanism.loads.iter().try_fold(weights, |sum, load| {
+            let energy = match load {
+                Load::Force { at, force, turns_with: None } => {
+                    let [x, y] = at.on.map_or(at.at, |body| poses[body].point(at.at));
+                    -(force[0] * x + force[1] * y)
+                }
+                Load::Effort { measure, effort } => effort.energy(slope(measure, &poses).value)?,
+                Load::Force { .. } | Load::Friction { .. } => return None,
+            };
+            Some(sum + energy)
+        })
+    }
+
+    /// Every load but friction, weight and inertia load, with the forces and moments on the bodies.
+    pub(super) fn acting(&self, state: &State) -> Vec<(Acting, Vec<(usize, [f64; 3])>)> {
+        let mut acting = self.applied(&state.positions, &state.velocities);
+        for (index, (body, [x, y, angular])) in
+            self.mechanism.bodies.iter().zip(&state.accelerations).enumerate()
+        {
+            if body.mass > 0.0 {
+                let force = [-body.mass * x, -body.mass * y, 0.0];
+                acting.push((Acting::InertiaForce(index), vec![(index, force)]));
+            }
+            if body.inertia > 0.0 {
+                let couple = [0.0, 0.0, -body.inertia * angular];
+                acting.push((Acting::InertiaCouple(index), vec![(index, couple)]));
+            }
+        }
+        acting
+    }
+
+    /// The loads but friction, and the weights.
+    pub(super) fn applied(
+        &self,
+        positions: &[[f64; 3]],
+        velocities: &[[f64; 3]],
+    ) -> Vec<(Acting, Vec<(usize, [f64; 3])>)> {
+        let poses = poses(positions);
+        let Mechanism { bodies, loads, gravity: [gx, gy], .. } = &self.mechanism;
+        let mut acting = Vec::new();
+        for (index, load) in loads.iter().enumerate() {
+            let parts = match load {
+                Load::Force { at, force, turns_with } => {
+                    let force = turns_with.map_or(*force, |body| poses[body].turned(*force));
+                    at.on.map(|body| (body, wrench(&poses[body], at.at, force))).into_iter().collect()
+                }
+                Load::Effort { measure, effort } => {
+                    let slope = slope(measure, &poses);
+                    let rate = project(measure, &slope, velocities);
+                    along(measure, &slope, effort.at(slope.value, rate))
+                }
+                Load::Friction { .. } => continue,
+            };
+            acting.push((Acting::Load(index), parts));
+        }
+        if [*gx, *gy] != [0.0, 0.0] {
+            for (index, body) in bodies.iter().enumerate().filter(|(_, body)| body.mass > 0.0) {
+                let weight = [body.mass * gx, body.mass * gy, 0.0];
+                acting.push((Acting::Weight(index), vec![(index, weight)]));
+            }
+        }
+        acting
+    }
+
+    fn frictions(&self, state: &State) -> Vec<Friction> {
+        let poses = poses(&state.positions);
+        let of_load = |(load, this): (usize, &Load)| {
+            let &Load::Friction { joint, coefficient, radius } = this else { return None };
+            let (measure, arm) = match self.mechanism.joints[joint] {
+                Joint::Slider { guide, direction, slides: pin, .. }
+                | Joint::Slot { guide, direction, pin, .. } => {
+                    let direction = [direction.cos(), direction.sin()];
+                    (Measure::Along { direction, from: guide, to: pin }, 1.0)
+                }
+                Joint::Pin { a, b } => (Measure::Angle { of: b.on, against: a.on }, radius),
+                _ => return None,
+            };
+            let slope = slope(&measure, &poses);
+            let rate = project(&measure, &slope, &state.velocities);
+            let sense = if rate == 0.0 { 0.0 } else { rate.signum() };
+            let unit = along(&measure, &slope, -sense * coefficient * arm);
+            let equations = (0..self.equations.len()).filter(|&row| self.owners[row] == joint).collect();
+            let pin = matches!(self.mechanism.joints[joint], Joint::Pin { .. });
+            Some(Friction { load, joint, equations, pin, unit })
+        };
+        self.mechanism.loads.iter().enumerate().filter_map(of_load).collect()
+    }
+}
+
+/// A friction force, in proportion to the force that its joint carries.
+struct Friction {
+    load: usize,
+    joint: usize,
+    /// The equations of the joint.
+    equations: Vec<usize>,
+    pin: bool,
+    /// The friction for a unit force in the joint.
+    unit: Vec<(usize, [f64; 3])>,
+}
+
+impl Friction {
+    fn on_bodies(&self, multipliers: &[f64]) -> Vec<(usize, [f64; 3])> {
+        let first = multipliers[self.equations[0]];
+        let carried = if self.pin { first.hypot(multipliers[self.equations[1]]) } else { first.abs() };
+        self.unit.iter().map(|(body, unit)| (*body, unit.map(|x| x * carried))).collect()
+    }
+}
+
+/// An effort along a measure as forces and moments on its bodies.
+fn along(measure: &Measure, slope: &super::Slope<f64>, effort: f64) -> Vec<(usize, [f64; 3])> {
+    let part = |frame: Frame, slope: [f64; 3]| frame.map(|body| (body, slope.map(|x| x * effort)));
+    let [from, to] = measure.bodies();
+    [part(from, slope.from), part(to, slope.to)].into_iter().flatten().collect()
+}
+
+fn forces(bodies: usize, acting: &[(Acting, Vec<(usize, [f64; 3])>)]) -> Vec<[f64; 3]> {
+    let mut sums = vec![[0.0; 3]; bodies];
+    for (body, force) in acting.iter().flat_map(|(_, parts)| parts) {
+        add(&mut sums[*body], *force);
+    }
+    sums
+}
+
+fn add(sum: &mut [f64; 3], part: [f64; 3]) {
+    for (sum, part) in sum.iter_mut().zip(part) {
+        *sum += part;
+    }
+}
+
+fn virtual_power(parts: &[(usize, [f64; 3])], motion: &[[f64; 3]]) -> f64 {
+    parts.iter().map(|(body, force)| force.iter().zip(motion[*body]).map(|(f, v)| f * v).sum::<f64>()).sum()
+}
+
+fn same(a: &[f64], b: &[f64]) -> bool {
+    let largest = a.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-14 * largest)
+}

@@ -1,0 +1,309 @@
+//! Joints and drivers, and the scalar equations that they stand for.
+
+use super::{Frame, Measure, Point};
+
+/// What holds bodies together.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Joint {
+    /// A revolute joint: two points stay together.
+    Pin {
+        /// A point.
+        a: Point,
+        /// The point that is pinned to it.
+        b: Point,
+    },
+    /// A prismatic joint: a point stays on a line of another body and the bodies keep their angle.
+    Slider {
+        /// A point of the line.
+        guide: Point,
+        /// Direction of the line in the axes of its body, rad.
+        direction: f64,
+        /// The point that slides.
+        slides: Point,
+        /// The angle of the sliding body against the guide, rad.
+        angle: f64,
+    },
+    /// A pin in a straight slot: a point stays at a distance to the left of a line of another body.
+    Slot {
+        /// A point of the line.
+        guide: Point,
+        /// Direction of the line in the axes of its body, rad.
+        direction: f64,
+        /// The pin.
+        pin: Point,
+        /// Distance to the left of the line, m.
+        offset: f64,
+    },
+    /// Two bodies are one: their points stay together and they keep their angle.
+    Weld {
+        /// A point.
+        a: Point,
+        /// The point that is fixed to it.
+        b: Point,
+        /// The angle of the second body against the first, rad.
+        angle: f64,
+    },
+    /// A massless rod with a pin at each end.
+    Rod {
+        /// One end.
+        from: Point,
+        /// The other end.
+        to: Point,
+        /// Its length, m.
+        length: f64,
+    },
+    /// A pair of gears: `Nₐ(θₐ − θ_c) ± N_b(θ_b − θ_c)` does not change.
+    Gears {
+        /// A gear.
+        a: Frame,
+        /// The gear that it meshes with.
+        b: Frame,
+        /// The body that carries both.
+        carrier: Frame,
+        /// Teeth or pitch radii of the two.
+        sizes: [f64; 2],
+        /// Whether the second has its teeth inside.
+        internal: bool,
+    },
+    /// Rack and pinion, or a wheel that rolls on a line without slip: the way along the line and the rolled arc
+    /// differ by a constant, that of the position it is drawn in.
+    Rack {
+        /// A point of the pitch line.
+        guide: Point,
+        /// Direction of the line in the axes of its body, rad.
+        direction: f64,
+        /// The centre of the wheel.
+        centre: Point,
+        /// Pitch radius, m; positive with the centre to the left of the line.
+        radius: f64,
+    },
+    /// A cord of constant length over small pulleys, wound on drums: `Σ|B − A| + Σ r (θ_of − θ_against)` does not
+    /// change. It is drawn taut.
+    Cord {
+        /// The straight runs.
+        runs: Vec<[Point; 2]>,
+        /// The drums: body, the body that carries it, and the radius with which a positive turn takes cord up, m.
+        drums: Vec<(Frame, Frame, f64)>,
+    },
+    /// A weighted sum of measures keeps its value, or the one that it has in the drawn position: screws, belts and
+    /// whatever else is linear.
+    Relation {
+        /// The weights and measures.
+        terms: Vec<(f64, Measure)>,
+        /// Their sum; that of the drawn position if none.
+        sum: Option<f64>,
+    },
+    /// A cam: one measure follows another by a table.
+    Cam {
+        /// The measure that follows.
+        follower: Measure,
+        /// The measure that leads.
+        cam: Measure,
+        /// What the follower is for each value of the leader.
+        profile: Profile,
+    },
+}
+
+/// A driver: a measure whose value, velocity and acceleration are given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Driver {
+    /// What is driven.
+    pub measure: Measure,
+    /// Its value, m or rad.
+    pub value: f64,
+    /// Its velocity, m/s or rad/s.
+    pub velocity: f64,
+    /// Its acceleration, m/s² or rad/s².
+    pub acceleration: f64,
+}
+
+/// A function with two continuous derivatives, as a polynomial on each interval.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    /// Where the intervals begin, ascending, and where the last one ends.
+    knots: Vec<f64>,
+    /// The coefficients of each interval, of powers of the way from its beginning.
+    pieces: Vec<[f64; 4]>,
+    /// After how much it repeats.
+    period: Option<f64>,
+}
+
+/// A part of an [`Equation`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Term {
+    /// What it is multiplied by.
+    pub weight: f64,
+    /// What is measured.
+    pub measure: Measure,
+    /// The function that the measure goes through.
+    pub profile: Option<Profile>,
+}
+
+/// `Σ weight · f(measure) = sum`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Equation {
+    /// The parts of its left side.
+    pub terms: Vec<Term>,
+    /// Its right side; the left side in the drawn position if none.
+    pub sum: Option<f64>,
+}
+
+impl Equation {
+    /// A measure keeps a value.
+    pub fn of(measure: Measure, sum: Option<f64>) -> Self {
+        Self { terms: vec![Term { weight: 1.0, measure, profile: None }], sum }
+    }
+
+    fn weighted(terms: impl IntoIterator<Item = (f64, Measure)>, sum: Option<f64>) -> Self {
+        let terms = terms.into_iter().map(|(weight, measure)| Term { weight, measure, profile: None });
+        Self { terms: terms.collect(), sum }
+    }
+}
+
+impl Joint {
+    /// The equations that it stands for. The multipliers of a pin or weld are the components of the force on its
+    /// second point; those of a slider or slot the force across the line, to its left, on the point.
+    pub fn equations(&self) -> Vec<Equation> {
+        let meet = |a: Point, b: Point| {
+            [[1.0, 0.0], [0.0, 1.0]]
+                .map(|direction| Equation::of(Measure::Component { direction, from: a, to: b }, Some(0.0)))
+        };
+        let left_of = |guide: Point, direction: f64, point: Point, offset: f64| {
+            let across =
+                Measure::Along { direction: [-direction.sin(), direction.cos()], from: guide, to: point };
+            Equation::of(across, Some(offset))
+        };
+        let angle = |of: Frame, against: Frame| Measure::Angle { of, against };
+        match self {
+            &Joint::Pin { a, b } => meet(a, b).into(),
+            &Joint::Slider { guide, direction, slides, angle: kept } => vec![
+                left_of(guide, direction, slides, 0.0),
+                Equation::of(angle(slides.on, guide.on), Some(kept)),
+            ],
+            &Joint::Slot { guide, direction, pin, offset } => vec![left_of(guide, direction, pin, offset)],
+            &Joint::Weld { a, b, angle: kept } => {
+                let [x, y] = meet(a, b);
+                vec![x, y, Equation::of(angle(b.on, a.on), Some(kept))]
+            }
+            &Joint::Rod { from, to, length } => {
+                vec![Equation::of(Measure::Distance { from, to }, Some(length))]
+            }
+            &Joint::Gears { a, b, carrier, sizes: [of_a, of_b], internal } => {
+                let of_b = if internal { -of_b } else { of_b };
+                vec![Equation::weighted([(of_a, angle(a, carrier)), (of_b, angle(b, carrier))], None)]
+            }
+            &Joint::Rack { guide, direction, centre, radius } => {
+                let along =
+                    Measure::Along { direction: [direction.cos(), direction.sin()], from: guide, to: centre };
+                vec![Equation::weighted([(1.0, along), (radius, angle(centre.on, guide.on))], None)]
+            }
+            Joint::Cord { runs, drums } => {
+                let runs = runs.iter().map(|&[from, to]| (1.0, Measure::Distance { from, to }));
+                let drums = drums.iter().map(|&(of, against, radius)| (radius, angle(of, against)));
+                vec![Equation::weighted(runs.chain(drums), None)]
+            }
+            Joint::Relation { terms, sum } => vec![Equation::weighted(terms.iter().copied(), *sum)],
+            Joint::Cam { follower, cam, profile } => {
+                let terms = vec![
+                    Term { weight: 1.0, measure: *follower, profile: None },
+                    Term { weight: -1.0, measure: *cam, profile: Some(profile.clone()) },
+                ];
+                vec![Equation { terms, sum: Some(0.0) }]
+            }
+        }
+    }
+}
+
+impl Profile {
+    /// The natural cubic spline through points with ascending abscissae; outside of them it goes on as a line.
+    /// With a period it closes on itself, and the points must lie within one period.
+    ///
+    /// None unless there are at least two points (three with a period), finite and ascending.
+    pub fn through(points: &[[f64; 2]], period: Option<f64>) -> Option<Self> {
+        let mut points = points.to_vec();
+        if let Some(period) = period {
+            let [x, y] = *points.first()?;
+            if points.len() < 3 || points.last()?[0] >= x + period {
+                return None;
+            }
+            points.push([x + period, y]);
+        }
+        let ascending = points.windows(2).all(|pair| pair[0][0] < pair[1][0]);
+        if points.len() < 2 || !ascending || points.iter().flatten().any(|x| !x.is_finite()) {
+            return None;
+        }
+        let second = second_derivatives(&points, period.is_some())?;
+        let piece = |k: usize| {
+            let ([x0, y0], [x1, y1]) = (points[k], points[k + 1]);
+            let (h, s0, s1) = (x1 - x0, second[k], second[k + 1]);
+            [y0, (y1 - y0) / h - h * (2.0 * s0 + s1) / 6.0, s0 / 2.0, (s1 - s0) / (6.0 * h)]
+        };
+        let pieces: Vec<[f64; 4]> = (0..points.len() - 1).map(piece).collect();
+        let finite = pieces.iter().flatten().all(|x| x.is_finite());
+        let knots = points.iter().map(|point| point[0]).collect();
+        finite.then_some(Self { knots, pieces, period })
+    }
+
+    /// Value, first and second derivative.
+    pub fn at(&self, x: f64) -> [f64; 3] {
+        let first = self.knots[0];
+        let x = self.period.map_or(x, |period| first + (x - first).rem_euclid(period));
+        let last = self.knots[self.knots.len() - 1];
+        let held = x.clamp(first, last);
+        let piece = self.knots[1..self.knots.len() - 1].partition_point(|&knot| knot <= held);
+        let [a, b, c, d] = self.pieces[piece];
+        let h = held - self.knots[piece];
+        let slope = b + h * (2.0 * c + h * 3.0 * d);
+        let beyond = x - held;
+        let bend = if beyond == 0.0 { 2.0 * c + 6.0 * d * h } else { 0.0 };
+        [a + h * (b + h * (c + h * d)) + slope * beyond, slope, bend]
+    }
+
+    /// The integral from the first point.
+    pub fn integral(&self, x: f64) -> f64 {
+        let whole = |[a, b, c, d]: [f64; 4], h: f64| h * (a + h * (b / 2.0 + h * (c / 3.0 + h * d / 4.0)));
+        let (first, last) = (self.knots[0], self.knots[self.knots.len() - 1]);
+        let up_to = |x: f64| -> f64 {
+            let held = x.clamp(first, last);
+            let inside: f64 = self
+                .knots
+                .windows(2)
+                .zip(&self.pieces)
+                .map(|(ends, &piece)| whole(piece, held.clamp(ends[0], ends[1]) - ends[0]))
+                .sum();
+            let [value, slope, _] = self.at(held);
+            inside + (x - held) * (value + slope * (x - held) / 2.0)
+        };
+        match self.period {
+            Some(period) => {
+                let turns = ((x - first) / period).floor();
+                turns * up_to(last) + up_to(x - turns * period)
+            }
+            None => up_to(x),
+        }
+    }
+}
+
+/// The second derivatives of the cubic spline at its points (de Boor, *A Practical Guide to Splines*, ch. IV).
+fn second_derivatives(points: &[[f64; 2]], closed: bool) -> Option<Vec<f64>> {
+    let n = points.len();
+    let width = |k: usize| points[k + 1][0] - points[k][0];
+    let slope = |k: usize| (points[k + 1][1] - points[k][1]) / width(k);
+    let mut a = nalgebra::DMatrix::zeros(n, n);
+    let mut b = nalgebra::DVector::zeros(n);
+    for k in 1..n - 1 {
+        (a[(k, k - 1)], a[(k, k)], a[(k, k + 1)]) = (width(k - 1), 2.0 * (width(k - 1) + width(k)), width(k));
+        b[k] = 6.0 * (slope(k) - slope(k - 1));
+    }
+    if closed {
+        let last = n - 2;
+        a[(0, last)] = width(last);
+        a[(0, 0)] = 2.0 * (width(last) + width(0));
+        a[(0, 1)] += width(0);
+        b[0] = 6.0 * (slope(0) - slope(last));
+        (a[(n - 1, 0)], a[(n - 1, n - 1)]) = (1.0, -1.0);
+    } else {
+        (a[(0, 0)], a[(n - 1, n - 1)]) = (1.0, 1.0);
+    }
+    crate::linalg::solve(&a, &b).ok().map(|solved| solved.x.iter().copied().collect())
+}

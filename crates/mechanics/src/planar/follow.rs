@@ -1,0 +1,159 @@
+//! Moving a mechanism from one position to another without leaving its branch.
+
+use super::{PlanarError, System, system::Gaps};
+use crate::linalg::Elimination;
+
+/// The largest move of one step, in parts of the size of the mechanism.
+const STEP: f64 = 0.2;
+/// The smallest step, in parts of the whole way: below it the mechanism has come to its end.
+const SMALLEST: f64 = 1e-11;
+/// A correction above this part of the step is a jump.
+const JUMP: f64 = 0.1;
+/// A correction below this part of the step stays on the smooth path, even where two branches cross.
+const SMOOTH: f64 = 2e-3;
+
+/// Where a mechanism has come to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Followed {
+    /// The positions.
+    pub positions: Vec<[f64; 3]>,
+    /// The change points on the way: positions in which the drivers lose their hold and two branches cross.
+    pub passed: Vec<Passed>,
+}
+
+/// A change point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Passed {
+    /// About where each driver was, m or rad.
+    pub values: Vec<f64>,
+}
+
+impl System {
+    /// Moves the drivers evenly from the values that they have in closed positions to others, by steps so small that
+    /// the path of every body can be followed: a prediction with velocity and acceleration, then Newton's method.
+    ///
+    /// A step that Newton's method would change much, or that would turn the sign of `det Φ_q`, is halved: so a
+    /// linkage never flips to its other branch. Where no step leads on, the mechanism has reached its limit.
+    ///
+    /// # Errors
+    /// `Limit` with the last value that can be reached; as for [`motion`](System::motion) if it cannot even start.
+    pub fn follow(&self, positions: &[[f64; 3]], values: &[f64]) -> Result<Followed, PlanarError> {
+        let from: Vec<f64> =
+            self.mechanism.drivers.iter().map(|driver| self.value(&driver.measure, positions)).collect();
+        let way: Vec<f64> = values.iter().zip(&from).map(|(to, from)| to - from).collect();
+        let still = vec![0.0; way.len()];
+        let at =
+            |done: f64| -> Vec<f64> { from.iter().zip(&way).map(|(from, way)| from + done * way).collect() };
+        let mut here = Followed { positions: positions.to_vec(), passed: Vec::new() };
+        let mut moving = self.clone();
+        let (mut done, mut step) = (0.0, 1.0f64);
+        while done < 1.0 {
+            let elimination = match moving.factored(&here.positions) {
+                Ok(elimination) => elimination,
+                Err(error) if done == 0.0 => return Err(error),
+                Err(_) => return Err(self.limit(&way, &at(done))),
+            };
+            let tangent = moving.motion_with(&elimination, &here.positions, &way, &still)?;
+            let scaled = |rates: &[[f64; 3]]| -> Vec<f64> {
+                rates.iter().flat_map(|[x, y, angle]| [*x, *y, angle * self.length]).collect()
+            };
+            let (first, second) = (scaled(&tangent.velocities), scaled(&tangent.accelerations));
+            let (fast, bent) = (largest(&first), largest(&second));
+            let rows = kept(&elimination);
+            let sign = self.sign(&here.positions, &rows)?;
+            let longest = STEP * self.length / fast;
+            let curved = (STEP * self.length / bent).sqrt();
+            step = (2.0 * step).min(1.0 - done).min(longest).min(curved);
+            loop {
+                let end = if step >= 1.0 - done { 1.0 } else { done + step };
+                let predicted: Vec<f64> =
+                    first.iter().zip(&second).map(|(v, a)| step * v + step * step * a / 2.0).collect();
+                let predicted = self.moved(&here.positions, &predicted, 1.0);
+                moving.driven_to(&at(end));
+                let allowed = JUMP * step * fast;
+                if let Some((found, correction)) = moving.corrected(predicted, &rows, allowed) {
+                    let turned = self.sign(&found, &rows)? != sign;
+                    if !turned || correction <= SMOOTH * step * fast || fast == 0.0 {
+                        if turned && sign != 0.0 {
+                            here.passed.push(Passed { values: at(f64::midpoint(done, end)) });
+                        }
+                        here.positions = found;
+                        done = end;
+                        break;
+                    }
+                }
+                step /= 2.0;
+                if step < SMALLEST {
+                    return Err(self.limit(&way, &at(done)));
+                }
+            }
+        }
+        self.closed_at(&here.positions, values)?;
+        Ok(here)
+    }
+
+    fn closed_at(&self, positions: &[[f64; 3]], values: &[f64]) -> Result<(), PlanarError> {
+        let mut there = self.clone();
+        there.driven_to(values);
+        there.closed(positions)
+    }
+
+    /// The limit, named by the driver that was to go farthest.
+    fn limit(&self, way: &[f64], at: &[f64]) -> PlanarError {
+        let extent = |driver: usize| {
+            let in_length = if self.mechanism.drivers[driver].measure.is_angle() { self.length } else { 1.0 };
+            way[driver].abs() * in_length
+        };
+        let driver = (0..way.len()).max_by(|&a, &b| extent(a).total_cmp(&extent(b))).unwrap_or(0);
+        PlanarError::Limit { driver, at: at.get(driver).copied().unwrap_or(0.0) }
+    }
+
+    /// The sign of the determinant of some of the equations.
+    fn sign(&self, positions: &[[f64; 3]], rows: &[usize]) -> Result<f64, PlanarError> {
+        Ok(Elimination::new(&self.gaps(positions).slopes.select_rows(rows))?.sign())
+    }
+
+    /// Newton's method on some of the equations; none if it does not converge with corrections below what is
+    /// allowed in all.
+    fn corrected(
+        &self,
+        mut positions: Vec<[f64; 3]>,
+        rows: &[usize],
+        allowed: f64,
+    ) -> Option<(Vec<[f64; 3]>, f64)> {
+        let (mut total, mut last) = (0.0, f64::INFINITY);
+        let rounding = 4.0 * f64::EPSILON * self.reach(&positions);
+        for _ in 0..12 {
+            let Gaps { gaps, slopes } = self.gaps(&positions);
+            let gaps: Vec<f64> = rows.iter().map(|&row| gaps[row]).collect();
+            let elimination = Elimination::new(&slopes.select_rows(rows)).ok()?;
+            if elimination.rank() < rows.len() {
+                return None;
+            }
+            let change = elimination.solve(&gaps).ok()?;
+            positions = self.moved(&positions, &change, -1.0);
+            let size = largest(&change);
+            total += size;
+            if total > allowed.max(16.0 * rounding) {
+                return None;
+            }
+            // Two in a row at the level of rounding, or no more progress there.
+            if size <= rounding || (size >= last && size <= 1e3 * rounding) {
+                return Some((positions, total));
+            }
+            last = size;
+        }
+        None
+    }
+}
+
+/// The rows of an elimination that are kept, in their order.
+fn kept(elimination: &Elimination) -> Vec<usize> {
+    let mut rows = elimination.independent_rows().to_vec();
+    rows.sort_unstable();
+    rows
+}
+
+fn largest(x: &[f64]) -> f64 {
+    x.iter().fold(0.0, |most, x| most.max(x.abs()))
+}

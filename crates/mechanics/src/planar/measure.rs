@@ -1,0 +1,228 @@
+//! What can be measured on a mechanism: lengths and angles, how they change with the positions, and how fast.
+//!
+//! A joint holds measures, a driver moves one, a spring stretches one, and an effort works along one. For a measure
+//! `m(q)` of the positions q, the effort conjugate to it does the power `Q ṁ` (virtual power), and acts on the
+//! bodies as `Q ∂m/∂q`; its acceleration is `m̈ = (∂m/∂q) q̈ + b` with `b` quadratic in the velocities.
+
+use crate::Real;
+
+/// A body, counted from 0, or the ground.
+pub type Frame = Option<usize>;
+
+/// A point fixed to a body, in the axes of the body and from its origin, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// The body that carries it.
+    pub on: Frame,
+    /// Its place in the axes of the body.
+    pub at: [f64; 2],
+}
+
+impl Point {
+    /// A point of the ground.
+    pub fn ground(at: [f64; 2]) -> Self {
+        Self { on: None, at }
+    }
+
+    /// A point of a body.
+    pub fn body(body: usize, at: [f64; 2]) -> Self {
+        Self { on: Some(body), at }
+    }
+}
+
+/// A length or an angle of a mechanism.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Measure {
+    /// The angle of a body against another, `θ_of − θ_against`, rad. Turns are counted.
+    Angle {
+        /// The body that turns.
+        of: Frame,
+        /// The body against which its angle is taken.
+        against: Frame,
+    },
+    /// How far a point is from another in a fixed direction, `u · (B − A)`, m.
+    Component {
+        /// Unit vector u.
+        direction: [f64; 2],
+        /// A.
+        from: Point,
+        /// B.
+        to: Point,
+    },
+    /// How far a point is from another in a direction that turns with the body of the first, `u(θ_A) · (B − A)`, m.
+    Along {
+        /// Unit vector u in the axes of the body that carries A.
+        direction: [f64; 2],
+        /// A.
+        from: Point,
+        /// B.
+        to: Point,
+    },
+    /// The distance of two points, `|B − A|`, m.
+    Distance {
+        /// A.
+        from: Point,
+        /// B.
+        to: Point,
+    },
+}
+
+/// Where a body is: its origin, and its angle with cosine and sine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pose<S> {
+    /// Origin, m.
+    pub x: S,
+    /// Origin, m.
+    pub y: S,
+    /// Angle, rad.
+    pub angle: S,
+    cos: S,
+    sin: S,
+}
+
+/// The value of a measure and its derivatives with respect to the positions `x`, `y`, `θ` of two bodies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slope<S> {
+    /// The measure itself.
+    pub value: S,
+    /// For the body it is taken from.
+    pub from: [S; 3],
+    /// For the body it is taken to.
+    pub to: [S; 3],
+}
+
+impl<S: Real> Pose<S> {
+    /// A body with its origin and angle.
+    #[inline]
+    pub fn new([x, y, angle]: [S; 3]) -> Self {
+        Self { x, y, angle, cos: angle.cos(), sin: angle.sin() }
+    }
+
+    /// The ground.
+    #[inline]
+    pub fn ground() -> Self {
+        let zero = S::from(0.0);
+        Self { x: zero, y: zero, angle: zero, cos: S::from(1.0), sin: zero }
+    }
+
+    /// A vector of the body in the axes of the ground.
+    #[inline]
+    pub fn turned(&self, [x, y]: [f64; 2]) -> [S; 2] {
+        [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
+    }
+
+    /// A point of the body.
+    #[inline]
+    pub fn point(&self, at: [f64; 2]) -> [S; 2] {
+        let [x, y] = self.turned(at);
+        [self.x + x, self.y + y]
+    }
+}
+
+impl Measure {
+    /// The bodies between which it is taken: from, to.
+    #[inline]
+    pub fn bodies(&self) -> [Frame; 2] {
+        match *self {
+            Measure::Angle { of, against } => [against, of],
+            Measure::Component { from, to, .. }
+            | Measure::Along { from, to, .. }
+            | Measure::Distance { from, to } => [from.on, to.on],
+        }
+    }
+
+    /// Whether it is an angle, in rad, rather than a length, in m.
+    pub fn is_angle(&self) -> bool {
+        matches!(self, Measure::Angle { .. })
+    }
+
+    /// Its value and slope, with the poses of the bodies it is taken from and to.
+    ///
+    /// The slope of a distance is not finite where the points coincide.
+    #[inline]
+    pub fn slope<S: Real>(&self, [from_pose, to_pose]: [&Pose<S>; 2]) -> Slope<S> {
+        let zero = S::from(0.0);
+        // A unit force along u at a point of a body, as the force and its moment about the body's origin.
+        let along = |[ux, uy]: [S; 2], [rx, ry]: [S; 2]| [ux, uy, rx * uy - ry * ux];
+        match *self {
+            Measure::Angle { .. } => Slope {
+                value: to_pose.angle - from_pose.angle,
+                from: [zero, zero, S::from(-1.0)],
+                to: [zero, zero, S::from(1.0)],
+            },
+            Measure::Component { direction, from, to } => {
+                let u = direction.map(S::from);
+                let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
+                let d = between(from_pose, a, to_pose, b);
+                Slope { value: dot(u, d), from: along(u, a).map(|x| -x), to: along(u, b) }
+            }
+            Measure::Along { direction, from, to } => {
+                let u = from_pose.turned(direction);
+                let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
+                let d = between(from_pose, a, to_pose, b);
+                let [fx, fy, moment] = along(u, a).map(|x| -x);
+                let turning = u[0] * d[1] - u[1] * d[0];
+                Slope { value: dot(u, d), from: [fx, fy, moment + turning], to: along(u, b) }
+            }
+            Measure::Distance { from, to } => {
+                let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
+                let d = between(from_pose, a, to_pose, b);
+                let length = (d[0].powi(2) + d[1].powi(2)).sqrt();
+                let u = d.map(|x| x / length);
+                Slope { value: length, from: along(u, a).map(|x| -x), to: along(u, b) }
+            }
+        }
+    }
+
+    /// Its acceleration when no body accelerates: the part of `m̈` that is quadratic in the velocities.
+    #[inline]
+    pub fn bias<S: Real>(&self, poses: [&Pose<S>; 2], velocities: [[S; 3]; 2]) -> S {
+        let [from_pose, to_pose] = poses;
+        let [from_velocity, to_velocity] = velocities;
+        let (wa, wb) = (from_velocity[2], to_velocity[2]);
+        let points = |from: Point, to: Point| {
+            let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
+            let inward = [a[0] * wa.powi(2) - b[0] * wb.powi(2), a[1] * wa.powi(2) - b[1] * wb.powi(2)];
+            (a, b, inward)
+        };
+        let relative = |a: [S; 2], b: [S; 2]| {
+            [
+                to_velocity[0] - b[1] * wb - from_velocity[0] + a[1] * wa,
+                to_velocity[1] + b[0] * wb - from_velocity[1] - a[0] * wa,
+            ]
+        };
+        match *self {
+            Measure::Angle { .. } => S::from(0.0),
+            Measure::Component { direction, from, to } => {
+                let (_, _, inward) = points(from, to);
+                dot(direction.map(S::from), inward)
+            }
+            Measure::Along { direction, from, to } => {
+                let u = from_pose.turned(direction);
+                let (a, b, inward) = points(from, to);
+                let (d, v) = (between(from_pose, a, to_pose, b), relative(a, b));
+                let across = u[0] * v[1] - u[1] * v[0];
+                dot(u, inward) + across * wa * 2.0 - dot(u, d) * wa.powi(2)
+            }
+            Measure::Distance { from, to } => {
+                let (a, b, inward) = points(from, to);
+                let (d, v) = (between(from_pose, a, to_pose, b), relative(a, b));
+                let length = (d[0].powi(2) + d[1].powi(2)).sqrt();
+                let u = d.map(|x| x / length);
+                let across = u[0] * v[1] - u[1] * v[0];
+                dot(u, inward) + across.powi(2) / length
+            }
+        }
+    }
+}
+
+/// From A to B.
+#[inline]
+fn between<S: Real>(from: &Pose<S>, a: [S; 2], to: &Pose<S>, b: [S; 2]) -> [S; 2] {
+    [to.x + b[0] - from.x - a[0], to.y + b[1] - from.y - a[1]]
+}
+
+#[inline]
+fn dot<S: Real>(a: [S; 2], b: [S; 2]) -> S {
+    a[0] * b[0] + a[1] * b[1]
+}

@@ -1,0 +1,492 @@
+//! A mechanism made ready to be computed with: its equations, their slopes, and its assembly.
+
+use nalgebra::DMatrix;
+
+use super::{Equation, Frame, Load, Measure, Mechanism, PlanarError, Point, Pose, Slope};
+use crate::linalg::Elimination;
+
+/// What a closed joint may be open by, in parts of the size of the mechanism.
+const CLOSED: f64 = 1e-14;
+/// Steps of the assembly before it is given up.
+const STEPS: usize = 200;
+
+/// Positions, velocities and accelerations of all bodies, each `(x, y, θ)`: m and rad, and per s and s².
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// Positions.
+    pub positions: Vec<[f64; 3]>,
+    /// Velocities.
+    pub velocities: Vec<[f64; 3]>,
+    /// Accelerations.
+    pub accelerations: Vec<[f64; 3]>,
+}
+
+/// In how many ways a mechanism can move.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mobility {
+    /// `3 n − m`: three for each body less one for each equation of the joints (Grübler, Kutzbach).
+    pub counted: i64,
+    /// `3 n − rank Φ_q`: how it moves in this position.
+    pub free: usize,
+    /// The joints with equations that follow from others: their reactions are not determined by statics.
+    pub redundant: Vec<usize>,
+}
+
+/// A mechanism whose every reference is known to be good.
+#[derive(Debug, Clone)]
+pub struct System {
+    pub(super) mechanism: Mechanism,
+    /// Those of the joints, then those of the drivers.
+    pub(super) equations: Vec<Equation>,
+    /// The joint of each equation; the drivers count on after the joints.
+    pub(super) owners: Vec<usize>,
+    /// The size of the mechanism, m: what makes angles and lengths comparable.
+    pub(super) length: f64,
+}
+
+/// The equations in a position: how far they are from holding, and their slopes by the scaled positions
+/// `(x, y, θ · length)`.
+pub(super) struct Gaps {
+    pub(super) gaps: Vec<f64>,
+    pub(super) slopes: DMatrix<f64>,
+}
+
+impl System {
+    /// Checks a mechanism and writes down its equations. `drawn` is about where its bodies are, `(x, y, θ)` each:
+    /// it settles what the joints leave open, on which side a linkage is assembled and how gears mesh.
+    ///
+    /// # Errors
+    /// `Number`, `NoSuchBody`.
+    pub fn new(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Result<Self, PlanarError> {
+        check(mechanism, drawn)?;
+        let mut equations = Vec::new();
+        let mut owners = Vec::new();
+        for (owner, joint) in mechanism.joints.iter().enumerate() {
+            for equation in joint.equations() {
+                equations.push(equation);
+                owners.push(owner);
+            }
+        }
+        for (driver, owner) in mechanism.drivers.iter().zip(mechanism.joints.len()..) {
+            equations.push(Equation::of(driver.measure, Some(driver.value)));
+            owners.push(owner);
+        }
+        let length = size(mechanism, &equations, drawn);
+        let mut system = Self { mechanism: mechanism.clone(), equations, owners, length };
+        let poses = poses(drawn);
+        for equation in &mut system.equations {
+            if equation.sum.is_none() {
+                equation.sum = Some(left_side(equation, &poses));
+            }
+        }
+        Ok(system)
+    }
+
+    /// The mechanism.
+    pub fn mechanism(&self) -> &Mechanism {
+        &self.mechanism
+    }
+
+    /// The equations: those of the joints in their order, then one for each driver.
+    pub fn equations(&self) -> &[Equation] {
+        &self.equations
+    }
+
+    /// The joint that an equation belongs to; the drivers count on after the joints.
+    pub fn owner(&self, equation: usize) -> usize {
+        self.owners[equation]
+    }
+
+    pub(super) fn first_driver(&self) -> usize {
+        self.equations.len() - self.mechanism.drivers.len()
+    }
+
+    /// The same mechanism with its drivers at other values.
+    pub(super) fn driven_to(&mut self, values: &[f64]) {
+        let first = self.first_driver();
+        for ((equation, driver), &value) in
+            self.equations[first..].iter_mut().zip(&mut self.mechanism.drivers).zip(values)
+        {
+            equation.sum = Some(value);
+            driver.value = value;
+        }
+    }
+
+    /// The value of a measure.
+    pub fn value(&self, measure: &Measure, positions: &[[f64; 3]]) -> f64 {
+        slope(measure, &poses(positions)).value
+    }
+
+    /// The velocity of a measure.
+    pub fn rate(&self, measure: &Measure, state: &State) -> f64 {
+        let slope = slope(measure, &poses(&state.positions));
+        project(measure, &slope, &state.velocities)
+    }
+
+    /// Closes the mechanism near the drawn position: Newton's method with the smallest change of the positions,
+    /// damped while it is far from closed (Levenberg and Marquardt).
+    ///
+    /// # Errors
+    /// `DoesNotClose`, `NotFinite`.
+    pub fn assemble(&self, drawn: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, PlanarError> {
+        let mut positions = drawn.to_vec();
+        let (mut gaps, mut slopes) = self.levelled(&positions)?;
+        let (mut open, mut damping) = (square(&gaps), 1e-3);
+        let (mut best, mut stalled) = (f64::INFINITY, 0);
+        for _ in 0..STEPS {
+            let largest = gaps.iter().fold(0.0f64, |most, gap| most.max(gap.abs()));
+            if largest <= CLOSED * self.reach(&positions) || stalled > 20 {
+                break;
+            }
+            let mut normal = &slopes * slopes.transpose();
+            for at in 0..normal.nrows() {
+                normal[(at, at)] += damping * f64::min(1.0, largest / self.length);
+            }
+            let multipliers = Elimination::new(&normal)?.solve(&gaps)?;
+            let change = slopes.tr_mul(&nalgebra::DVector::from_vec(multipliers));
+            let tried = self.moved(&positions, change.as_slice(), -1.0);
+            let (new_gaps, new_slopes) = self.levelled(&tried)?;
+            let new_open = square(&new_gaps);
+            if new_open < open {
+                (positions, gaps, slopes, open) = (tried, new_gaps, new_slopes, new_open);
+                damping = f64::max(damping * 0.1, 1e-15);
+            } else {
+                damping = f64::max(damping * 10.0, 1e-12);
+            }
+            stalled = if open < 0.99 * best { 0 } else { stalled + 1 };
+            best = best.min(open);
+        }
+        self.closed(&positions)?;
+        Ok(positions)
+    }
+
+    /// Refuses positions in which an equation does not hold.
+    pub(super) fn closed(&self, positions: &[[f64; 3]]) -> Result<(), PlanarError> {
+        let (gaps, _) = self.levelled(positions)?;
+        let (equation, gap) = gaps
+            .iter()
+            .enumerate()
+            .fold((0, 0.0f64), |worst, (at, gap)| if gap.abs() > worst.1 { (at, gap.abs()) } else { worst });
+        if gap <= 1e-10 * self.reach(positions) {
+            Ok(())
+        } else {
+            Err(PlanarError::DoesNotClose { joint: self.owners[equation], gap })
+        }
+    }
+
+    /// How the mechanism can move in a position.
+    ///
+    /// # Errors
+    /// `NotFinite`.
+    pub fn mobility(&self, positions: &[[f64; 3]]) -> Result<Mobility, PlanarError> {
+        let joints = self.first_driver();
+        let slopes = self.gaps(positions).slopes.rows(0, joints).into_owned();
+        let elimination = Elimination::new(&slopes)?;
+        let mut redundant: Vec<usize> =
+            elimination.dependent_rows().iter().map(|&row| self.owners[row]).collect();
+        redundant.sort_unstable();
+        redundant.dedup();
+        let unknowns = 3 * self.mechanism.bodies.len();
+        Ok(Mobility {
+            counted: unknowns as i64 - joints as i64,
+            free: unknowns - elimination.rank(),
+            redundant,
+        })
+    }
+
+    /// The equations of joints and drivers, ready to be solved for velocities, accelerations and multipliers.
+    ///
+    /// # Errors
+    /// `UnderDriven`, `OverDriven`, `DeadCentre`; `NotFinite`.
+    pub(super) fn factored(&self, positions: &[[f64; 3]]) -> Result<Elimination, PlanarError> {
+        let slopes = self.gaps(positions).slopes;
+        let elimination = Elimination::new(&slopes)?;
+        let unknowns = 3 * self.mechanism.bodies.len();
+        let drivers = self.mechanism.drivers.len();
+        if elimination.rank() == unknowns && elimination.dependent_rows().is_empty() {
+            return Ok(elimination);
+        }
+        let free = self.mobility(positions)?.free;
+        if elimination.rank() == unknowns && drivers == free {
+            return Ok(elimination);
+        }
+        if drivers < free {
+            return Err(PlanarError::UnderDriven { free: free - drivers });
+        }
+        // Of the motions that the joints leave, which driver moves none that the others do not?
+        let joints = Elimination::new(&slopes.rows(0, self.first_driver()).into_owned())?;
+        let motions = joints.null_space()?;
+        let driven = DMatrix::from_fn(drivers, motions.len().max(1), |driver, motion| {
+            motions.get(motion).map_or(0.0, |motion| {
+                slopes.row(self.first_driver() + driver).iter().zip(motion).map(|(a, b)| a * b).sum()
+            })
+        });
+        let idle = Elimination::new(&driven)?.dependent_rows().first().copied();
+        let driver = idle.unwrap_or(drivers.saturating_sub(1));
+        Err(if drivers > free {
+            PlanarError::OverDriven { driver }
+        } else {
+            PlanarError::DeadCentre { driver }
+        })
+    }
+
+    /// Velocities and accelerations with the drivers' own: `Φ_q q̇ = −Φ_t` and `Φ_q q̈ = γ`.
+    ///
+    /// # Errors
+    /// As for [`dynamics`](System::dynamics).
+    pub fn motion(&self, positions: &[[f64; 3]]) -> Result<State, PlanarError> {
+        let drivers = &self.mechanism.drivers;
+        let rates: Vec<f64> = drivers.iter().map(|driver| driver.velocity).collect();
+        let accelerations: Vec<f64> = drivers.iter().map(|driver| driver.acceleration).collect();
+        self.motion_with(&self.factored(positions)?, positions, &rates, &accelerations)
+    }
+
+    pub(super) fn motion_with(
+        &self,
+        elimination: &Elimination,
+        positions: &[[f64; 3]],
+        rates: &[f64],
+        accelerations: &[f64],
+    ) -> Result<State, PlanarError> {
+        let mut right = vec![0.0; self.first_driver()];
+        right.extend(rates);
+        let velocities = self.unscaled(&elimination.solve(&right)?);
+        let mut right: Vec<f64> = self.biases(positions, &velocities).into_iter().map(|bias| -bias).collect();
+        for (right, acceleration) in right[self.first_driver()..].iter_mut().zip(accelerations) {
+            *right += acceleration;
+        }
+        let accelerations = self.unscaled(&elimination.solve(&right)?);
+        Ok(State { positions: positions.to_vec(), velocities, accelerations })
+    }
+
+    /// How far the equations are from holding, and their slopes.
+    pub(super) fn gaps(&self, positions: &[[f64; 3]]) -> Gaps {
+        let poses = poses(positions);
+        let mut slopes = DMatrix::zeros(self.equations.len(), 3 * positions.len());
+        let mut gaps = Vec::with_capacity(self.equations.len());
+        for (row, equation) in self.equations.iter().enumerate() {
+            let mut left = 0.0;
+            for term in &equation.terms {
+                let slope = slope(&term.measure, &poses);
+                let [value, rate] = match &term.profile {
+                    Some(profile) => {
+                        let [value, rate, _] = profile.at(slope.value);
+                        [value, rate]
+                    }
+                    None => [slope.value, 1.0],
+                };
+                left += term.weight * value;
+                for (frame, part) in term.measure.bodies().into_iter().zip([slope.from, slope.to]) {
+                    if let Some(body) = frame {
+                        let factor = term.weight * rate;
+                        slopes[(row, 3 * body)] += factor * part[0];
+                        slopes[(row, 3 * body + 1)] += factor * part[1];
+                        slopes[(row, 3 * body + 2)] += factor * part[2] / self.length;
+                    }
+                }
+            }
+            gaps.push(left - equation.sum.unwrap_or(0.0));
+        }
+        Gaps { gaps, slopes }
+    }
+
+    /// The accelerations of the equations' left sides when no body accelerates.
+    pub(super) fn biases(&self, positions: &[[f64; 3]], velocities: &[[f64; 3]]) -> Vec<f64> {
+        let poses = poses(positions);
+        let of_term = |term: &super::Term| {
+            let bias = bias(&term.measure, &poses, velocities);
+            let through = match &term.profile {
+                Some(profile) => {
+                    let slope = slope(&term.measure, &poses);
+                    let rate = project(&term.measure, &slope, velocities);
+                    let [_, first, second] = profile.at(slope.value);
+                    first * bias + second * rate * rate
+                }
+                None => bias,
+            };
+            term.weight * through
+        };
+        self.equations.iter().map(|equation| equation.terms.iter().map(of_term).sum()).collect()
+    }
+
+    /// Gaps and slopes with each equation divided by its largest slope: gaps in m whatever is measured.
+    fn levelled(&self, positions: &[[f64; 3]]) -> Result<(Vec<f64>, DMatrix<f64>), PlanarError> {
+        let Gaps { mut gaps, mut slopes } = self.gaps(positions);
+        if gaps.iter().chain(slopes.iter()).any(|x| !x.is_finite()) {
+            return Err(PlanarError::NotFinite);
+        }
+        for (gap, mut row) in gaps.iter_mut().zip(slopes.row_iter_mut()) {
+            let largest = row.amax();
+            if largest > 0.0 {
+                *gap /= largest;
+                row /= largest;
+            }
+        }
+        Ok((gaps, slopes))
+    }
+
+    /// Positions moved by so many scaled steps.
+    pub(super) fn moved(&self, positions: &[[f64; 3]], change: &[f64], times: f64) -> Vec<[f64; 3]> {
+        let moved = |(at, step): (&[f64; 3], &[f64])| {
+            [at[0] + times * step[0], at[1] + times * step[1], at[2] + times * step[2] / self.length]
+        };
+        positions.iter().zip(change.chunks_exact(3)).map(moved).collect()
+    }
+
+    pub(super) fn unscaled(&self, scaled: &[f64]) -> Vec<[f64; 3]> {
+        scaled.chunks_exact(3).map(|x| [x[0], x[1], x[2] / self.length]).collect()
+    }
+
+    /// How far the mechanism reaches, m: what rounding of its positions is measured by.
+    pub(super) fn reach(&self, positions: &[[f64; 3]]) -> f64 {
+        let largest = positions
+            .iter()
+            .map(|[x, y, angle]| x.abs().max(y.abs()).max(angle.abs() * self.length))
+            .fold(self.length, f64::max);
+        largest.max(f64::MIN_POSITIVE)
+    }
+}
+
+pub(super) fn poses(positions: &[[f64; 3]]) -> Vec<Pose<f64>> {
+    positions.iter().map(|&position| Pose::new(position)).collect()
+}
+
+fn pose(frame: Frame, poses: &[Pose<f64>]) -> Pose<f64> {
+    frame.map_or_else(Pose::ground, |body| poses[body])
+}
+
+pub(super) fn slope(measure: &Measure, poses: &[Pose<f64>]) -> Slope<f64> {
+    let [from, to] = measure.bodies().map(|frame| pose(frame, poses));
+    measure.slope([&from, &to])
+}
+
+fn bias(measure: &Measure, poses: &[Pose<f64>], velocities: &[[f64; 3]]) -> f64 {
+    let [from, to] = measure.bodies().map(|frame| pose(frame, poses));
+    let [from_velocity, to_velocity] =
+        measure.bodies().map(|frame| frame.map_or([0.0; 3], |body| velocities[body]));
+    measure.bias([&from, &to], [from_velocity, to_velocity])
+}
+
+/// The velocity of a measure.
+pub(super) fn project(measure: &Measure, slope: &Slope<f64>, velocities: &[[f64; 3]]) -> f64 {
+    let of = |frame: Frame, part: [f64; 3]| {
+        frame.map_or(0.0, |body| part.iter().zip(velocities[body]).map(|(a, b)| a * b).sum::<f64>())
+    };
+    let [from, to] = measure.bodies();
+    of(from, slope.from) + of(to, slope.to)
+}
+
+fn left_side(equation: &Equation, poses: &[Pose<f64>]) -> f64 {
+    let of_term = |term: &super::Term| {
+        let value = slope(&term.measure, poses).value;
+        term.weight * term.profile.as_ref().map_or(value, |profile| profile.at(value)[0])
+    };
+    equation.terms.iter().map(of_term).sum()
+}
+
+fn square(gaps: &[f64]) -> f64 {
+    gaps.iter().map(|gap| gap * gap).sum()
+}
+
+/// The largest length of the mechanism: of the arms to its points, of its rods, of the drawing.
+fn size(mechanism: &Mechanism, equations: &[Equation], drawn: &[[f64; 3]]) -> f64 {
+    let arm = |point: Point| point.at[0].hypot(point.at[1]);
+    let of_measure = |measure: &Measure| match *measure {
+        Measure::Angle { .. } => 0.0,
+        Measure::Component { from, to, .. }
+        | Measure::Along { from, to, .. }
+        | Measure::Distance { from, to } => arm(from).max(arm(to)),
+    };
+    let in_equations = equations.iter().flat_map(|equation| {
+        let only_lengths = equation.terms.iter().all(|term| !term.measure.is_angle());
+        let sum = if only_lengths { equation.sum.map_or(0.0, f64::abs) } else { 0.0 };
+        equation.terms.iter().map(|term| of_measure(&term.measure)).chain([sum])
+    });
+    let in_loads = mechanism.loads.iter().map(|load| match load {
+        Load::Force { at, .. } => arm(*at),
+        Load::Effort { measure, .. } => of_measure(measure),
+        Load::Friction { radius, .. } => *radius,
+    });
+    let largest = in_equations.chain(in_loads).fold(0.0, f64::max);
+    let in_drawing = drawn.iter().map(|[x, y, _]| x.hypot(*y)).fold(0.0, f64::max);
+    match (largest > 0.0, in_drawing > 0.0) {
+        (true, _) => largest,
+        (false, true) => in_drawing,
+        (false, false) => 1.0,
+    }
+}
+
+fn check(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Result<(), PlanarError> {
+    let bodies = mechanism.bodies.len();
+    let number = |what: &'static str, index: usize| PlanarError::Number { what, index };
+    for (index, body) in mechanism.bodies.iter().enumerate() {
+        let good = |x: f64| x.is_finite() && x >= 0.0;
+        let placed = drawn.get(index).is_some_and(|at| at.iter().all(|x| x.is_finite()));
+        if !(good(body.mass) && good(body.inertia) && placed) {
+            return Err(number("body", index));
+        }
+    }
+    if mechanism.gravity.iter().any(|x| !x.is_finite()) {
+        return Err(number("the acceleration of gravity, body", 0));
+    }
+    let frame = |what: &'static str, index: usize, frame: Frame| match frame {
+        Some(body) if body >= bodies => Err(PlanarError::NoSuchBody { what, index, body, bodies }),
+        _ => Ok(()),
+    };
+    let measured = |what: &'static str, index: usize, measure: &Measure| {
+        let finite = match *measure {
+            Measure::Angle { .. } => true,
+            Measure::Component { direction, from, to } | Measure::Along { direction, from, to } => {
+                direction.iter().chain(&from.at).chain(&to.at).all(|x| x.is_finite())
+            }
+            Measure::Distance { from, to } => from.at.iter().chain(&to.at).all(|x| x.is_finite()),
+        };
+        if !finite {
+            return Err(number(what, index));
+        }
+        measure.bodies().into_iter().try_for_each(|body| frame(what, index, body))
+    };
+    for (index, joint) in mechanism.joints.iter().enumerate() {
+        for equation in joint.equations() {
+            for term in &equation.terms {
+                measured("joint", index, &term.measure)?;
+                if !term.weight.is_finite() {
+                    return Err(number("joint", index));
+                }
+            }
+            if equation.sum.is_some_and(|sum| !sum.is_finite()) {
+                return Err(number("joint", index));
+            }
+        }
+        if let super::Joint::Rod { length, .. } = joint
+            && *length <= 0.0
+        {
+            return Err(number("joint", index));
+        }
+    }
+    for (index, driver) in mechanism.drivers.iter().enumerate() {
+        measured("driver", index, &driver.measure)?;
+        if ![driver.value, driver.velocity, driver.acceleration].iter().all(|x| x.is_finite()) {
+            return Err(number("driver", index));
+        }
+    }
+    for (index, load) in mechanism.loads.iter().enumerate() {
+        match load {
+            Load::Force { at, force, turns_with } => {
+                frame("load", index, at.on)?;
+                frame("load", index, *turns_with)?;
+                if force.iter().chain(&at.at).any(|x| !x.is_finite()) {
+                    return Err(number("load", index));
+                }
+            }
+            Load::Effort { measure, .. } => measured("load", index, measure)?,
+            Load::Friction { joint, coefficient, radius } => {
+                let good = |x: f64| x.is_finite() && x >= 0.0;
+                if *joint >= mechanism.joints.len() || !good(*coefficient) || !good(*radius) {
+                    return Err(number("load", index));
+                }
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,384 @@
+//! Plane mechanisms held against published cases, closed forms, and against themselves: virtual power against
+//! Newton and Euler, loops that stay closed, branches that stay the same.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use dalembert_mechanics::planar::{
+    Body, Driver, Effort, Joint, Load, Measure, Mechanism, PlanarError, Point, State, System,
+};
+use dalembert_mechanics::slider_crank::{Branch, CrankMotion, SliderCrank};
+use proptest::prelude::*;
+
+use crate::close::{ROUNDING, close, found, printed};
+
+/// A driver of the angle of a body.
+fn turning(body: usize, value: f64, velocity: f64, acceleration: f64) -> Driver {
+    Driver { measure: Measure::Angle { of: Some(body), against: None }, value, velocity, acceleration }
+}
+
+/// The ends of a bar along its own x axis, with its mass centre so far from the first.
+fn ends(body: usize, length: f64, centre: f64) -> [Point; 2] {
+    [Point::body(body, [-centre, 0.0]), Point::body(body, [length - centre, 0.0])]
+}
+
+/// Crank 0, coupler 1 and rocker 2 between the pivots (0, 0) and (d, 0); mass centres in the middle.
+fn four_bar([a, b, c, d]: [f64; 4], bodies: [Body; 3], driver: Driver) -> Mechanism {
+    let ([o, p], [q, r], [s, t]) = (ends(0, a, a / 2.0), ends(1, b, b / 2.0), ends(2, c, c / 2.0));
+    Mechanism {
+        bodies: bodies.to_vec(),
+        joints: vec![
+            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
+            Joint::Pin { a: p, b: q },
+            Joint::Pin { a: r, b: t },
+            Joint::Pin { a: Point::ground([d, 0.0]), b: s },
+        ],
+        drivers: vec![driver],
+        ..Mechanism::default()
+    }
+}
+
+/// The bars of a four-bar drawn at about these angles.
+fn drawn([a, b, c, d]: [f64; 4], [crank, coupler, rocker]: [f64; 3]) -> [[f64; 3]; 3] {
+    let (p, t) = ([a * crank.cos(), a * crank.sin()], [d + c * rocker.cos(), c * rocker.sin()]);
+    [
+        [p[0] / 2.0, p[1] / 2.0, crank],
+        [p[0] + b * coupler.cos() / 2.0, p[1] + b * coupler.sin() / 2.0, coupler],
+        [f64::midpoint(d, t[0]), t[1] / 2.0, rocker],
+    ]
+}
+
+fn moving(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> (System, State) {
+    let system = found(System::new(mechanism, drawn));
+    let positions = found(system.assemble(drawn));
+    let state = found(system.motion(&positions));
+    (system, state)
+}
+
+#[test]
+fn a_four_bar_with_massive_links_needs_its_torque() {
+    let lengths = [0.05, 0.151, 0.111, 0.1];
+    let bodies =
+        [Body::default(), Body { mass: 0.5, inertia: 1.21e-3 }, Body { mass: 0.4, inertia: 0.91e-3 }];
+    let angle = 120f64.to_radians();
+    let (system, state) =
+        moving(&four_bar(lengths, bodies, turning(0, angle, 95.0, 0.0)), &drawn(lengths, [angle, 0.3, 1.3]));
+    close(state.velocities[1][2], 21.356205, 1e-7);
+    close(state.velocities[2][2], 50.207036, 1e-7);
+    close(state.accelerations[1][2], 971.46984, 1e-7);
+    close(state.accelerations[2][2], -1125.3189, 1e-7);
+    let dynamics = found(system.dynamics(&state));
+    close(dynamics.efforts[0], -3.4640493, 1e-7);
+    close(dynamics.newton_euler[0], dynamics.efforts[0], ROUNDING);
+    close(dynamics.efforts[0] * 95.0, dynamics.energy_rate, ROUNDING);
+}
+
+#[test]
+fn a_slider_crank_is_the_one_of_the_formulas() {
+    let (r, l, angle) = (0.15, 0.2, 30f64.to_radians());
+    let ([o, p], [q, s]) = (ends(0, r, 0.0), ends(1, l, l / 2.0));
+    let piston = Point::body(2, [0.0, 0.0]);
+    let mechanism = Mechanism {
+        bodies: vec![Body::default(), Body { mass: 3.0, inertia: 0.1 }, Body { mass: 2.0, inertia: 0.0 }],
+        joints: vec![
+            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
+            Joint::Pin { a: p, b: q },
+            Joint::Pin { a: s, b: piston },
+            Joint::Slider { guide: Point::ground([0.0, 0.0]), direction: 0.0, slides: piston, angle: 0.0 },
+        ],
+        drivers: vec![turning(0, angle, 20.0, 0.0)],
+        loads: vec![Load::Force { at: piston, force: [5000.0, 0.0], turns_with: None }],
+        gravity: [0.0, -10.0],
+    };
+    let (system, state) = moving(&mechanism, &[[0.0, 0.0, angle], [0.2, 0.04, -0.4], [0.3, 0.0, 0.0]]);
+    let formulas = SliderCrank { crank: r, rod: l, offset: 0.0, branch: Branch::Ahead };
+    let motion = found(formulas.motion(CrankMotion { angle, speed: 20.0, acceleration: 0.0 }));
+    close(state.positions[2][0], motion.slider_position, ROUNDING);
+    close(state.velocities[2][0], motion.slider_velocity, ROUNDING);
+    close(state.accelerations[2][0], motion.slider_acceleration, ROUNDING);
+    close(state.accelerations[1][2], motion.rod_acceleration, ROUNDING);
+    let dynamics = found(system.dynamics(&state));
+    close(dynamics.efforts[0], 672.34321, 1e-8);
+    close(dynamics.newton_euler[0], dynamics.efforts[0], ROUNDING);
+    let mobility = found(system.mobility(&state.positions));
+    assert_eq!((mobility.counted, mobility.free, mobility.redundant), (1, 1, vec![]));
+}
+
+#[test]
+fn a_roberval_balance_does_not_mind_where_its_pans_are_loaded() {
+    // Two equal beams, one above the other, and two upright pans: a parallelogram with one joint too many of its kind.
+    let beam = |body: usize| {
+        [Point::body(body, [-0.25, 0.0]), Point::body(body, [0.0, 0.0]), Point::body(body, [0.25, 0.0])]
+    };
+    let (upper, lower) = (beam(0), beam(1));
+    let pan = |body: usize| [Point::body(body, [0.0, 0.1]), Point::body(body, [0.0, -0.1])];
+    let (left, right) = (pan(2), pan(3));
+    let weight = |at: Point| Load::Force { at, force: [0.0, -5.0 * 9.81], turns_with: None };
+    let mechanism = Mechanism {
+        bodies: vec![Body::default(); 4],
+        joints: vec![
+            Joint::Pin { a: Point::ground([0.0, 0.1]), b: upper[1] },
+            Joint::Pin { a: Point::ground([0.0, -0.1]), b: lower[1] },
+            Joint::Pin { a: upper[0], b: left[0] },
+            Joint::Pin { a: lower[0], b: left[1] },
+            Joint::Pin { a: upper[2], b: right[0] },
+            Joint::Pin { a: lower[2], b: right[1] },
+        ],
+        drivers: vec![turning(0, 0.2, 0.0, 0.0)],
+        loads: vec![weight(Point::body(2, [-0.3, 0.1])), weight(Point::body(3, [0.1, 0.1]))],
+        gravity: [0.0; 2],
+    };
+    let drawn = [[0.0, 0.1, 0.2], [0.0, -0.1, 0.2], [-0.25, 0.0, 0.0], [0.25, 0.0, 0.0]];
+    let (system, state) = moving(&mechanism, &drawn);
+    let mobility = found(system.mobility(&state.positions));
+    assert_eq!((mobility.counted, mobility.free, mobility.redundant.len()), (0, 1, 1));
+    let dynamics = found(system.dynamics(&state));
+    assert!(dynamics.efforts[0].abs() < 1e-12 && dynamics.newton_euler[0].abs() < 1e-12);
+}
+
+#[test]
+fn a_geared_five_bar_and_its_rolling_and_cord_kin() {
+    let (first, second) = (70f64.to_radians(), 110f64.to_radians());
+    let crank = |body| ends(body, 0.05, 0.0);
+    let rod = |body| ends(body, 0.12, 0.06);
+    let ([o, p], [c, q], [pr, apex], [qr, apex2]) = (crank(0), crank(1), rod(2), rod(3));
+    let mechanism = Mechanism {
+        bodies: vec![Body::default(); 4],
+        joints: vec![
+            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
+            Joint::Pin { a: Point::ground([0.1, 0.0]), b: c },
+            Joint::Pin { a: p, b: pr },
+            Joint::Pin { a: q, b: qr },
+            Joint::Pin { a: apex, b: apex2 },
+            Joint::Gears { a: Some(0), b: Some(1), carrier: None, sizes: [1.0, 1.0], internal: false },
+        ],
+        drivers: vec![turning(0, first, 1.0, 0.0)],
+        loads: vec![Load::Force { at: apex, force: [0.0, 100.0], turns_with: None }],
+        gravity: [0.0; 2],
+    };
+    let drawn = [[0.0, 0.0, first], [0.1, 0.0, second], [0.03, 0.1, 1.2], [0.07, 0.1, 1.9]];
+    let (system, state) = moving(&mechanism, &drawn);
+    let dynamics = found(system.dynamics(&state));
+    close(dynamics.efforts[0], -0.37065684, 1e-7);
+    close(dynamics.newton_euler[0], dynamics.efforts[0], ROUNDING);
+}
+
+#[test]
+fn a_disc_is_rolled_by_a_crank_against_spring_and_damper() {
+    let (r, l, angle) = (0.06, 0.2, 50f64.to_radians());
+    let ([o, p], [q, s]) = (ends(0, r, 0.0), ends(1, l, l / 2.0));
+    let centre = Point::body(2, [0.0, 0.0]);
+    let floor = Point::ground([0.0, -0.15]);
+    let wall = Measure::Distance { from: Point::ground([-0.2, 0.0]), to: centre };
+    let mechanism = Mechanism {
+        bodies: vec![Body::default(), Body::default(), Body { mass: 4.0, inertia: 4.0 * 0.15 * 0.15 / 2.0 }],
+        joints: vec![
+            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
+            Joint::Pin { a: p, b: q },
+            Joint::Pin { a: s, b: centre },
+            Joint::Slot { guide: floor, direction: 0.0, pin: centre, offset: 0.15 },
+            Joint::Rack { guide: floor, direction: 0.0, centre, radius: 0.15 },
+        ],
+        drivers: vec![turning(0, angle, 8.0, 0.0)],
+        loads: vec![
+            Load::Effort { measure: wall, effort: Effort::Spring { stiffness: 800.0, free: 0.1 } },
+            Load::Effort { measure: wall, effort: Effort::Damper { coefficient: 25.0 } },
+        ],
+        gravity: [0.0; 2],
+    };
+    let (system, state) = moving(&mechanism, &[[0.0, 0.0, angle], [0.1, 0.0, -0.2], [0.2, 0.0, 0.0]]);
+    let dynamics = found(system.dynamics(&state));
+    close(dynamics.efforts[0], -13.3168, 1e-5);
+    close(dynamics.newton_euler[0], dynamics.efforts[0], ROUNDING);
+    let at_the_floor = system.equations().len() - 2;
+    printed(dynamics.multipliers[at_the_floor].abs(), 4.58006, 5);
+}
+
+#[test]
+fn a_crank_too_short_to_turn_stops_at_its_limit() {
+    // A double rocker: the crank is limited where coupler and rocker stretch out, a² + d² − 2 a d cos θ = (b + c)².
+    let lengths = [0.2, 0.1, 0.12, 0.15];
+    let [a, b, c, d] = lengths;
+    let start = 0.8;
+    let mechanism = four_bar(lengths, [Body::default(); 3], turning(0, start, 0.0, 0.0));
+    let (system, state) = moving(&mechanism, &drawn(lengths, [start, -0.6, 1.0]));
+    let limit = ((a * a + d * d - (b + c) * (b + c)) / (2.0 * a * d)).acos();
+    match system.follow(&state.positions, &[2.5]) {
+        Err(PlanarError::Limit { driver: 0, at }) => close(at, limit, 1e-8),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn what_is_wrong_is_named() {
+    let lengths = [0.1, 0.1, 0.1, 0.5];
+    let apart = four_bar(lengths, [Body::default(); 3], turning(0, 1.0, 0.0, 0.0));
+    let system = found(System::new(&apart, &drawn(lengths, [1.0, 0.0, 2.0])));
+    assert!(matches!(
+        system.assemble(&drawn(lengths, [1.0, 0.0, 2.0])),
+        Err(PlanarError::DoesNotClose { gap, .. }) if gap > 0.05
+    ));
+    let lengths = [0.04, 0.12, 0.08, 0.1];
+    let good = four_bar(lengths, [Body::default(); 3], turning(0, 1.0, 0.0, 0.0));
+    let at = drawn(lengths, [1.0, 0.3, 1.2]);
+    let without = Mechanism { drivers: vec![], ..good.clone() };
+    let (system, positions) = {
+        let system = found(System::new(&without, &at));
+        let positions = found(system.assemble(&at));
+        (system, positions)
+    };
+    assert_eq!(system.motion(&positions), Err(PlanarError::UnderDriven { free: 1 }));
+    let mut twice = good.clone();
+    let rocker = found(System::new(&good, &positions)).value(
+        &Measure::Angle { of: Some(2), against: None },
+        &found(found(System::new(&good, &at)).assemble(&at)),
+    );
+    twice.drivers.push(turning(2, rocker, 0.0, 0.0));
+    let system = found(System::new(&twice, &at));
+    let positions = found(system.assemble(&at));
+    assert!(matches!(system.motion(&positions), Err(PlanarError::OverDriven { .. })));
+    let astray = Mechanism {
+        joints: vec![Joint::Pin { a: Point::ground([0.0; 2]), b: Point::body(7, [0.0; 2]) }],
+        ..good
+    };
+    assert!(matches!(System::new(&astray, &at), Err(PlanarError::NoSuchBody { body: 7, bodies: 3, .. })));
+}
+
+#[test]
+fn friction_in_a_guide_is_that_of_an_inclined_plane() {
+    // A block pushed up a plane of 20° by a horizontal force: P = W tan(20° + φ).
+    let (slope, mu, weight) = (20f64.to_radians(), 0.25f64, 120.0);
+    let block = Point::body(0, [0.0, 0.0]);
+    let mechanism = Mechanism {
+        bodies: vec![Body { mass: 12.0, inertia: 0.0 }],
+        joints: vec![Joint::Slider {
+            guide: Point::ground([0.0, 0.0]),
+            direction: slope,
+            slides: block,
+            angle: slope,
+        }],
+        drivers: vec![Driver {
+            measure: Measure::Component { direction: [1.0, 0.0], from: Point::ground([0.0, 0.0]), to: block },
+            value: 0.3,
+            velocity: 0.1,
+            acceleration: 0.0,
+        }],
+        loads: vec![Load::Friction { joint: 0, coefficient: mu, radius: 0.0 }],
+        gravity: [0.0, -10.0],
+    };
+    let (system, state) = moving(&mechanism, &[[0.3, 0.1, slope]]);
+    let dynamics = found(system.dynamics(&state));
+    close(dynamics.newton_euler[0], weight * (slope + mu.atan()).tan(), 1e-12);
+    close(dynamics.efforts[0], dynamics.newton_euler[0], 1e-12);
+    let mut steep = mechanism;
+    steep.loads = vec![Load::Friction { joint: 0, coefficient: 2.9, radius: 0.0 }];
+    let (system, state) = moving(&steep, &[[0.3, 0.1, slope]]);
+    assert!(matches!(system.dynamics(&state), Err(PlanarError::Jammed { joint: 0 })));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Crank-rockers of any shape, with masses, a following force, a spring, and weights.
+    #[test]
+    fn two_ways_agree_on_random_linkages(
+        a in 0.3..0.9f64, b in 1.6..2.4f64, c in 1.4..2.2f64, d in 1.6..2.3f64,
+        angle in 0.0..TAU, speed in -20.0..20.0f64, acceleration in -50.0..50.0f64,
+        masses in prop::array::uniform3(0.1..5.0f64), inertias in prop::array::uniform3(0.01..2.0f64),
+        stiffness in 1.0..500.0f64, push in -50.0..50.0f64,
+    ) {
+        prop_assume!(a + b.max(c).max(d) < 0.95 * (b + c + d - b.max(c).max(d)));
+        let lengths = [a, b, c, d];
+        let bodies = [0, 1, 2].map(|k| Body { mass: masses[k], inertia: inertias[k] });
+        let mut mechanism = four_bar(lengths, bodies, turning(0, 0.0, speed, acceleration));
+        mechanism.gravity = [0.7, -9.81];
+        mechanism.loads = vec![
+            Load::Force { at: Point::body(1, [0.2, 0.3]), force: [push, 12.0], turns_with: Some(2) },
+            Load::Effort {
+                measure: Measure::Distance { from: Point::ground([0.3, 2.5]), to: Point::body(1, [0.1, 0.4]) },
+                effort: Effort::Spring { stiffness, free: 0.5 },
+            },
+        ];
+        let at = drawn(lengths, [0.0, 0.9, 1.9]);
+        let system = found(System::new(&mechanism, &at));
+        let first = found(system.assemble(&at));
+        let there = found(system.follow(&first, &[angle]));
+        mechanism.drivers[0].value = angle;
+        let system = found(System::new(&mechanism, &there.positions));
+        let state = found(system.motion(&there.positions));
+        let dynamics = found(system.dynamics(&state));
+        let largest = dynamics.powers.iter().fold(0.0f64, |most, load| most.max(load.generalised[0].abs()));
+        prop_assert!((dynamics.efforts[0] - dynamics.newton_euler[0]).abs() <= 1e-12 * largest);
+        // What the loads and the driver bring in is the rate of the kinetic energy.
+        let applied: f64 = dynamics.powers.iter().filter(|load| !matches!(load.of,
+            dalembert_mechanics::planar::Acting::InertiaForce(_) | dalembert_mechanics::planar::Acting::InertiaCouple(_)))
+            .map(|load| load.power).sum();
+        let size = largest * speed.abs() + dynamics.energy_rate.abs();
+        prop_assert!((applied + dynamics.efforts[0] * speed - dynamics.energy_rate).abs() <= 1e-11 * size);
+        // Joints do no work: their multipliers take no part for any motion that they allow.
+        let loops = found(system.mobility(&there.positions));
+        prop_assert_eq!((loops.free, loops.redundant.len()), (1, 0));
+    }
+
+    /// Two turns at any step bring a crank-rocker back where it was, to rounding.
+    #[test]
+    fn the_branch_is_the_same_after_two_turns(step in 1.0..179.0f64, crossed in any::<bool>()) {
+        let lengths = [0.04, 0.12, 0.08, 0.1];
+        let mechanism = four_bar(lengths, [Body::default(); 3], turning(0, 1.0, 0.0, 0.0));
+        let side = if crossed { -1.0 } else { 1.0 };
+        let at = drawn(lengths, [1.0, side * 0.4, side * 1.2]);
+        let system = found(System::new(&mechanism, &at));
+        let first = found(system.assemble(&at));
+        let (mut here, mut angle) = (first.clone(), 1.0);
+        let end = 1.0 + 2.0 * TAU;
+        while angle < end {
+            angle = (angle + step.to_radians()).min(end);
+            let followed = found(system.follow(&here, &[angle]));
+            prop_assert!(followed.passed.is_empty());
+            here = followed.positions;
+        }
+        for (now, then) in here.iter().zip(&first) {
+            prop_assert!((now[0] - then[0]).abs() <= 1e-12 && (now[1] - then[1]).abs() <= 1e-12);
+            let turns = (now[2] - then[2]) / TAU;
+            prop_assert!((turns - turns.round()).abs() <= 1e-11);
+        }
+    }
+
+    /// A parallelogram goes on as a parallelogram through its change points.
+    #[test]
+    fn a_parallelogram_stays_one(step in 7.0..120.0f64) {
+        let lengths = [0.3, 0.5, 0.3, 0.5];
+        let mechanism = four_bar(lengths, [Body::default(); 3], turning(0, 1.0, 0.0, 0.0));
+        let at = drawn(lengths, [1.0, 0.0, 1.0]);
+        let system = found(System::new(&mechanism, &at));
+        let (mut here, mut angle, mut passed) = (found(system.assemble(&at)), 1.0, 0);
+        while angle < 1.0 + TAU {
+            angle = (angle + step.to_radians()).min(1.0 + TAU);
+            let followed = found(system.follow(&here, &[angle]));
+            passed += followed.passed.len();
+            here = followed.positions;
+            prop_assert!(here[1][2].abs() < 1e-6);
+        }
+        prop_assert_eq!(passed, 2);
+    }
+}
+
+#[test]
+fn velocities_and_accelerations_are_derivatives_of_the_positions() {
+    let lengths = [0.04, 0.12, 0.08, 0.1];
+    let at = |angle: f64| {
+        let mechanism = four_bar(lengths, [Body::default(); 3], turning(0, angle, 1.0, 0.0));
+        moving(&mechanism, &drawn(lengths, [angle, 0.3, 1.2])).1
+    };
+    let h = 1e-3;
+    // Five points: the error is h⁴/30 of the fifth derivative.
+    let [a, b, now, c, d] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| at(FRAC_PI_2 / 1.5 + k * h));
+    for body in 0..3 {
+        for part in 0..3 {
+            let q = |state: &State| state.positions[body][part];
+            let slope = (q(&a) - 8.0 * q(&b) + 8.0 * q(&c) - q(&d)) / (12.0 * h);
+            assert!((slope - now.velocities[body][part]).abs() < 1e-10, "{slope}");
+            let bend = (-q(&a) + 16.0 * q(&b) - 30.0 * q(&now) + 16.0 * q(&c) - q(&d)) / (12.0 * h * h);
+            assert!((bend - now.accelerations[body][part]).abs() < 1e-8, "{bend}");
+        }
+    }
+}
