@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use dalembert_core::{
-    Language, Locale, Solution, Stop,
+    Entry, Language, Locale, Solution, Stop,
     cases::{self, Outcome},
     printer, registry,
 };
@@ -12,7 +12,7 @@ use dalembert_plugins as _;
 #[test]
 fn every_printed_answer_is_ours_or_is_disputed() {
     let mut differing = Vec::new();
-    for entry in registry() {
+    for entry in chosen() {
         let id = entry.about.id;
         let cases = cases::cases(entry).unwrap_or_else(|err| panic!("{id}: {err}"));
         for case in &cases {
@@ -108,7 +108,7 @@ fn every_worked_solution_is_written_down() {
 
 #[test]
 fn a_solve_is_a_pure_function() {
-    for entry in registry() {
+    for entry in chosen() {
         for case in cases::cases(entry).unwrap() {
             let Ok(record) = case.record(entry) else { continue };
             let stop = Stop::new();
@@ -140,7 +140,7 @@ fn every_analysis_is_well_described() {
 }
 
 fn for_every_solution(mut look: impl FnMut(&str, &Solution)) {
-    for entry in registry() {
+    for entry in chosen() {
         for case in cases::cases(entry).unwrap_or_else(|err| panic!("{}: {err}", entry.about.id)) {
             if case.refused.is_some() {
                 continue;
@@ -151,4 +151,11 @@ fn for_every_solution(mut look: impl FnMut(&str, &Solution)) {
             look(&name, &solution);
         }
     }
+}
+
+/// Every analysis, or the one that `DALEMBERT_ONLY` names.
+fn chosen() -> impl Iterator<Item = &'static Entry> {
+    let only = std::env::var("DALEMBERT_ONLY").ok();
+    assert!(only.as_deref().is_none_or(|id| dalembert_core::find(id).is_some()), "no analysis is {only:?}");
+    registry().iter().copied().filter(move |entry| only.as_deref().is_none_or(|id| id == entry.about.id))
 }
