@@ -10,13 +10,14 @@ use anyhow::{Result, bail, ensure};
 use crate::cargo::{cargo, output, run as run_command, target};
 
 /// A part that can be measured alone: its name, and the package and target that measure it.
-const PARTS: [(&str, &str, &str); 8] = [
+const PARTS: [(&str, &str, &str); 9] = [
     ("plain", "dalembert-tests", "plain"),
     ("units", "dalembert-units", "read"),
     ("solve", "dalembert-tests", "solve"),
     ("tui", "dalembert-tests", "tui"),
     ("start", "dalembert-tests", "start"),
     ("balance", "dalembert-mechanics", "balance"),
+    ("linkages", "dalembert-mechanics", "linkages"),
     ("modal", "dalembert-mechanics", "modal"),
     ("rotor", "dalembert-mechanics", "rotor"),
 ];

@@ -6,7 +6,7 @@ use std::{hint::black_box, thread, time::Instant};
 
 use dalembert_mechanics::balance::{
     Phasor,
-    lanes::{Statistics, two_plane_statistics},
+    spread::{Statistics, two_plane_statistics},
 };
 
 const SAMPLES: usize = 1_000_000;

@@ -10,7 +10,6 @@ use std::f64::consts::TAU;
 use crate::Real;
 
 pub mod influence;
-pub mod lanes;
 pub mod linkage;
 pub mod locomotive;
 pub mod min_max;

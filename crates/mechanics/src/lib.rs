@@ -6,9 +6,12 @@
 
 pub mod balance;
 pub mod beam;
+pub mod four_bar;
 pub mod identification;
 pub mod intervals;
+pub mod lanes;
 pub mod linalg;
+pub mod linkage;
 pub mod planar;
 pub mod polynomial;
 pub mod rigid;

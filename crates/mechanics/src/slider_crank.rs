@@ -7,8 +7,10 @@
 
 use crate::Real;
 
+mod links;
 mod motion;
 
+pub use links::{Links, links};
 pub use motion::{Branch, CrankMotion, Motion, SliderCrank, SliderCrankError};
 
 /// Angle of the rod, `θ₃ = arcsin((e − r sin θ₂)/l)`, on the branch with the slider ahead of the crank pin. On the

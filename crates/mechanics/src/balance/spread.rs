@@ -3,11 +3,18 @@
 //! Every number is drawn from its own place: seed, sample and number. So samples may be shared out among any number
 //! of threads and are the same to the last bit.
 
-use std::{f64::consts::PI, thread};
+#![expect(clippy::inline_always, reason = "lanes are compiled for the widest registers where all is inlined")]
+
+use std::{f64::consts::TAU, thread};
 
 use nalgebra::{Complex, DMatrix};
 
 use super::influence::{TrialRun, influence_coefficients, residuals};
+use crate::Real;
+
+mod two_plane;
+
+pub use two_plane::{Statistics, two_plane_statistics};
 
 /// Standard uncertainties of a reading.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,12 +62,25 @@ pub struct Ranges {
 ///
 /// Box and Muller, *Ann. Math. Stat.* 29 (1958), over a mixed counter.
 pub fn normal_pair(seed: u64, sample: u64, place: u64) -> [f64; 2] {
-    let bits = uniform_bits(seed, sample, place);
-    // Both halves lie strictly between 0 and 1.
-    let half = |bits: u64| ((bits & 0xffff_ffff) as f64 + 0.5) / 4_294_967_296.0;
-    let radius = (-2.0 * half(bits >> 32).ln()).sqrt();
-    let (sin, cos) = (2.0 * PI * half(bits)).sin_cos();
-    [radius * cos, radius * sin]
+    let [u, v] = two_uniform(uniform_bits(seed, sample, place));
+    normals(u, v)
+}
+
+/// Two numbers strictly between 0 and 1 from the halves of the bits.
+#[inline(always)]
+fn two_uniform(bits: u64) -> [f64; 2] {
+    // 2⁵² + n as a number is its bits and those of 2⁵² side by side.
+    const SIDE: f64 = 4_503_599_627_370_496.0;
+    let half = |bits: u64| (f64::from_bits(SIDE.to_bits() | bits) - (SIDE - 0.5)) / 4_294_967_296.0;
+    [half(bits >> 32), half(bits & 0xffff_ffff)]
+}
+
+/// `√(−2 ln u) (cos 2πv, sin 2πv)`
+#[inline(always)]
+fn normals<S: Real>(u: S, v: S) -> [S; 2] {
+    let radius = (u.ln() * -2.0).sqrt();
+    let angle = v * TAU;
+    [radius * angle.cos(), radius * angle.sin()]
 }
 
 /// 64 random bits that belong to this seed, sample and place: the counter, mixed twice as Steele, Lea and Flood mix
@@ -71,18 +91,18 @@ pub fn uniform_bits(seed: u64, sample: u64, place: u64) -> u64 {
 }
 
 /// What all numbers of a sample have in common.
-#[inline]
-pub(super) fn key(seed: u64, sample: u64) -> u64 {
+#[inline(always)]
+fn key(seed: u64, sample: u64) -> u64 {
     mix(seed ^ sample.wrapping_mul(0x9e37_79b9_7f4a_7c15))
 }
 
 /// 64 random bits of the sample with that key.
-#[inline]
-pub(super) fn bits_at(key: u64, place: u64) -> u64 {
+#[inline(always)]
+fn bits_at(key: u64, place: u64) -> u64 {
     mix(key ^ place.wrapping_mul(0xd1b5_4a32_d192_ed03))
 }
 
-#[inline]
+#[inline(always)]
 fn mix(mut bits: u64) -> u64 {
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

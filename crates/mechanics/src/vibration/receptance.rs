@@ -1,9 +1,12 @@
 //! Frequency response of many degrees of freedom: directly, and as sums over modes or poles.
 
-use faer::{Accum, MatMut, MatRef, Par, linalg::matmul::matmul, traits::pulp::Arch};
+use faer::{Accum, MatMut, MatRef, Par, linalg::matmul::matmul};
 use nalgebra::{Complex, DMatrix, DVector};
 
-use crate::linalg::{self, LinalgError};
+use crate::{
+    lanes::widest,
+    linalg::{self, LinalgError},
+};
 
 /// So many frequencies are worked at a time: they stay in the nearest cache.
 const BLOCK: usize = 256;
@@ -45,7 +48,7 @@ pub fn sum_of_modes(
         frequencies.len() == real.len() && frequencies.len() == imaginary.len(),
         "as many frequencies each time"
     );
-    Arch::new().dispatch(
+    widest(
         #[inline(always)]
         || {
             let blocks =
@@ -93,7 +96,7 @@ pub fn column_of_modes(
         real.as_mut_slice().chunks_mut(n * BLOCK).zip(imaginary.as_mut_slice().chunks_mut(n * BLOCK));
     for ((real, imaginary), frequencies) in blocks.zip(frequencies.chunks(BLOCK)) {
         let here = frequencies.len();
-        Arch::new().dispatch(
+        widest(
             #[inline(always)]
             || {
                 let lines = re.chunks_exact_mut(modes).zip(im.chunks_exact_mut(modes));
@@ -136,7 +139,7 @@ pub fn sum_of_poles(
     );
     let terms = terms(roots);
     let weights: Vec<[f64; 2]> = terms.iter().map(|term| term.weights(residues[term.at])).collect();
-    Arch::new().dispatch(
+    widest(
         #[inline(always)]
         || {
             let blocks =
@@ -186,7 +189,7 @@ pub fn column_of_poles(
         real.as_mut_slice().chunks_mut(n * BLOCK).zip(imaginary.as_mut_slice().chunks_mut(n * BLOCK));
     for ((real, imaginary), frequencies) in blocks.zip(frequencies.chunks(BLOCK)) {
         let here = frequencies.len();
-        Arch::new().dispatch(
+        widest(
             #[inline(always)]
             || {
                 let lines = re.chunks_exact_mut(2 * count).zip(im.chunks_exact_mut(2 * count));
