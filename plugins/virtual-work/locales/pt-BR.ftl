@@ -122,3 +122,19 @@ demanded = Exigido
 apart = Diferença
 share-of-the-larger = Parcela do maior
 the-slider-crank-with-given-velocities-and-forces = O cursor-manivela com as velocidades e forças dadas
+
+# built
+weight-link = Peso: { $link }
+inertia-force-link = Força de inércia: { $link }
+inertia-couple-link = Conjugado de inércia: { $link }
+virtual-works = Trabalhos virtuais
+work-for-a-unit-of-the-coordinate = Trabalho por unidade da coordenada
+the-effort-by-the-equations-of-newton-and-euler-of-every-link = o esforço pelas equações de Newton e Euler de cada peça
+the-links-do-not-close-gap-are-missing-change-a-length-or-the-position = as peças não fecham a cadeia: faltam { $gap }; mude um comprimento ou a posição
+in-this-position-the-coordinate-does-not-determine-the-motion-a-dead-centre-move-it-a-little = nesta posição a coordenada não determina o movimento: ponto morto; afaste-a um pouco
+the-friction-finds-no-balance-the-mechanism-jams = o atrito não encontra equilíbrio: o mecanismo trava
+the-numbers-of-this-mechanism-are-too-far-apart-to-be-computed-with = os números deste mecanismo são díspares demais para o cálculo
+the-forces-on-the-whole-mechanism-along-x-are-those-that-its-masses-demand = as forças sobre todo o mecanismo ao longo de x são as que suas massas exigem
+the-forces-on-the-whole-mechanism-along-y-are-those-that-its-masses-demand = as forças sobre todo o mecanismo ao longo de y são as que suas massas exigem
+by-the-equations-of-newton-and-euler-of-every-link-solved-together = Pelas equações de Newton e Euler de todas as peças, resolvidas em conjunto
+force-in-the-joint = Força na junta

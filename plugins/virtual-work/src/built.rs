@@ -1,0 +1,386 @@
+//! Plane mechanisms put together from their lengths: the second way to every effort of a template, the way to its
+//! reactions, and the pictures of bars, pins, blocks and forces.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{
+    Cell, Column, DrawnShape, Exhibit, Film, Ink, Inputs, Lift, Plain, Refusal, Stop, TableExhibit, Text,
+    Trail, Worksheet,
+};
+use dalembert_mechanics::{
+    Real,
+    planar::{
+        Acting, Body, Driver, Dynamics, Effort, Frame, Joint, Load, Measure, Mechanism, PlanarError, Point,
+        State, System,
+    },
+};
+
+/// A mechanism while it is put together. Names are for its table of works.
+#[derive(Clone, Default)]
+pub(crate) struct Built {
+    mechanism: Mechanism,
+    drawn: Vec<[f64; 3]>,
+    links: Vec<&'static str>,
+    loads: Vec<&'static str>,
+}
+
+/// A link; its own axes start at its first pin, and x goes along the line of its pins.
+#[derive(Clone, Copy)]
+pub(crate) struct Link {
+    body: usize,
+    centre: [f64; 2],
+}
+
+/// The mass of a link, with its centre in the axes of the link; SI.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Mass {
+    pub(crate) mass: f64,
+    pub(crate) centre: [f64; 2],
+    pub(crate) inertia: f64,
+}
+
+/// A mechanism that closes, with its motion and its efforts.
+pub(crate) struct Solved {
+    system: System,
+    pub(crate) state: State,
+    pub(crate) dynamics: Dynamics,
+    links: Vec<&'static str>,
+    loads: Vec<&'static str>,
+}
+
+impl Link {
+    /// A point of the link, in the axes of the link.
+    pub(crate) fn point(&self, at: [f64; 2]) -> Point {
+        Point::body(self.body, [at[0] - self.centre[0], at[1] - self.centre[1]])
+    }
+
+    /// The link as the body that joints and measures name.
+    pub(crate) fn frame(&self) -> Frame {
+        Some(self.body)
+    }
+}
+
+impl Mass {
+    /// A mass at the first pin.
+    pub(crate) fn at_pin(mass: f64) -> Self {
+        Self { mass, ..Self::default() }
+    }
+}
+
+impl Built {
+    /// No links yet, in a field of gravity.
+    pub(crate) fn new(gravity: [f64; 2]) -> Self {
+        Self { mechanism: Mechanism { gravity, ..Mechanism::default() }, ..Self::default() }
+    }
+
+    /// A link whose first pin is about at `start` and whose x axis makes about that angle with the ground's.
+    pub(crate) fn link(&mut self, name: &'static str, start: [f64; 2], angle: f64, mass: Mass) -> Link {
+        let [x, y] = turned(mass.centre, angle);
+        self.mechanism.bodies.push(Body { mass: mass.mass, inertia: mass.inertia });
+        self.drawn.push([start[0] + x, start[1] + y, angle]);
+        self.links.push(name);
+        Link { body: self.drawn.len() - 1, centre: mass.centre }
+    }
+
+    /// A joint; its number.
+    pub(crate) fn join(&mut self, joint: Joint) -> usize {
+        self.mechanism.joints.push(joint);
+        self.mechanism.joints.len() - 1
+    }
+
+    /// A pin; its number.
+    pub(crate) fn pin(&mut self, a: Point, b: Point) -> usize {
+        self.join(Joint::Pin { a, b })
+    }
+
+    /// A driven measure: value, velocity, acceleration.
+    pub(crate) fn drive(&mut self, measure: Measure, [value, velocity, acceleration]: [f64; 3]) {
+        self.mechanism.drivers.push(Driver { measure, value, velocity, acceleration });
+    }
+
+    /// A driven link: angle, angular velocity, angular acceleration.
+    pub(crate) fn turn(&mut self, link: Link, motion: [f64; 3]) {
+        self.drive(Measure::Angle { of: link.frame(), against: None }, motion);
+    }
+
+    /// A load.
+    pub(crate) fn load(&mut self, name: &'static str, load: Load) {
+        self.mechanism.loads.push(load);
+        self.loads.push(name);
+    }
+
+    /// A force in the axes of the ground.
+    pub(crate) fn force(&mut self, name: &'static str, at: Point, force: [f64; 2]) {
+        self.load(name, Load::Force { at, force, turns_with: None });
+    }
+
+    /// A couple on a link.
+    pub(crate) fn couple(&mut self, name: &'static str, link: Link, moment: f64) {
+        let measure = Measure::Angle { of: link.frame(), against: None };
+        self.load(name, Load::Effort { measure, effort: Effort::Constant(moment) });
+    }
+
+    /// Closes the mechanism where it is drawn and finds motion, efforts and reactions.
+    pub(crate) fn solve(self) -> Result<Solved, PlanarError> {
+        let system = System::new(&self.mechanism, &self.drawn)?;
+        let positions = system.assemble(&self.drawn)?;
+        let state = system.motion(&positions)?;
+        let dynamics = system.dynamics(&state)?;
+        Ok(Solved { system, state, dynamics, links: self.links, loads: self.loads })
+    }
+}
+
+impl Solved {
+    /// The effort of a driver by the equations of Newton and Euler.
+    pub(crate) fn effort(&self, driver: usize) -> f64 {
+        self.dynamics.newton_euler[driver]
+    }
+
+    /// What the joint exerts on its second point: of a pin the force, of a slider the force to the left of its line
+    /// and the couple, of anything else its first effort.
+    pub(crate) fn reaction(&self, joint: usize) -> [f64; 2] {
+        let mut of_joint = (0..self.system.equations().len())
+            .filter(|&equation| self.system.owner(equation) == joint)
+            .map(|equation| self.dynamics.multipliers[equation]);
+        let largest = self.dynamics.multipliers.iter().fold(0.0, |most: f64, effort| most.max(effort.abs()));
+        // What is rounding alone is zero.
+        let mut next = || of_joint.next().filter(|effort| effort.abs() > 1e-13 * largest).unwrap_or(0.0);
+        [next(), next()]
+    }
+
+    /// `Σ m (a − g)`: what all forces from outside must add up to.
+    pub(crate) fn demanded(&self) -> [f64; 2] {
+        let Mechanism { bodies, gravity, .. } = self.system.mechanism();
+        let of = |axis: usize| {
+            let rates = bodies.iter().zip(&self.state.accelerations);
+            rates.map(|(body, a)| body.mass * (a[axis] - gravity[axis])).sum()
+        };
+        [of(0), of(1)]
+    }
+
+    /// Where a point of a link is, and its velocity and acceleration.
+    pub(crate) fn motion_of(&self, at: Point) -> [[f64; 2]; 3] {
+        let Some(body) = at.on else { return [at.at, [0.0; 2], [0.0; 2]] };
+        let ([x, y, angle], [vx, vy, w], [ax, ay, alpha]) =
+            (self.state.positions[body], self.state.velocities[body], self.state.accelerations[body]);
+        let [rx, ry] = turned(at.at, angle);
+        [
+            [x + rx, y + ry],
+            [vx - w * ry, vy + w * rx],
+            [ax - alpha * ry - w * w * rx, ay + alpha * rx - w * w * ry],
+        ]
+    }
+
+    /// Angle, angular velocity and angular acceleration of a link.
+    pub(crate) fn turning_of(&self, link: Link) -> [f64; 3] {
+        let State { positions, velocities, accelerations } = &self.state;
+        [positions[link.body][2], velocities[link.body][2], accelerations[link.body][2]]
+    }
+
+    /// The virtual work of every load for a unit of a driver's measure, and its power.
+    pub(crate) fn works(&self, driver: usize) -> Exhibit {
+        let name = |of: Acting| match of {
+            Acting::Load(load) => self.loads[load].into(),
+            Acting::Weight(body) => Text::new("Weight: {link}").with_text("link", self.links[body]),
+            Acting::InertiaForce(body) => {
+                Text::new("Inertia force: {link}").with_text("link", self.links[body])
+            }
+            Acting::InertiaCouple(body) => {
+                Text::new("Inertia couple: {link}").with_text("link", self.links[body])
+            }
+        };
+        let measure = &self.system.mechanism().drivers[driver].measure;
+        let (driving, unit) =
+            if measure.is_angle() { ("Driving torque", "N*m") } else { ("Driving force", "N") };
+        let rate = self.system.mechanism().drivers[driver].velocity;
+        let known = &self.dynamics.powers;
+        let effort = self.dynamics.efforts[driver];
+        let mut rows: Vec<Vec<Cell>> = known
+            .iter()
+            .map(|load| vec![Cell::Text(name(load.of)), load.generalised[driver].into(), load.power.into()])
+            .collect();
+        rows.push(vec![driving.into(), effort.into(), (effort * rate).into()]);
+        let tidy = |sum: f64, size: f64| if sum.abs() <= 1e-12 * size { 0.0 } else { sum };
+        let (work, power) = known.iter().fold((effort, effort * rate), |(work, power), load| {
+            (work + load.generalised[driver], power + load.power)
+        });
+        let size = self.size(driver);
+        Exhibit::Table(TableExhibit {
+            title: "Virtual works".into(),
+            columns: vec![
+                Column { heading: "Load".into(), unit: "" },
+                Column { heading: "Work for a unit of the coordinate".into(), unit },
+                Column { heading: "Power".into(), unit: "W" },
+            ],
+            rows,
+            foot: vec!["Total".into(), tidy(work, size).into(), tidy(power, size * rate.abs()).into()],
+        })
+    }
+
+    /// The largest virtual work of a load for a unit of a driver's measure.
+    pub(crate) fn size(&self, driver: usize) -> f64 {
+        self.dynamics.powers.iter().fold(0.0, |most, load| f64::max(most, load.generalised[driver].abs()))
+    }
+
+    /// Holds an effort that was found by virtual work against the two ways of the mechanism that was put together.
+    pub(crate) fn check_effort<W: Worksheet>(&self, driver: usize, effort: W::Num, sheet: W) {
+        let size = self.size(driver).max(effort.value().abs());
+        sheet.check_zero(
+            "the effort by the equations of Newton and Euler of every link",
+            (effort.value() - self.effort(driver)).into(),
+            size,
+        );
+    }
+}
+
+/// Why a mechanism has no answer, in words for a person.
+pub(crate) fn refusal(error: PlanarError) -> Refusal {
+    Refusal::because(match error {
+        PlanarError::DoesNotClose { gap, .. } => {
+            Text::new("the links do not close: {gap} are missing; change a length or the position")
+                .with_quantity("gap", gap, "mm")
+        }
+        PlanarError::DeadCentre { .. } | PlanarError::Limit { .. } | PlanarError::OverDriven { .. } => {
+            "in this position the coordinate does not determine the motion: a dead centre; move it a little"
+                .into()
+        }
+        PlanarError::Jammed { .. } => "the friction finds no balance: the mechanism jams".into(),
+        PlanarError::Number { .. }
+        | PlanarError::NoSuchBody { .. }
+        | PlanarError::UnderDriven { .. }
+        | PlanarError::NotFinite => {
+            "the numbers of this mechanism are too far apart to be computed with".into()
+        }
+    })
+}
+
+/// A template: what it finds in one position, as the worked solution and, for plots and films, as plain numbers.
+pub(crate) trait Template: Inputs {
+    /// What it finds.
+    type Found<N: Real>;
+
+    /// Writes positions, virtual displacements and works, and the effort asked for.
+    fn efforts<W: Worksheet>(&self, given: &Self::Given<W>, sheet: W)
+    -> Result<Self::Found<W::Num>, Refusal>;
+
+    /// The same as plain numbers; none where there is no answer.
+    fn plain(&self) -> Option<Self::Found<f64>> {
+        let stop = Stop::new();
+        let sheet = Plain::new(&stop);
+        let given = self.given(Lift { sheet: &sheet, value: None, trail: &Trail::TOP });
+        self.efforts(&given, &sheet).ok()
+    }
+}
+
+/// The positions that a film or a plot goes through.
+#[derive(Clone, Copy)]
+pub(crate) enum Range {
+    /// A whole turn, from where it is now.
+    Turn(f64),
+    /// There and back between two values.
+    Between(f64, f64),
+}
+
+impl Range {
+    /// The positions about `start` that can be reached: a whole turn, or from one limit to the other.
+    pub(crate) fn about(start: f64, closes: impl Fn(f64) -> bool) -> Self {
+        const STEPS: usize = 180;
+        let reached = |sense: f64| {
+            (1..=STEPS).map(|n| n as f64 * TAU / 360.0).take_while(|way| closes(start + sense * way)).last()
+        };
+        let (back, forth) = (reached(-1.0).unwrap_or(0.0), reached(1.0).unwrap_or(0.0));
+        if back + forth >= TAU - 1e-9 {
+            Range::Turn(start)
+        } else {
+            Range::Between(start - back, start + forth)
+        }
+    }
+
+    /// Evenly spaced values, ascending, from end to end.
+    pub(crate) fn values(self, count: usize) -> impl Iterator<Item = f64> {
+        let (from, to) = match self {
+            Range::Turn(_) => (0.0, TAU),
+            Range::Between(from, to) => (from, to),
+        };
+        (0..=count).map(move |n| from + (to - from) * n as f64 / count as f64)
+    }
+}
+
+/// A curve over the range; it breaks where there is no value.
+pub(crate) fn curve(range: Range, count: usize, at: impl Fn(f64) -> Option<f64>) -> Vec<(f64, f64)> {
+    range.values(count).map(|x| (x, at(x).unwrap_or(f64::NAN))).collect()
+}
+
+/// A film of the mechanism going through its range; positions without a picture are left out.
+pub(crate) fn film(
+    title: &'static str,
+    range: Range,
+    frame: impl Fn(f64) -> Option<Vec<DrawnShape>>,
+) -> Exhibit {
+    const FRAMES: usize = 24;
+    let at = |n: usize| {
+        let part = TAU * n as f64 / FRAMES as f64;
+        match range {
+            Range::Turn(start) => start + part,
+            Range::Between(from, to) => f64::midpoint(from, to) - (to - from) / 2.0 * part.cos(),
+        }
+    };
+    let frames: Vec<_> = (0..FRAMES).filter_map(|n| frame(at(n))).collect();
+    Exhibit::Film(Film { title: title.into(), frames, period: 3.0 })
+}
+
+/// A bar through points.
+pub(crate) fn bar(points: &[[f64; 2]]) -> DrawnShape {
+    DrawnShape::Polyline(points.iter().map(|&at| spot(at)).collect(), Ink::Body)
+}
+
+/// A line of reference through points.
+pub(crate) fn faint(points: &[[f64; 2]]) -> DrawnShape {
+    DrawnShape::Polyline(points.iter().map(|&at| spot(at)).collect(), Ink::Faint)
+}
+
+/// A fixed pin.
+pub(crate) fn pivot(at: [f64; 2]) -> DrawnShape {
+    DrawnShape::Pin(spot(at))
+}
+
+/// A block of about that size.
+pub(crate) fn block([x, y]: [f64; 2], size: f64) -> DrawnShape {
+    DrawnShape::Block((x - size, y - 0.6 * size), (x + size, y + 0.6 * size), Ink::Body)
+}
+
+/// Ground along a line under `at`, in a direction.
+pub(crate) fn ground(at: [f64; 2], direction: f64, half: f64) -> DrawnShape {
+    let (sin, cos) = direction.sin_cos();
+    let end = |side: f64| (at[0] + side * half * cos, at[1] + side * half * sin);
+    DrawnShape::Ground(end(-1.0), end(1.0))
+}
+
+/// Forces as arrows that start at their points, the largest as long as `length`.
+pub(crate) fn arrows(forces: &[([f64; 2], [f64; 2])], length: f64) -> Vec<DrawnShape> {
+    let largest = forces.iter().fold(0.0f64, |most, (_, [x, y])| most.max(x.hypot(*y)));
+    let visible = forces.iter().filter(|(_, [x, y])| x.hypot(*y) > 1e-3 * largest);
+    visible
+        .map(|(at, force)| {
+            let scale = length / largest;
+            let head = (at[0] + scale * force[0], at[1] + scale * force[1]);
+            DrawnShape::Arrow(spot(*at), head, Ink::Force)
+        })
+        .collect()
+}
+
+/// A vector turned by an angle.
+pub(crate) fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    [cos * x - sin * y, sin * x + cos * y]
+}
+
+/// The point so far from another, in a direction.
+pub(crate) fn away(from: [f64; 2], length: f64, angle: f64) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    [from[0] + length * cos, from[1] + length * sin]
+}
+
+fn spot([x, y]: [f64; 2]) -> (f64, f64) {
+    (x, y)
+}
