@@ -7,6 +7,12 @@
 
 use crate::Real;
 
+pub mod cycle;
+pub mod engine;
+pub mod equivalent;
+pub mod gas;
+pub mod piston;
+
 mod links;
 mod motion;
 

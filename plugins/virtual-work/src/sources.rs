@@ -19,3 +19,13 @@ pub(crate) static BEER: Source = Source {
     short: "Beer & Johnston",
     full: "F. P. Beer, E. R. Johnston Jr., D. F. Mazurek, Vector Mechanics for Engineers: Statics, 12th ed., McGraw-Hill, 2019",
 };
+
+/// T. Bevan, The Theory of Machines.
+pub(crate) static BEVAN: Source =
+    Source { short: "Bevan", full: "T. Bevan, The Theory of Machines, 3rd ed., Longmans, 1956" };
+
+/// R. S. Khurmi and J. K. Gupta, Theory of Machines.
+pub(crate) static KHURMI: Source = Source {
+    short: "Khurmi & Gupta",
+    full: "R. S. Khurmi, J. K. Gupta, Theory of Machines, 14th ed., S. Chand, 2005",
+};

@@ -1,0 +1,175 @@
+//! The turning moment over the cycle.
+
+use std::{f64::consts::TAU, ops::ControlFlow};
+
+use dalembert_core::{Refusal, Worksheet};
+use dalembert_mechanics::{
+    Real, roots,
+    slider_crank::{
+        CrankMotion,
+        cycle::Cycle,
+        engine::{Engine as Kernel, Model},
+        gas::{self, Corners, Diagram},
+    },
+};
+
+use super::{
+    Engine, Gas,
+    flywheel::FlywheelInertiaGiven,
+    forces::Problem,
+    gas::Cylinder,
+};
+
+/// The cycle at a steady speed.
+pub(super) struct Turned {
+    pub cycle: Cycle,
+    pub period: f64,
+}
+
+/// The forces at a crank angle of a cycle: that of the gas, and all others.
+pub(super) fn at(kernel: &Kernel, gas: Option<&Cylinder>, crank: CrankMotion) -> (f64, dalembert_mechanics::slider_crank::engine::Forces) {
+    let motion = kernel.motion(crank);
+    let fraction = motion.displacement / kernel.stroke();
+    let force = gas.map_or(0.0, |gas| gas.force(crank.angle, fraction, motion.arm >= 0.0));
+    (force, kernel.forces(crank, &motion, force))
+}
+
+/// Mean, extremes and fluctuation, where the force of the gas is known all over the cycle.
+pub(super) fn cycle<W: Worksheet>(
+    problem: &Engine,
+    of: &Problem<'_, W>,
+    kernel: &Kernel,
+    gas: Option<&Cylinder>,
+    speed: W::Num,
+    sheet: W,
+) -> Result<Option<Turned>, Refusal> {
+    if gas.is_none() && !matches!(problem.gas, Gas::Nothing) {
+        return Ok(None);
+    }
+    let turns = gas.map_or(1, |gas| gas.diagram.turns());
+    let period = TAU * f64::from(turns);
+    let steady = |angle: f64| CrankMotion { angle, speed: speed.value(), acceleration: 0.0 };
+    let moment = |angle: f64| at(kernel, gas, steady(angle)).1.moment;
+    let corners = corners(kernel, gas, turns);
+    let cycle = Cycle::of(moment, period, &corners);
+    sheet.keep_going()?;
+    let size = cycle.greatest.1.abs().max(cycle.least.1.abs());
+    if !size.is_finite() {
+        return Err(Refusal::because("the turning moment over the cycle cannot be represented: check the inputs"));
+    }
+    let mean = sheet.found(
+        "T_m",
+        "N*m",
+        cycle.mean,
+        "Mean turning moment at a steady speed, integrated over the cycle",
+    );
+    let most = sheet.found("T_max", "N*m", cycle.greatest.1, "Greatest turning moment of the cycle");
+    let most_at = sheet.found("θ_max", "deg", cycle.greatest.0, "Crank angle of the greatest turning moment");
+    let least = sheet.found("T_min", "N*m", cycle.least.1, "Least turning moment of the cycle");
+    let least_at = sheet.found("θ_min", "deg", cycle.least.0, "Crank angle of the least turning moment");
+    let rms = sheet.found("T_rms", "N*m", cycle.rms, "Root mean square of the turning moment");
+    sheet.answer("mean_moment", "Mean turning moment over the cycle", mean);
+    sheet.answer("greatest_moment", "Greatest turning moment", most);
+    sheet.answer("greatest_moment_angle", "Crank angle of the greatest turning moment", most_at);
+    sheet.answer("least_moment", "Least turning moment", least);
+    sheet.answer("least_moment_angle", "Crank angle of the least turning moment", least_at);
+    sheet.answer("rms_moment", "Root mean square of the turning moment", rms);
+    if gas.is_some() {
+        let power = sheet.step("P_m", "kW", mean * speed, "Mean power at this speed");
+        sheet.answer("power", "Mean power", power);
+    }
+    let energy = sheet.found(
+        "ΔE",
+        "J",
+        cycle.fluctuation,
+        "Fluctuation of energy: what the moment does above its mean, from the least to the greatest sum",
+    );
+    sheet.answer("energy_fluctuation", "Fluctuation of energy", energy);
+    if let Some(output) = &of.given.output {
+        let inertia = match &output.inertia {
+            FlywheelInertiaGiven::Moment { inertia } => *inertia,
+            FlywheelInertiaGiven::Gyration { mass, radius } => *mass * radius.powi(2),
+        };
+        let why = "Coefficient of fluctuation of speed: the range of speed over its mean, against a constant resistance";
+        let fluctuation = sheet.step("C_s", "1", energy / (inertia * speed.powi(2)), why);
+        sheet.answer("speed_fluctuation", "Coefficient of fluctuation of speed", fluctuation);
+    }
+    sheet.verify(|| {
+        if kernel.model == Model::Exact {
+            let plain = |angle: f64| {
+                let motion = kernel.motion(steady(angle));
+                let fraction = motion.displacement / kernel.stroke();
+                let force = gas.map_or(0.0, |gas| gas.force(angle, fraction, motion.arm >= 0.0));
+                kernel.reactions(steady(angle), force).map_or(f64::NAN, |reactions| reactions.moment)
+            };
+            let what = "greatest turning moment from Newton's and Euler's equations at its crank angle";
+            sheet.check_zero(what, (most.value() - plain(cycle.greatest.0)).into(), size);
+            let what = "least turning moment from Newton's and Euler's equations at its crank angle";
+            sheet.check_zero(what, (least.value() - plain(cycle.least.0)).into(), size);
+        }
+        let friction = 2.0 * f64::from(turns) * kernel.stroke() * kernel.friction;
+        let done = match (gas, &kernel.model) {
+            (None, _) => Some(0.0),
+            (Some(gas), Model::Exact) => work(gas, kernel.stroke()),
+            _ => None,
+        };
+        if let Some(done) = done {
+            let what = "mean turning moment from the work of gas and friction in a cycle";
+            sheet.check_zero(what, (mean.value() - (done - friction) / period).into(), size);
+        }
+    });
+    Ok(Some(Turned { cycle, period }))
+}
+
+/// Work of the gas in a turn, from its diagram over the stroke.
+fn work(gas: &Cylinder, stroke: f64) -> Option<f64> {
+    let mean = match &gas.diagram {
+        &Diagram::Expansion { admission, exhaust, cut_off, clearance, exponent } => {
+            if (exponent - 1.0).abs() > 1e-6 {
+                gas::mean_pressure(admission, cut_off, Some(clearance), exponent, exhaust)
+            } else {
+                gas::mean_pressure_hyperbolic(admission, cut_off, Some(clearance), exhaust)
+            }
+        }
+        Diagram::Stroke(rows) => {
+            let over = |row: &[f64; 3]| row[1] - row[2];
+            let inside: f64 = rows
+                .windows(2)
+                .map(|pair| f64::midpoint(over(&pair[0]), over(&pair[1])) * (pair[1][0] - pair[0][0]))
+                .sum();
+            let (first, last) = (rows.first()?, rows.last()?);
+            inside + over(first) * first[0] + over(last) * (1.0 - last[0])
+        }
+        Diagram::Angle { .. } => return None,
+    };
+    Some(mean * stroke * (gas.area + gas.crank_side.unwrap_or(0.0)))
+}
+
+/// Crank angles at which the moment has a corner: dead centres, where friction turns, and corners of the diagram.
+fn corners(kernel: &Kernel, gas: Option<&Cylinder>, turns: u8) -> Vec<f64> {
+    let [outer, inner] = kernel.dead_centres();
+    let mut once = vec![outer, inner];
+    let mut all = Vec::new();
+    if let Some(gas) = gas {
+        match gas.diagram.corners() {
+            Corners::Angles(angles) => all.extend(angles),
+            Corners::Fractions(fractions) => {
+                let stroke = kernel.stroke();
+                let gone = |angle: f64| {
+                    kernel.motion(CrankMotion { angle, speed: 0.0, acceleration: 0.0 }).displacement / stroke
+                };
+                for fraction in fractions.into_iter().flat_map(|f| [f, 1.0 - f]) {
+                    for range in [[outer, inner], [inner, outer + TAU]] {
+                        let angle =
+                            roots::find(|angle| gone(angle) - fraction, range, |_| ControlFlow::Continue(()));
+                        once.extend(angle.ok());
+                    }
+                }
+            }
+        }
+    }
+    for turn in 0..turns {
+        all.extend(once.iter().map(|angle| angle + TAU * f64::from(turn)));
+    }
+    all
+}

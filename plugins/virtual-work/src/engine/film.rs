@@ -1,0 +1,93 @@
+//! The engine in motion, with its forces.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use dalembert_core::{Drawing, DrawnShape, Exhibit, Film, Ink, exhibit::Point};
+use dalembert_mechanics::slider_crank::{engine::Forces, piston};
+
+use super::exhibits::View;
+
+const FRAMES: u32 = 24;
+
+/// A film where the forces are known over the cycle or there are none; otherwise the engine at its crank angle.
+pub(super) fn show(view: &View<'_>) -> Exhibit {
+    let here = view.force.map(|force| {
+        let mut motion = view.kernel.motion(view.crank);
+        if let Some(acceleration) = view.given_acceleration {
+            motion.acceleration = acceleration;
+        }
+        view.kernel.forces(view.crank, &motion, force)
+    });
+    let start = view.crank.angle.rem_euclid(2.0 * TAU);
+    if view.force.is_some() && view.cycle.is_none() {
+        let size = here.as_ref().map_or(0.0, largest);
+        let shapes = frame(view, start, here.as_ref(), size);
+        return Exhibit::Drawing(Drawing { title: "The engine at this crank angle, with its forces".into(), shapes });
+    }
+    let period = view.cycle.map_or(TAU, |turned| turned.period);
+    let at: Vec<(f64, Option<Forces>)> = (0..FRAMES)
+        .map(|k| {
+            let angle = start + period * f64::from(k) / f64::from(FRAMES);
+            (angle, view.cycle.map(|_| view.at(angle).1))
+        })
+        .collect();
+    let size = at.iter().filter_map(|(_, forces)| forces.as_ref().map(largest)).fold(0.0, f64::max);
+    let frames = at.iter().map(|(angle, forces)| frame(view, *angle, forces.as_ref(), size)).collect();
+    let title = if view.cycle.is_some() { "The engine over its cycle, with its forces" } else { "The engine over a turn" };
+    Exhibit::Film(Film { title: title.into(), frames, period: 3.0 * period / TAU })
+}
+
+fn largest(forces: &Forces) -> f64 {
+    forces.effort.abs().max(forces.bearing[0].hypot(forces.bearing[1])).max(forces.guide.abs())
+}
+
+fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Vec<DrawnShape> {
+    let kernel = view.kernel;
+    let (r, l, e) = (kernel.crank, kernel.rod, kernel.offset);
+    // The stroke stands as gravity tells; without gravity it lies.
+    let [along, across] = kernel.gravity;
+    let stands = if along == 0.0 { 0.0 } else { along.atan2(across) };
+    let stands = if (stands - FRAC_PI_2).abs() < 1e-12 { FRAC_PI_2 } else { stands };
+    let (sine, cosine) = stands.sin_cos();
+    let turned = |(x, y): Point| (x * cosine - y * sine, x * sine + y * cosine);
+    let obliquity = piston::obliquity_with_offset(r, l, e, angle);
+    let pin = (r * angle.cos(), r * angle.sin());
+    let gudgeon = (piston::position(r, l, angle, obliquity), e);
+    let half = 0.35 * r;
+    let far = piston::farthest(r, l, e);
+    let line = |points: &[Point], ink| DrawnShape::Polyline(points.iter().map(|p| turned(*p)).collect(), ink);
+    let (bottom, top) = (gudgeon.0 - half, gudgeon.0 + half);
+    let mut shapes = vec![
+        DrawnShape::Circle((0.0, 0.0), r, Ink::Faint),
+        line(&[(far - 2.0 * r - half, e + 1.2 * half), (far + 1.6 * half, e + 1.2 * half), (far + 1.6 * half, e - 1.2 * half), (far - 2.0 * r - half, e - 1.2 * half)], Ink::Faint),
+        DrawnShape::Pin((0.0, 0.0)),
+        line(&[(0.0, 0.0), pin, gudgeon], Ink::Body),
+        line(&[(bottom, e - half), (top, e - half), (top, e + half), (bottom, e + half), (bottom, e - half)], Ink::Body),
+        DrawnShape::Circle(turned(pin), 0.08 * r, Ink::Body),
+        DrawnShape::Circle(turned(gudgeon), 0.08 * r, Ink::Body),
+    ];
+    if kernel.rod_mass > 0.0 {
+        let part = kernel.rod_centre / l;
+        let centre = (pin.0 + part * (gudgeon.0 - pin.0), pin.1 + part * (gudgeon.1 - pin.1));
+        shapes.push(DrawnShape::Circle(turned(centre), 0.05 * r, Ink::Body));
+        shapes.push(DrawnShape::Label(turned((centre.0, centre.1 + 0.25 * r)), "G".into()));
+    }
+    let Some(forces) = forces.filter(|_| size > 0.0) else { return shapes };
+    let scale = 1.3 * r / size;
+    let arrows = [
+        (gudgeon, (-forces.effort, 0.0), "F_P"),
+        (gudgeon, (0.0, forces.guide), "F_N"),
+        (pin, (forces.bearing[0], forces.bearing[1]), "F_A"),
+    ];
+    for (tail, (x, y), name) in arrows {
+        let (x, y) = (scale * x, scale * y);
+        if x.hypot(y) < 0.02 * r {
+            continue;
+        }
+        let head = (tail.0 + x, tail.1 + y);
+        shapes.push(DrawnShape::Arrow(turned(tail), turned(head), Ink::Force));
+        let beside = 0.15 * r / x.hypot(y);
+        shapes.push(DrawnShape::Label(turned((head.0 + beside * x, head.1 + beside * y + 0.1 * r)), name.into()));
+    }
+    shapes
+}

@@ -1,0 +1,91 @@
+//! The flywheel and what the engine drives.
+
+use dalembert_core::{Inputs, Refusal, Worksheet};
+use dalembert_mechanics::Real;
+
+use super::motion::Moving;
+
+/// The flywheel and the load.
+#[derive(Clone, Debug, Inputs)]
+pub struct Output {
+    /// Inertia of the flywheel.
+    pub inertia: FlywheelInertia,
+    /// What resists.
+    pub resisting: Resisting,
+}
+
+/// The moment of inertia of a flywheel.
+#[derive(Clone, Debug, Inputs)]
+pub enum FlywheelInertia {
+    /// Mass and radius of gyration
+    Gyration {
+        /// Mass.
+        #[input("m_F", "kg", positive)]
+        mass: f64,
+        /// Radius of gyration.
+        #[input("k_F", "m", positive)]
+        radius: f64,
+    },
+    /// Moment of inertia
+    Moment {
+        /// Moment of inertia.
+        #[input("I_F", "kg*m^2", positive)]
+        inertia: f64,
+    },
+}
+
+/// What the engine drives.
+#[derive(Clone, Debug, Inputs)]
+pub enum Resisting {
+    /// Torque
+    Torque {
+        /// Resisting torque.
+        #[input("T_R", "N*m")]
+        torque: f64,
+    },
+    /// Power at this speed
+    Power {
+        /// Power.
+        #[input("P", "kW")]
+        power: f64,
+    },
+}
+
+/// The moment of inertia, as a step where it is found.
+pub(super) fn inertia<W: Worksheet>(given: &FlywheelInertiaGiven<W>, sheet: W) -> W::Num {
+    match given {
+        FlywheelInertiaGiven::Moment { inertia } => *inertia,
+        FlywheelInertiaGiven::Gyration { mass, radius } => {
+            sheet.step("I_F", "kg*m^2", *mass * radius.powi(2), "Moment of inertia of the flywheel")
+        }
+    }
+}
+
+/// The angular acceleration of the flywheel at the crank angle.
+pub(super) fn acceleration<W: Worksheet>(
+    given: &OutputGiven<W>,
+    moving: &Moving<W::Num>,
+    moment: W::Num,
+    sheet: W,
+) -> Result<(), Refusal> {
+    let inertia = inertia(&given.inertia, sheet);
+    let torque = match &given.resisting {
+        ResistingGiven::Torque { torque } => *torque,
+        ResistingGiven::Power { power } => {
+            let Some(speed) = moving.speed else {
+                return Err(Refusal::because(
+                    "a power tells the resisting torque of a running engine alone: give the torque, or the speed",
+                ));
+            };
+            sheet.step("T_R", "N*m", *power / speed, "Torque that takes the power at this speed")
+        }
+    };
+    let acceleration = sheet.step(
+        "α_F",
+        "rad/s^2",
+        (moment - torque) / inertia,
+        "Angular acceleration of the flywheel: what the turning moment exceeds the resistance by",
+    );
+    sheet.answer("flywheel_acceleration", "Angular acceleration of the flywheel", acceleration);
+    Ok(())
+}

@@ -1,0 +1,496 @@
+//! What pushes the piston.
+
+use dalembert_core::{Inputs, Refusal, Text, Worksheet};
+use dalembert_mechanics::{
+    Real, section,
+    slider_crank::gas::{self, Diagram},
+};
+
+use super::motion::{Lengths, Moving};
+use crate::sources::KHURMI;
+
+/// The force on the piston towards the crank, and what is known of it.
+#[derive(Clone, Debug, Inputs)]
+pub enum Gas {
+    /// None
+    Nothing,
+    /// Force given
+    Force {
+        /// Force on the piston.
+        /// Towards the crank; at this crank angle.
+        #[input("F_G", "N")]
+        force: f64,
+    },
+    /// Sought: the force for a turning moment
+    Balancing {
+        /// Turning moment of the engine.
+        /// What it has to hold or to drive, in the sense of rotation.
+        #[input("M", "N*m")]
+        moment: f64,
+    },
+    /// Pressures at this crank angle
+    Pressures {
+        /// Bore.
+        #[input("D", "mm", positive)]
+        bore: f64,
+        /// Pressure.
+        /// On the side away from the crankshaft.
+        #[input("p₁", "kPa")]
+        pressure: f64,
+        /// Other side of the piston.
+        behind: Behind,
+        /// Counted from.
+        datum: Datum,
+    },
+    /// Admission, cut-off and expansion
+    /// Of a steam engine, over the whole cycle.
+    Expansion {
+        /// Bore.
+        #[input("D", "mm", positive)]
+        bore: f64,
+        /// Sides that work.
+        acting: Acting,
+        /// Pressure of the admission.
+        #[input("p_a", "kPa")]
+        admission: f64,
+        /// Pressure of the exhaust.
+        #[input("p_b", "kPa")]
+        exhaust: f64,
+        /// Cut-off.
+        /// Part of the stroke over which the cylinder is filled.
+        #[input("ε", "1", positive, max = 1)]
+        cut_off: f64,
+        /// Clearance.
+        /// Volume behind the piston at the dead centre, over the volume of the stroke.
+        #[input("κ", "1", nonnegative, max = 1, default = "0")]
+        clearance: f64,
+        /// Law of the expansion.
+        law: Law,
+        /// Counted from.
+        datum: Datum,
+    },
+    /// Indicator diagram over the stroke
+    Stroke {
+        /// Bore.
+        #[input("D", "mm", positive)]
+        bore: f64,
+        /// Sides that work.
+        acting: Acting,
+        /// Pressures.
+        #[input(table)]
+        rows: Vec<StrokeRow>,
+        /// Counted from.
+        datum: Datum,
+    },
+    /// Indicator diagram over the crank angle
+    Angle {
+        /// Bore.
+        #[input("D", "mm", positive)]
+        bore: f64,
+        /// Strokes of a cycle.
+        strokes: Strokes,
+        /// Pressures.
+        #[input(table)]
+        rows: Vec<AngleRow>,
+        /// Counted from.
+        datum: Datum,
+    },
+}
+
+/// What is on the side of the piston towards the crank.
+#[derive(Clone, Debug, Inputs)]
+pub enum Behind {
+    /// The atmosphere
+    Atmosphere,
+    /// A pressure
+    Pressure {
+        /// Pressure.
+        /// On the side towards the crankshaft.
+        #[input("p₂", "kPa")]
+        pressure: f64,
+        /// Diameter of the piston rod.
+        #[input("d_p", "mm", nonnegative, default = "0 mm")]
+        rod: f64,
+    },
+}
+
+/// Single or double acting.
+#[derive(Clone, Debug, Inputs)]
+pub enum Acting {
+    /// Single acting
+    /// The atmosphere is on the side towards the crankshaft.
+    Single,
+    /// Double acting
+    /// The same on both sides, half a turn apart.
+    Double {
+        /// Diameter of the piston rod.
+        #[input("d_p", "mm", nonnegative, default = "0 mm")]
+        rod: f64,
+    },
+}
+
+/// What pressures are counted from.
+#[derive(Clone, Debug, Inputs)]
+pub enum Datum {
+    /// The atmosphere: gauge pressures
+    Gauge {
+        /// Pressure of the atmosphere.
+        #[input("p₀", "kPa", nonnegative, default = "101.325 kPa")]
+        atmosphere: f64,
+    },
+    /// Vacuum: absolute pressures
+    Absolute {
+        /// Pressure of the atmosphere.
+        #[input("p₀", "kPa", nonnegative, default = "101.325 kPa")]
+        atmosphere: f64,
+    },
+}
+
+/// The law of an expansion.
+#[derive(Clone, Debug, Inputs)]
+pub enum Law {
+    /// Hyperbolic, p v constant
+    Hyperbolic,
+    /// Polytropic, p vᵏ constant
+    Polytropic {
+        /// Exponent.
+        #[input("k", "1", positive, max = 3)]
+        exponent: f64,
+    },
+}
+
+/// Strokes of a cycle.
+#[derive(Clone, Copy, Debug, Inputs)]
+pub enum Strokes {
+    /// Four strokes
+    Four,
+    /// Two strokes
+    Two,
+}
+
+/// A row of an indicator diagram over the stroke.
+#[derive(Clone, Debug, Inputs)]
+pub struct StrokeRow {
+    /// Part of the stroke.
+    #[input("s/S", "1", nonnegative, max = 1)]
+    pub fraction: f64,
+    /// Pressure on the way to the crankshaft.
+    #[input("p_out", "kPa")]
+    pub out: f64,
+    /// Pressure on the way back.
+    #[input("p_back", "kPa")]
+    pub back: f64,
+}
+
+/// A row of an indicator diagram over the crank angle.
+#[derive(Clone, Debug, Inputs)]
+pub struct AngleRow {
+    /// Crank angle.
+    #[input("θ", "deg")]
+    pub angle: f64,
+    /// Pressure.
+    #[input("p", "kPa")]
+    pub pressure: f64,
+}
+
+/// The gas over a whole cycle, in absolute pressures.
+pub(super) struct Cylinder {
+    pub diagram: Diagram,
+    pub area: f64,
+    /// Of the side towards the crank, where it works too.
+    pub crank_side: Option<f64>,
+    pub atmosphere: f64,
+}
+
+impl Cylinder {
+    /// Force towards the crank.
+    pub(super) fn force(&self, angle: f64, fraction: f64, out: bool) -> f64 {
+        let cover = self.diagram.pressure(angle, fraction, out) - self.atmosphere;
+        let crank = self.crank_side.map_or(0.0, |area| {
+            area * (self.diagram.opposite(angle, fraction, out) - self.atmosphere)
+        });
+        cover * self.area - crank
+    }
+}
+
+/// Force on the piston towards the crank, and the cylinder where its whole cycle is known; nothing where nothing
+/// pushes, or where the force is sought.
+pub(super) fn force<W: Worksheet>(
+    problem: &Gas,
+    given: &GasGiven<W>,
+    lengths: &Lengths<W::Num>,
+    moving: &Moving<W::Num>,
+    stroke: f64,
+    sheet: W,
+) -> Result<Option<(W::Num, Option<Cylinder>)>, Refusal> {
+    match (problem, given) {
+        (Gas::Force { .. }, GasGiven::Force { force }) => Ok(Some((*force, None))),
+        (_, GasGiven::Pressures { bore, pressure, behind, datum }) => {
+            let area = piston_area(*bore, sheet);
+            let gauge = |symbol, pressure: W::Num| match datum {
+                DatumGiven::Gauge { .. } => pressure,
+                DatumGiven::Absolute { atmosphere } => {
+                    sheet.step(symbol, "kPa", pressure - *atmosphere, "Above the atmosphere")
+                }
+            };
+            let pressure = gauge("p₁′", *pressure);
+            let force = match behind {
+                BehindGiven::Atmosphere { .. } => pressure * area,
+                BehindGiven::Pressure { pressure: other, rod } => {
+                    let crank_side = crank_side_area(*bore, *rod, sheet)?;
+                    gas::force(pressure, area, gauge("p₂′", *other), crank_side)
+                }
+            };
+            Ok(Some((of_gas(force, sheet), None)))
+        }
+        (
+            Gas::Expansion { .. },
+            GasGiven::Expansion { bore, acting, admission, exhaust, cut_off, clearance, law, datum },
+        ) => {
+            let absolute = |symbol, pressure: W::Num| match datum {
+                DatumGiven::Gauge { atmosphere } => {
+                    sheet.step(symbol, "kPa", pressure + *atmosphere, "Absolute pressure")
+                }
+                DatumGiven::Absolute { .. } => pressure,
+            };
+            let (admission, exhaust) = (absolute("p_a′", *admission), absolute("p_b′", *exhaust));
+            if admission.value() < 0.0 || exhaust.value() < 0.0 {
+                return Err(Refusal::because(
+                    "an absolute pressure is below zero: write gauge pressures not further below zero than the \
+                     atmosphere, or choose absolute pressures",
+                ));
+            }
+            let exponent = match law {
+                LawGiven::Hyperbolic { .. } => None,
+                LawGiven::Polytropic { exponent } => Some(*exponent),
+            };
+            let diagram = Diagram::Expansion {
+                admission: admission.value(),
+                exhaust: exhaust.value(),
+                cut_off: cut_off.value(),
+                clearance: clearance.value(),
+                exponent: exponent.map_or(1.0, Real::value),
+            };
+            let steam = Steam { admission, exhaust, cut_off: *cut_off, clearance: *clearance, exponent };
+            let (area, crank_side) = areas(*bore, acting, sheet)?;
+            let force = steam.force(lengths, moving, [area, crank_side.unwrap_or(0.0.into())], crank_side.is_some(), datum, sheet);
+            let atmosphere = of_datum(datum);
+            let cylinder = Cylinder {
+                diagram,
+                area: area.value(),
+                crank_side: crank_side.map(Real::value),
+                atmosphere: atmosphere.value(),
+            };
+            Ok(Some((force, Some(cylinder))))
+        }
+        (Gas::Stroke { rows, .. }, GasGiven::Stroke { bore, acting, datum, .. }) => {
+            let (area, crank_side) = areas(*bore, acting, sheet)?;
+            let diagram = stroke_diagram(rows, above(datum))?;
+            Ok(Some(from_diagram(diagram, area, crank_side, datum, moving, stroke, sheet)))
+        }
+        (Gas::Angle { rows, strokes, .. }, GasGiven::Angle { bore, datum, .. }) => {
+            let area = piston_area(*bore, sheet);
+            let diagram = angle_diagram(rows, *strokes, above(datum))?;
+            Ok(Some(from_diagram(diagram, area, None, datum, moving, stroke, sheet)))
+        }
+        _ => Ok(None),
+    }
+}
+
+/// Steam over a cycle, in absolute pressures.
+struct Steam<N> {
+    admission: N,
+    exhaust: N,
+    cut_off: N,
+    clearance: N,
+    exponent: Option<N>,
+}
+
+impl<N: Real> Steam<N> {
+    fn force<W: Worksheet<Num = N>>(
+        &self,
+        lengths: &Lengths<N>,
+        moving: &Moving<N>,
+        [area, crank_side_area]: [N; 2],
+        double: bool,
+        datum: &DatumGiven<W>,
+        sheet: W,
+    ) -> N {
+        let stroke = match lengths.offset {
+            None => lengths.crank * 2.0,
+            Some(offset) => {
+                use dalembert_mechanics::slider_crank::piston;
+                piston::farthest(lengths.crank, lengths.rod, offset)
+                    - piston::nearest(lengths.crank, lengths.rod, offset)
+            }
+        };
+        let fraction =
+            sheet.step("ξ", "1", moving.displacement / stroke, "Part of the stroke that the piston has gone");
+        let out = moving.arm.value() >= 0.0;
+        let cover = self.pressure("p₁", fraction, out, sheet);
+        let atmosphere = of_datum(datum);
+        let force = if double {
+            let way = || N::from(1.0) - fraction;
+            let crank = self.pressure("p₂", way(), !out, sheet);
+            gas::force(cover - atmosphere, area, crank - atmosphere, crank_side_area)
+        } else {
+            (cover - atmosphere) * area
+        };
+        self.work(double.then_some(crank_side_area), area, stroke, sheet);
+        of_gas(force, sheet)
+    }
+
+    /// The pressure on a side of the piston that has gone a part of its way from that side's end.
+    fn pressure<W: Worksheet<Num = N>>(&self, symbol: &'static str, gone: N, out: bool, sheet: W) -> N {
+        if !out {
+            let why = if symbol == "p₁" {
+                "The side away from the crankshaft exhausts"
+            } else {
+                "The side towards the crankshaft exhausts"
+            };
+            return sheet.step(symbol, "kPa", self.exhaust, why);
+        }
+        if gone.value() <= self.cut_off.value() {
+            return sheet.step(symbol, "kPa", self.admission, "Before the cut-off: full pressure of the admission");
+        }
+        let filled = self.clearance.value() != 0.0;
+        let with_clearance = |part: N| if filled { part + self.clearance } else { part };
+        let (from, to) = (with_clearance(self.cut_off), with_clearance(gone));
+        let pressure = match self.exponent {
+            None => gas::expanded_hyperbolically(self.admission, from, to),
+            Some(exponent) => gas::expanded(self.admission, from, to, exponent),
+        };
+        sheet.step(symbol, "kPa", pressure, ("After the cut-off the steam expands", KHURMI.at("ch. 15")))
+    }
+
+    /// Mean effective pressure and work of a turn.
+    fn work<W: Worksheet<Num = N>>(&self, crank_side: Option<N>, area: N, stroke: N, sheet: W) {
+        let clearance = Some(self.clearance).filter(|clearance| clearance.value() != 0.0);
+        let mean = match self.exponent {
+            Some(exponent) if (exponent.value() - 1.0).abs() > 1e-6 => {
+                gas::mean_pressure(self.admission, self.cut_off, clearance, exponent, self.exhaust)
+            }
+            _ => gas::mean_pressure_hyperbolic(self.admission, self.cut_off, clearance, self.exhaust),
+        };
+        let mean = sheet.step(
+            "p_m",
+            "kPa",
+            mean,
+            "Mean effective pressure: work of a stroke over its volume, less the back pressure",
+        );
+        sheet.answer("mean_pressure", "Mean effective pressure", mean);
+        let areas = match crank_side {
+            Some(other) => area + other,
+            None => area,
+        };
+        let work = sheet.step("W_G", "J", mean * areas * stroke, "Work of the steam in a turn");
+        sheet.answer("indicated_work", "Work of the gas in a turn", work);
+    }
+}
+
+fn of_datum<W: Worksheet>(datum: &DatumGiven<W>) -> W::Num {
+    match datum {
+        DatumGiven::Gauge { atmosphere } | DatumGiven::Absolute { atmosphere } => *atmosphere,
+    }
+}
+
+/// What has to be added to typed pressures to make them absolute.
+fn above<W: Worksheet>(datum: &DatumGiven<W>) -> f64 {
+    match datum {
+        DatumGiven::Gauge { atmosphere } => atmosphere.value(),
+        DatumGiven::Absolute { .. } => 0.0,
+    }
+}
+
+fn stroke_diagram(rows: &[StrokeRow], above: f64) -> Result<Diagram, Refusal> {
+    if rows.len() < 2 || rows.windows(2).any(|pair| pair[0].fraction >= pair[1].fraction) {
+        return Err(Refusal::because(
+            "the indicator diagram needs at least two rows by ascending part of the stroke, from 0 to 1",
+        ));
+    }
+    Ok(Diagram::Stroke(rows.iter().map(|row| [row.fraction, row.out + above, row.back + above]).collect()))
+}
+
+fn angle_diagram(rows: &[AngleRow], strokes: Strokes, above: f64) -> Result<Diagram, Refusal> {
+    let turns = match strokes {
+        Strokes::Four => 2,
+        Strokes::Two => 1,
+    };
+    let period = std::f64::consts::TAU * f64::from(turns);
+    let (first, last) = match rows {
+        [first, .., last] => (first.angle, last.angle),
+        _ => (0.0, f64::INFINITY),
+    };
+    let ascending = rows.windows(2).all(|pair| pair[0].angle < pair[1].angle);
+    if !ascending || last - first > period * (1.0 + 1e-9) {
+        return Err(Refusal::because(
+            "the indicator diagram needs at least two rows by ascending crank angle, within one cycle",
+        ));
+    }
+    let rows = rows.iter().map(|row| [row.angle, row.pressure + above]).collect();
+    Ok(Diagram::Angle { rows, turns })
+}
+
+fn from_diagram<W: Worksheet>(
+    diagram: Diagram,
+    area: W::Num,
+    crank_side: Option<W::Num>,
+    datum: &DatumGiven<W>,
+    moving: &Moving<W::Num>,
+    stroke: f64,
+    sheet: W,
+) -> (W::Num, Option<Cylinder>) {
+    let atmosphere = of_datum(datum).value();
+    let (angle, fraction) = (moving.angle.value(), moving.displacement.value() / stroke);
+    let out = moving.arm.value() >= 0.0;
+    let read = |symbol, absolute: f64| {
+        sheet.found(symbol, "kPa", absolute - atmosphere, "Gauge pressure, read from the diagram between its rows")
+    };
+    let cover = read("p₁", diagram.pressure(angle, fraction, out));
+    let force = match crank_side {
+        Some(other) => gas::force(cover, area, read("p₂", diagram.opposite(angle, fraction, out)), other),
+        None => cover * area,
+    };
+    let force = of_gas(force, sheet);
+    let cylinder =
+        Cylinder { diagram, area: area.value(), crank_side: crank_side.map(Real::value), atmosphere };
+    (force, Some(cylinder))
+}
+
+fn of_gas<W: Worksheet>(force: W::Num, sheet: W) -> W::Num {
+    sheet.step(
+        "F_G",
+        "N",
+        force,
+        ("Force of the gas on the piston, towards the crank", KHURMI.at("ch. 15")),
+    )
+}
+
+fn piston_area<W: Worksheet>(bore: W::Num, sheet: W) -> W::Num {
+    sheet.step("A₁", "mm^2", section::round_area(bore), "Area of the piston")
+}
+
+fn crank_side_area<W: Worksheet>(bore: W::Num, rod: W::Num, sheet: W) -> Result<W::Num, Refusal> {
+    if rod.value() >= bore.value() {
+        return Err(Refusal::because(
+            Text::new("the piston rod of {rod} leaves nothing of the bore of {bore}: make it thinner")
+                .with_quantity("rod", rod.value(), "mm")
+                .with_quantity("bore", bore.value(), "mm"),
+        ));
+    }
+    let area = if rod.value() == 0.0 { section::round_area(bore) } else { section::tube_area(bore, rod) };
+    Ok(sheet.step("A₂", "mm^2", area, "Area of the piston on the side towards the crankshaft"))
+}
+
+fn areas<W: Worksheet>(
+    bore: W::Num,
+    acting: &ActingGiven<W>,
+    sheet: W,
+) -> Result<(W::Num, Option<W::Num>), Refusal> {
+    let area = piston_area(bore, sheet);
+    let crank_side = match acting {
+        ActingGiven::Single { .. } => None,
+        ActingGiven::Double { rod } => Some(crank_side_area(bore, *rod, sheet)?),
+    };
+    Ok((area, crank_side))
+}

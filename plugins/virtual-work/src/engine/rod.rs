@@ -1,0 +1,180 @@
+//! The mass of the connecting rod.
+
+use dalembert_core::{Inputs, Refusal, Text, Worksheet};
+use dalembert_mechanics::{Real, slider_crank::equivalent};
+
+use super::motion::{Lengths, Moving};
+use crate::sources::{BEVAN, KHURMI};
+
+/// What is known of the connecting rod's mass.
+#[derive(Clone, Debug, Inputs)]
+pub enum RodMass {
+    /// Left out
+    /// Or counted with the reciprocating mass.
+    Massless,
+    /// A rigid body
+    Body {
+        /// Mass of the rod.
+        #[input("m", "kg", positive)]
+        mass: f64,
+        /// Where its centre of mass is.
+        centre: Centre,
+        /// Its moment of inertia.
+        inertia: RodInertia,
+    },
+    /// Masses at its two pins
+    Pins {
+        /// Mass at the gudgeon pin.
+        #[input("m_g", "kg", nonnegative)]
+        gudgeon: f64,
+        /// Mass at the crank pin.
+        #[input("m_c", "kg", nonnegative)]
+        crank_pin: f64,
+    },
+}
+
+/// Where the centre of mass is.
+#[derive(Clone, Debug, Inputs)]
+pub enum Centre {
+    /// From the crank pin
+    CrankPin {
+        /// Distance from the crank pin.
+        #[input("c", "mm", nonnegative)]
+        distance: f64,
+    },
+    /// From the gudgeon pin
+    GudgeonPin {
+        /// Distance from the gudgeon pin.
+        #[input("d", "mm", nonnegative)]
+        distance: f64,
+    },
+}
+
+/// The moment of inertia of the rod.
+#[derive(Clone, Debug, Inputs)]
+pub enum RodInertia {
+    /// Radius of gyration
+    Gyration {
+        /// Radius of gyration about the centre of mass.
+        #[input("k_G", "mm", nonnegative)]
+        radius: f64,
+    },
+    /// Moment of inertia
+    Moment {
+        /// Moment of inertia about the centre of mass.
+        #[input("I_G", "kg*m^2", nonnegative)]
+        inertia: f64,
+    },
+    /// That of masses in the two pins
+    /// The rod then needs no correction couple.
+    Pins,
+}
+
+/// The rod as masses in its pins and what they lack.
+pub(super) struct Masses<N> {
+    pub mass: N,
+    /// Distance of the centre of mass from the crank pin.
+    pub centre: N,
+    pub inertia: N,
+    pub at_gudgeon: N,
+    pub at_pin: N,
+    /// Moment of inertia that the masses in the pins lack; none where there is nothing to correct.
+    pub missing: Option<N>,
+}
+
+pub(super) fn masses<W: Worksheet>(
+    problem: &RodMass,
+    given: &RodMassGiven<W>,
+    rod: W::Num,
+    sheet: W,
+) -> Result<Option<Masses<W::Num>>, Refusal> {
+    match (problem, given) {
+        (RodMass::Pins { gudgeon, crank_pin }, RodMassGiven::Pins { gudgeon: at_gudgeon, crank_pin: at_pin }) => {
+            if gudgeon + crank_pin == 0.0 {
+                return Ok(None);
+            }
+            let mass = sheet.step("m", "kg", *at_gudgeon + *at_pin, "Mass of the rod");
+            let centre = *at_gudgeon * rod / mass;
+            let centre =
+                sheet.step("c", "mm", centre, "Distance of its centre of mass from the crank pin");
+            let inertia = mass * centre * (rod - centre);
+            let inertia = sheet.step("I_G", "kg*m^2", inertia, "Moment of inertia of two masses in the pins");
+            Ok(Some(Masses { mass, centre, inertia, at_gudgeon: *at_gudgeon, at_pin: *at_pin, missing: None }))
+        }
+        (_, RodMassGiven::Body { mass, centre, inertia }) => {
+            let mass = *mass;
+            let (centre, other) = match centre {
+                CentreGiven::CrankPin { distance } => {
+                    let why = "Distance of the rod's centre of mass from the gudgeon pin";
+                    (*distance, sheet.step("d", "mm", rod - *distance, why))
+                }
+                CentreGiven::GudgeonPin { distance } => {
+                    let why = "Distance of the rod's centre of mass from the crank pin";
+                    (sheet.step("c", "mm", rod - *distance, why), *distance)
+                }
+            };
+            if centre.value() < 0.0 || other.value() < 0.0 {
+                return Err(Refusal::because(
+                    Text::new(
+                        "the centre of mass of the rod lies beyond its pins: its distance must not be above the length of the rod, {rod}",
+                    )
+                    .with_quantity("rod", rod.value(), "mm"),
+                ));
+            }
+            let cite = KHURMI.at("ch. 15");
+            let why = "Share of the rod's mass at the gudgeon pin, so that the centre of mass stays";
+            let at_gudgeon = sheet.step("m_g", "kg", equivalent::share(mass, other, centre), (why, cite));
+            let why = "Share of the rod's mass at the crank pin";
+            let at_pin = sheet.step("m_c", "kg", equivalent::share(mass, centre, other), (why, cite));
+            let (inertia, missing) = match inertia {
+                RodInertiaGiven::Gyration { radius } => {
+                    let inertia = mass * radius.powi(2);
+                    (sheet.step("I_G", "kg*m^2", inertia, "Moment of inertia of the rod"), true)
+                }
+                RodInertiaGiven::Moment { inertia } => (*inertia, true),
+                RodInertiaGiven::Pins { .. } => {
+                    let inertia = mass * centre * other;
+                    let why = "Moment of inertia of two masses in the pins";
+                    (sheet.step("I_G", "kg*m^2", inertia, why), false)
+                }
+            };
+            let missing = missing.then(|| {
+                sheet.step(
+                    "ΔI",
+                    "kg*m^2",
+                    equivalent::missing_inertia_from(inertia, mass, centre, other),
+                    ("Moment of inertia that the two masses lack; below zero, that they have too much", BEVAN.at("ch. 12")),
+                )
+            });
+            Ok(Some(Masses { mass, centre, inertia, at_gudgeon, at_pin, missing }))
+        }
+        _ => Ok(None),
+    }
+}
+
+/// The inertia force of the rod, `m a_G`, from the accelerations of its ends.
+pub(super) fn inertia_force<W: Worksheet>(
+    rod: &Masses<W::Num>,
+    lengths: &Lengths<W::Num>,
+    moving: &Moving<W::Num>,
+    sheet: W,
+) {
+    let (Some(speed), Some(piston)) = (moving.speed, moving.acceleration) else { return };
+    let (angle, crank) = (moving.angle, lengths.crank);
+    let why = "The centre of mass divides the rod, and its acceleration those of the two pins: towards the crank";
+    let part = sheet.step("χ", "1", rod.centre / lengths.rod, "Part of the rod from the crank pin to its centre of mass");
+    let rest = || W::Num::from(1.0) - part;
+    let pin = crank * speed.powi(2);
+    let (along, across) = match moving.turning {
+        Some(alpha) => (
+            pin * angle.cos() + crank * alpha * angle.sin(),
+            pin * angle.sin() - crank * alpha * angle.cos(),
+        ),
+        None => (pin * angle.cos(), pin * angle.sin()),
+    };
+    let along = sheet.step("a_x", "m/s^2", rest() * along + part * piston, why);
+    let across = sheet.step("a_y", "m/s^2", rest() * across, "Across the stroke, towards the line of stroke");
+    let size = rod.mass * (along.powi(2) + across.powi(2)).sqrt();
+    let force = sheet.step("F_C", "N", size, ("Inertia force of the rod", KHURMI.at("ch. 15")));
+    sheet.answer("rod_inertia_force", "Inertia force of the rod", force);
+}

@@ -1,0 +1,119 @@
+//! The same motion and the same forces in a second way.
+
+use dalembert_core::Worksheet;
+use dalembert_mechanics::{
+    Real,
+    slider_crank::{
+        Branch, SliderCrank,
+        engine::{self as kernel, Model},
+        piston::harmonics,
+    },
+};
+
+use super::{
+    Engine, Terms,
+    forces::{Forces, Problem},
+    motion::{Lengths, Moving},
+};
+
+/// The motion by the closure of the slider-crank, or as a sum of turning vectors.
+pub(super) fn motion<W: Worksheet>(
+    problem: &Engine,
+    lengths: &Lengths<W::Num>,
+    moving: &Moving<W::Num>,
+    engine: &kernel::Engine,
+    sheet: W,
+) {
+    let mechanism =
+        SliderCrank { crank: engine.crank, rod: engine.rod, offset: engine.offset, branch: Branch::Ahead };
+    let crank = moving.crank();
+    let Ok(closed) = mechanism.motion(crank) else { return };
+    let what = "obliquity of the rod by the closure of the slider-crank";
+    sheet.check_zero(what, (moving.obliquity.value() + closed.rod_angle).into(), 1.0);
+    let (Some(speed), Some(velocity), Some(acceleration)) = (moving.speed, moving.velocity, moving.acceleration)
+    else {
+        return;
+    };
+    let natural = engine.crank * (crank.speed.powi(2) + crank.acceleration.abs());
+    match problem.terms {
+        Terms::Exact => {
+            let scale = engine.crank * speed.value();
+            let what = "velocity of the piston by the closure of the slider-crank";
+            sheet.check_zero(what, (velocity.value() + closed.slider_velocity).into(), scale);
+            let what = "acceleration of the piston by the closure of the slider-crank";
+            let scale = natural.max(closed.slider_acceleration.abs());
+            sheet.check_zero(what, (acceleration.value() + closed.slider_acceleration).into(), scale);
+        }
+        Terms::Two => {
+            let second = [1.0 / lengths.ratio.value()];
+            let turning = (crank.acceleration != 0.0).then_some(crank.acceleration);
+            let again = harmonics::acceleration(engine.crank, &second, crank.angle, crank.speed, turning);
+            let what = "acceleration of the piston as the sum of a primary and a secondary one";
+            sheet.check_zero(what, (acceleration.value() - again).into(), natural);
+        }
+        Terms::Harmonics { .. } => {
+            let step = 1e-3;
+            let displacement = |k: f64| {
+                let at = dalembert_mechanics::slider_crank::CrankMotion { angle: crank.angle + k * step, ..crank };
+                engine.motion(at).displacement
+            };
+            let rule = [(1.0, 672.0), (2.0, -168.0), (3.0, 32.0), (4.0, -3.0)];
+            let slope: f64 =
+                rule.into_iter().map(|(k, w)| w * (displacement(k) - displacement(-k))).sum::<f64>() / (840.0 * step);
+            let what = "velocity of the piston as the slope of its displacement";
+            sheet.check_zero(what, (velocity.value() - slope * crank.speed).into(), engine.crank * crank.speed);
+        }
+    }
+}
+
+/// Forces by Newton's and Euler's equations, and the inertia moment from the kinetic energy.
+pub(super) fn forces<W: Worksheet>(
+    problem: &Problem<'_, W>,
+    engine: &kernel::Engine,
+    forces: &Forces<W::Num>,
+    sheet: W,
+) {
+    let moving = problem.moving;
+    let crank = moving.crank();
+    // Of the piston with a given acceleration there is no crank that turns.
+    if moving.acceleration.is_some() && moving.speed.is_none() {
+        return;
+    }
+    let size = |forces: &kernel::Forces| {
+        let loads = engine.reciprocating + engine.rod_mass;
+        let natural = engine.crank * (crank.speed.powi(2) + crank.acceleration.abs())
+            + engine.gravity.iter().map(|g| g.abs()).sum::<f64>();
+        forces.tangential.abs() + forces.radial.abs() + forces.guide.abs() + forces.effort.abs() + loads * natural
+    };
+    let pressure = forces.pressure;
+    if engine.model == Model::Exact {
+        let plain = engine.forces(crank, &engine.motion(crank), pressure);
+        let scale = size(&plain) * (1.0 + engine.rod / engine.crank);
+        if let Ok(reactions) = engine.reactions(crank, pressure) {
+            let what = "turning moment from Newton's and Euler's equations of piston and rod";
+            sheet.check_zero(what, (forces.moment.value() - reactions.moment).into(), scale * engine.crank);
+            let what = "thrust on the guide from Newton's and Euler's equations";
+            sheet.check_zero(what, (forces.guide.value() - reactions.guide).into(), scale);
+            let what = "load on the gudgeon pin from Newton's and Euler's equations";
+            sheet.check_zero(what, (forces.gudgeon.value() + reactions.gudgeon_pin[0]).into(), scale);
+            let [x, y] = reactions.crank_pin;
+            let radial = -x * crank.angle.cos() - y * crank.angle.sin();
+            let what = "radial force at the crank pin from Newton's and Euler's equations";
+            sheet.check_zero(what, (forces.radial.value() - radial).into(), scale);
+        }
+        if let (Some(moment), None) = (forces.inertia_moment, moving.turning) {
+            let by_energy = engine.inertia_moment_by_energy(crank.angle, crank.speed);
+            let what = "moment of the inertia forces as −dE/dθ of the kinetic energy";
+            let energy = engine.kinetic_energy(std::f64::consts::FRAC_PI_2, crank.speed)
+                + engine.kinetic_energy(0.0, crank.speed);
+            sheet.check_zero(what, (moment.value() - by_energy).into(), energy.max(scale * engine.crank));
+        }
+    } else {
+        let plain = engine.forces(crank, &engine.motion(crank), pressure);
+        let scale = size(&plain);
+        let what = "the turning moment in crank axes by the equilibrium of rod and piston";
+        sheet.check_zero(what, (forces.moment.value() - plain.moment).into(), scale * engine.crank);
+        let what = "thrust on the guide by the equilibrium of rod and piston";
+        sheet.check_zero(what, (forces.guide.value() - plain.guide).into(), scale);
+    }
+}
