@@ -181,7 +181,8 @@ impl Analysis for Engine {
         if let (Some(rod), Some(_)) = (&rod, moving.speed) {
             rod::inertia_force(rod, &lengths, &moving, sheet);
         }
-        let problem = forces::Problem { given, lengths: &lengths, moving: &moving, rod: rod.as_ref(), field: &field };
+        let problem =
+            forces::Problem { given, lengths: &lengths, moving: &moving, rod: rod.as_ref(), field: &field };
         let forces = forces::forces(self, &problem, &kernel, sheet)?;
         sheet.verify(|| witness::motion(self, &lengths, &moving, &kernel, sheet));
         if let Some(forces) = &forces {

@@ -108,7 +108,10 @@ impl Analysis for EquivalentRod {
             "b′",
             "mm",
             equivalent::conjugate_distance(radius, near),
-            ("With one mass at the gudgeon pin, the other is beyond the centre of mass where a b′ = k²", cite),
+            (
+                "With one mass at the gudgeon pin, the other is beyond the centre of mass where a b′ = k²",
+                cite,
+            ),
         );
         let first = sheet.step(
             "m₁",
@@ -116,19 +119,24 @@ impl Analysis for EquivalentRod {
             equivalent::share(mass, near, conjugate),
             ("Mass at the gudgeon pin: total mass and centre of mass stay", cite),
         );
-        let second = sheet.step("m₂", "kg", equivalent::share(mass, conjugate, near), ("The other mass", cite));
+        let second =
+            sheet.step("m₂", "kg", equivalent::share(mass, conjugate, near), ("The other mass", cite));
         let gudgeon = sheet.step(
             "m_g",
             "kg",
             equivalent::share(mass, near, far),
             ("Mass at the gudgeon pin where the other one is in the crank pin", cite),
         );
-        let crank_pin = sheet.step("m_c", "kg", equivalent::share(mass, far, near), ("Mass at the crank pin", cite));
+        let crank_pin =
+            sheet.step("m_c", "kg", equivalent::share(mass, far, near), ("Mass at the crank pin", cite));
         let missing = sheet.step(
             "ΔI",
             "kg*m^2",
             equivalent::missing_inertia(mass, radius, near, far),
-            ("Moment of inertia that masses in the two pins lack; below zero, that they have too much", BEVAN.at("ch. 12")),
+            (
+                "Moment of inertia that masses in the two pins lack; below zero, that they have too much",
+                BEVAN.at("ch. 12"),
+            ),
         );
         sheet.answer("second_distance", "Distance of the second mass from the centre of mass", conjugate);
         sheet.answer("first_mass", "Mass at the gudgeon pin of the equivalent rod", first);

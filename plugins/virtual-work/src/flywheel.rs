@@ -148,7 +148,10 @@ impl Analysis for Flywheel {
                         "the turning moment never leaves its mean: no flywheel is needed",
                     ));
                 }
-                let why = ("Moment of inertia: the energy ½ I (ω₁² − ω₂²) = I ω² C_s takes up the fluctuation", cite);
+                let why = (
+                    "Moment of inertia: the energy ½ I (ω₁² − ω₂²) = I ω² C_s takes up the fluctuation",
+                    cite,
+                );
                 let inertia = sheet.step("I_F", "kg*m^2", energy / (square * *fluctuation), why);
                 if let Some(radius) = radius {
                     let mass = sheet.step("m_F", "kg", inertia / radius.powi(2), "Mass of the flywheel");
@@ -159,9 +162,12 @@ impl Analysis for Flywheel {
             SoughtGiven::Fluctuation { inertia } => {
                 let inertia = match inertia {
                     FlywheelInertiaGiven::Moment { inertia } => *inertia,
-                    FlywheelInertiaGiven::Gyration { mass, radius } => {
-                        sheet.step("I_F", "kg*m^2", *mass * radius.powi(2), "Moment of inertia of the flywheel")
-                    }
+                    FlywheelInertiaGiven::Gyration { mass, radius } => sheet.step(
+                        "I_F",
+                        "kg*m^2",
+                        *mass * radius.powi(2),
+                        "Moment of inertia of the flywheel",
+                    ),
                 };
                 let why = ("Coefficient of fluctuation of speed, from I ω² C_s = ΔE", cite);
                 (inertia, sheet.step("C_s", "%", energy / (inertia * square), why))
@@ -255,9 +261,10 @@ impl Flywheel {
                 });
                 Ok(self.fluctuation(&curved, given.speed, mean, sheet))
             }
-            (Moment::Areas { areas, .. }, MomentGiven::Areas { areas: given_areas, moment_scale, angle_scale }) => {
-                self.from_areas(areas, given_areas, *moment_scale, *angle_scale, sheet)
-            }
+            (
+                Moment::Areas { areas, .. },
+                MomentGiven::Areas { areas: given_areas, moment_scale, angle_scale },
+            ) => self.from_areas(areas, given_areas, *moment_scale, *angle_scale, sheet),
             (_, MomentGiven::Energy { energy }) => Ok(*energy),
             _ => unreachable!("what is given is made from the inputs"),
         }
@@ -284,18 +291,15 @@ impl Flywheel {
             "Work above the mean from the start of the cycle to the crossing where it is greatest: the speed is greatest there",
         );
         let least_work = sheet.found("E₂", "J", least.1, "The same where it is least, and the speed with it");
-        let energy = sheet.step(
-            "ΔE",
-            "J",
-            most_work - least_work,
-            ("Fluctuation of energy", KHURMI.at("ch. 16")),
-        );
+        let energy =
+            sheet.step("ΔE", "J", most_work - least_work, ("Fluctuation of energy", KHURMI.at("ch. 16")));
         let power = sheet.step("P", "kW", mean * speed, "Mean power");
         sheet.answer("mean_moment", "Mean turning moment over the cycle", mean);
         sheet.answer("power", "Mean power", power);
         let work = mean * curved.period;
         if mean.value() != 0.0 && energy.value() != 0.0 {
-            let why = ("Coefficient of fluctuation of energy: part of the work of a cycle", KHURMI.at("ch. 16"));
+            let why =
+                ("Coefficient of fluctuation of energy: part of the work of a cycle", KHURMI.at("ch. 16"));
             let part = sheet.step("C_E", "1", energy / work.abs(), why);
             sheet.answer("energy_coefficient", "Coefficient of fluctuation of energy", part);
         }
@@ -313,10 +317,16 @@ impl Flywheel {
         sheet: W,
     ) -> Result<W::Num, Refusal> {
         if areas.len() < 2 {
-            return Err(Refusal::because("one area alone cannot close a cycle: write all areas in order, with their signs"));
+            return Err(Refusal::because(
+                "one area alone cannot close a cycle: write all areas in order, with their signs",
+            ));
         }
-        let scale =
-            sheet.step("μ", "J/mm^2", moment_scale * angle_scale, "Energy of a square millimetre of the diagram");
+        let scale = sheet.step(
+            "μ",
+            "J/mm^2",
+            moment_scale * angle_scale,
+            "Energy of a square millimetre of the diagram",
+        );
         let (mut sums, mut so_far) = (Vec::new(), 0.0);
         for area in areas {
             so_far += area;
@@ -354,7 +364,11 @@ impl Flywheel {
             let (from, to) = (most.min(least), most.max(least));
             let between: f64 = areas[from + 1..=to].iter().sum();
             let what = "the fluctuation from the areas between the two crossings";
-            sheet.check_zero(what, (energy.value() - scale.value() * between.abs()).into(), scale.value() * size);
+            sheet.check_zero(
+                what,
+                (energy.value() - scale.value() * between.abs()).into(),
+                scale.value() * size,
+            );
         });
         Ok(energy)
     }
@@ -362,10 +376,8 @@ impl Flywheel {
 
 /// The mean of straight lines through the rows, closed over the period.
 fn trapezia(rows: &[[f64; 2]], period: f64) -> f64 {
-    let inside: f64 = rows
-        .windows(2)
-        .map(|pair| f64::midpoint(pair[0][1], pair[1][1]) * (pair[1][0] - pair[0][0]))
-        .sum();
+    let inside: f64 =
+        rows.windows(2).map(|pair| f64::midpoint(pair[0][1], pair[1][1]) * (pair[1][0] - pair[0][0])).sum();
     let closing = match rows {
         [first, .., last] => f64::midpoint(first[1], last[1]) * (period - (last[0] - first[0])),
         _ => 0.0,
@@ -377,20 +389,25 @@ fn trapezia(rows: &[[f64; 2]], period: f64) -> f64 {
 fn period(rows: &[Harmonic]) -> Result<f64, Refusal> {
     let whole = |x: f64| (x - x.round()).abs() < 1e-9;
     if rows.is_empty() {
-        return Err(Refusal::because("without harmonics the turning moment is its mean: write at least one harmonic"));
+        return Err(Refusal::because(
+            "without harmonics the turning moment is its mean: write at least one harmonic",
+        ));
     }
     if rows.iter().all(|row| whole(row.order)) {
         Ok(TAU)
     } else if rows.iter().all(|row| whole(2.0 * row.order)) {
         Ok(2.0 * TAU)
     } else {
-        Err(Refusal::because("an order is neither whole nor half, so the turning moment does not repeat after two turns"))
+        Err(Refusal::because(
+            "an order is neither whole nor half, so the turning moment does not repeat after two turns",
+        ))
     }
 }
 
 fn curved(moment: impl Fn(f64) -> f64, period: f64, corners: &[f64]) -> Curved {
     let cycle = Cycle::of(&moment, period, corners);
-    let points = (0..=360).map(|k| period * f64::from(k) / 360.0).map(|angle| (angle, moment(angle))).collect();
+    let points =
+        (0..=360).map(|k| period * f64::from(k) / 360.0).map(|angle| (angle, moment(angle))).collect();
     Curved { cycle, period, points }
 }
 

@@ -62,7 +62,8 @@ fn knots(period: f64, corners: &[f64]) -> Vec<f64> {
 }
 
 fn gauss(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
-    (to - from) * quadrature::points(1).map(|(part, weight)| weight * f(from + part * (to - from))).sum::<f64>()
+    (to - from)
+        * quadrature::points(1).map(|(part, weight)| weight * f(from + part * (to - from))).sum::<f64>()
 }
 
 /// Work above the mean at the crossings, and the range of it.
@@ -80,8 +81,7 @@ fn crossings(
         if before == 0.0 {
             found.push((pair[0], work));
         } else if before * after < 0.0
-            && let Ok(angle) =
-                roots::find(over, [pair[0], pair[1]], |_| std::ops::ControlFlow::Continue(()))
+            && let Ok(angle) = roots::find(over, [pair[0], pair[1]], |_| std::ops::ControlFlow::Continue(()))
         {
             found.push((angle, work + gauss(over, pair[0], angle)));
         }
@@ -114,7 +114,9 @@ fn extreme(moment: &impl Fn(f64) -> f64, knots: &[f64], at: &[f64], sign: f64) -
     if sign * slope(low) <= 0.0 || sign * slope(high) >= 0.0 {
         return knot;
     }
-    let Ok(angle) = roots::find(slope, [low, high], |_| std::ops::ControlFlow::Continue(())) else { return knot };
+    let Ok(angle) = roots::find(slope, [low, high], |_| std::ops::ControlFlow::Continue(())) else {
+        return knot;
+    };
     let value = moment(angle);
     if sign * value > sign * knot.1 + 1e-12 * size { (angle.rem_euclid(period), value) } else { knot }
 }

@@ -113,7 +113,11 @@ impl Engine {
     /// The stroke of the piston, m.
     pub fn stroke(&self) -> f64 {
         let far = piston::farthest(self.crank, self.rod, self.offset);
-        if self.offset == 0.0 { 2.0 * self.crank } else { far - piston::nearest(self.crank, self.rod, self.offset) }
+        if self.offset == 0.0 {
+            2.0 * self.crank
+        } else {
+            far - piston::nearest(self.crank, self.rod, self.offset)
+        }
     }
 
     /// Crank angles of the two dead centres, the outer one (away from the crank) first, rad.
@@ -185,9 +189,7 @@ impl Engine {
         let effort = gudgeon + at_gudgeon * (along - motion.acceleration);
         let (sine, cosine) = crank.angle.sin_cos();
         let lateral = lateral(effort, motion.obliquity, missing * motion.rod_acceleration, l);
-        let tangential = effort * sine
-            + lateral * cosine
-            + at_pin * (along * sine - across * cosine)
+        let tangential = effort * sine + lateral * cosine + at_pin * (along * sine - across * cosine)
             - at_pin * r * crank.acceleration;
         let radial = effort * cosine - lateral * sine + at_pin * (along * cosine + across * sine)
             - at_pin * r * crank.speed.powi(2);
@@ -214,7 +216,9 @@ impl Engine {
         let (rod_sine, rod_cosine) = motion.rod_angle.sin_cos();
         let (swing, spin) = (motion.rod_acceleration, motion.rod_speed.powi(2));
         let [ax, ay] = [
-            -r * crank.speed.powi(2) * cosine - r * crank.acceleration * sine - c * spin * rod_cosine
+            -r * crank.speed.powi(2) * cosine
+                - r * crank.acceleration * sine
+                - c * spin * rod_cosine
                 - c * swing * rod_sine,
             -r * crank.speed.powi(2) * sine + r * crank.acceleration * cosine - c * spin * rod_sine
                 + c * swing * rod_cosine,
@@ -222,7 +226,8 @@ impl Engine {
         let against = if self.falls(crank.angle) { self.friction } else { -self.friction };
         // The piston along x, then moments of the rod about the crank pin, then the piston along y.
         let gx = against - gas - self.reciprocating * (along + motion.slider_acceleration);
-        let about_pin = self.rod_inertia * swing + m * c * (rod_cosine * (ay + across) - rod_sine * (ax + along));
+        let about_pin =
+            self.rod_inertia * swing + m * c * (rod_cosine * (ay + across) - rod_sine * (ax + along));
         let gy = (about_pin + l * rod_sine * gx) / (l * rod_cosine);
         let guide = gy + self.reciprocating * across;
         let crank_pin = [gx - m * (ax + along), gy - m * (ay + across)];

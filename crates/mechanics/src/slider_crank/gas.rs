@@ -35,13 +35,7 @@ pub fn mean_pressure_hyperbolic<S: Real>(admission: S, cut_off: S, clearance: Op
 /// The same with the expansion `p vᵏ = const`, `k ≠ 1`:
 /// `p_m = p₁ [c + (c + κ)/(k − 1)·(1 − ((c + κ)/(1 + κ))ᵏ⁻¹)] − p_b`.
 #[inline]
-pub fn mean_pressure<S: Real>(
-    admission: S,
-    cut_off: S,
-    clearance: Option<S>,
-    exponent: S,
-    exhaust: S,
-) -> S {
+pub fn mean_pressure<S: Real>(admission: S, cut_off: S, clearance: Option<S>, exponent: S, exhaust: S) -> S {
     let (volume, whole) = volumes(cut_off, clearance);
     let less = exponent - 1.0;
     let left = ((volume / whole).ln() * less).exp();

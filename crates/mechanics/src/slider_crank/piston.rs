@@ -66,8 +66,7 @@ pub fn rod_acceleration<S: Real>(
     [speed, rod_speed]: [S; 2],
     acceleration: Option<S>,
 ) -> S {
-    let steady =
-        rod * rod_speed.powi(2) * obliquity.sin() - crank * speed.powi(2) * angle.sin();
+    let steady = rod * rod_speed.powi(2) * obliquity.sin() - crank * speed.powi(2) * angle.sin();
     let all = match acceleration {
         Some(alpha) => steady + crank * alpha * angle.cos(),
         None => steady,
@@ -115,9 +114,7 @@ pub mod two_term {
     pub fn acceleration<S: Real>(crank: S, ratio: S, angle: S, speed: S, acceleration: Option<S>) -> S {
         let steady = crank * speed.powi(2) * (angle.cos() + (angle * 2.0).cos() / ratio);
         match acceleration {
-            Some(alpha) => {
-                steady + crank * alpha * (angle.sin() + (angle * 2.0).sin() / (ratio * 2.0))
-            }
+            Some(alpha) => steady + crank * alpha * (angle.sin() + (angle * 2.0).sin() / (ratio * 2.0)),
             None => steady,
         }
     }
@@ -176,8 +173,7 @@ pub mod harmonics {
         acceleration: Option<S>,
     ) -> S {
         let higher = amplitudes.iter().zip(orders()).map(|(a, k)| *a * (angle * k).cos());
-        let steady =
-            crank * speed.powi(2) * S::sum(std::iter::once(angle.cos()).chain(higher));
+        let steady = crank * speed.powi(2) * S::sum(std::iter::once(angle.cos()).chain(higher));
         match acceleration {
             Some(alpha) => steady + crank * alpha * slope(amplitudes, angle),
             None => steady,

@@ -13,12 +13,7 @@ use dalembert_mechanics::{
     },
 };
 
-use super::{
-    Engine, Gas,
-    flywheel::FlywheelInertiaGiven,
-    forces::Problem,
-    gas::Cylinder,
-};
+use super::{Engine, Gas, flywheel::FlywheelInertiaGiven, forces::Problem, gas::Cylinder};
 
 /// The cycle at a steady speed.
 pub(super) struct Turned {
@@ -27,7 +22,11 @@ pub(super) struct Turned {
 }
 
 /// The forces at a crank angle of a cycle: that of the gas, and all others.
-pub(super) fn at(kernel: &Kernel, gas: Option<&Cylinder>, crank: CrankMotion) -> (f64, dalembert_mechanics::slider_crank::engine::Forces) {
+pub(super) fn at(
+    kernel: &Kernel,
+    gas: Option<&Cylinder>,
+    crank: CrankMotion,
+) -> (f64, dalembert_mechanics::slider_crank::engine::Forces) {
     let motion = kernel.motion(crank);
     let fraction = motion.displacement / kernel.stroke();
     let force = gas.map_or(0.0, |gas| gas.force(crank.angle, fraction, motion.arm >= 0.0));
@@ -55,7 +54,9 @@ pub(super) fn cycle<W: Worksheet>(
     sheet.keep_going()?;
     let size = cycle.greatest.1.abs().max(cycle.least.1.abs());
     if !size.is_finite() {
-        return Err(Refusal::because("the turning moment over the cycle cannot be represented: check the inputs"));
+        return Err(Refusal::because(
+            "the turning moment over the cycle cannot be represented: check the inputs",
+        ));
     }
     let mean = sheet.found(
         "T_m",

@@ -2,10 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{
-    Axis, Cell, Column, Plot, Series, TableExhibit, Text,
-    exhibit::Point,
-};
+use dalembert_core::{Axis, Cell, Column, Plot, Series, TableExhibit, Text, exhibit::Point};
 use dalembert_mechanics::slider_crank::{
     CrankMotion,
     engine::{Engine as Kernel, Forces, Model},
@@ -77,11 +74,9 @@ impl View<'_> {
             .map(|(_, kernel)| {
                 let motion = kernel.motion(self.crank);
                 let force = match self.gas {
-                    Some(gas) => gas.force(
-                        self.crank.angle,
-                        motion.displacement / kernel.stroke(),
-                        motion.arm >= 0.0,
-                    ),
+                    Some(gas) => {
+                        gas.force(self.crank.angle, motion.displacement / kernel.stroke(), motion.arm >= 0.0)
+                    }
                     None => self.force.unwrap_or(0.0),
                 };
                 (motion, kernel.forces(self.crank, &motion, force))
@@ -96,11 +91,19 @@ impl View<'_> {
             row("Velocity of the piston", "m/s", found.iter().map(|it| it.0.velocity).collect()),
             row("Acceleration of the piston", "m/s^2", found.iter().map(|it| it.0.acceleration).collect()),
             row("Angular velocity of the rod", "rad/s", found.iter().map(|it| it.0.rod_speed).collect()),
-            row("Angular acceleration of the rod", "rad/s^2", found.iter().map(|it| it.0.rod_acceleration).collect()),
+            row(
+                "Angular acceleration of the rod",
+                "rad/s^2",
+                found.iter().map(|it| it.0.rod_acceleration).collect(),
+            ),
         ];
         if self.force.is_some() {
             rows.push(row("Net piston effort", "N", found.iter().map(|it| it.1.effort).collect()));
-            rows.push(row("Turning moment on the crankshaft", "N*m", found.iter().map(|it| it.1.moment).collect()));
+            rows.push(row(
+                "Turning moment on the crankshaft",
+                "N*m",
+                found.iter().map(|it| it.1.moment).collect(),
+            ));
         }
         TableExhibit { title: "Motion and moment in all formulas".into(), columns, rows, foot: Vec::new() }
     }

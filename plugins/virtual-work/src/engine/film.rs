@@ -22,7 +22,10 @@ pub(super) fn show(view: &View<'_>) -> Exhibit {
     if view.force.is_some() && view.cycle.is_none() {
         let size = here.as_ref().map_or(0.0, largest);
         let shapes = frame(view, start, here.as_ref(), size);
-        return Exhibit::Drawing(Drawing { title: "The engine at this crank angle, with its forces".into(), shapes });
+        return Exhibit::Drawing(Drawing {
+            title: "The engine at this crank angle, with its forces".into(),
+            shapes,
+        });
     }
     let period = view.cycle.map_or(TAU, |turned| turned.period);
     let at: Vec<(f64, Option<Forces>)> = (0..FRAMES)
@@ -33,7 +36,11 @@ pub(super) fn show(view: &View<'_>) -> Exhibit {
         .collect();
     let size = at.iter().filter_map(|(_, forces)| forces.as_ref().map(largest)).fold(0.0, f64::max);
     let frames = at.iter().map(|(angle, forces)| frame(view, *angle, forces.as_ref(), size)).collect();
-    let title = if view.cycle.is_some() { "The engine over its cycle, with its forces" } else { "The engine over a turn" };
+    let title = if view.cycle.is_some() {
+        "The engine over its cycle, with its forces"
+    } else {
+        "The engine over a turn"
+    };
     Exhibit::Film(Film { title: title.into(), frames, period: 3.0 * period / TAU })
 }
 
@@ -59,10 +66,21 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Vec
     let (bottom, top) = (gudgeon.0 - half, gudgeon.0 + half);
     let mut shapes = vec![
         DrawnShape::Circle((0.0, 0.0), r, Ink::Faint),
-        line(&[(far - 2.0 * r - half, e + 1.2 * half), (far + 1.6 * half, e + 1.2 * half), (far + 1.6 * half, e - 1.2 * half), (far - 2.0 * r - half, e - 1.2 * half)], Ink::Faint),
+        line(
+            &[
+                (far - 2.0 * r - half, e + 1.2 * half),
+                (far + 1.6 * half, e + 1.2 * half),
+                (far + 1.6 * half, e - 1.2 * half),
+                (far - 2.0 * r - half, e - 1.2 * half),
+            ],
+            Ink::Faint,
+        ),
         DrawnShape::Pin((0.0, 0.0)),
         line(&[(0.0, 0.0), pin, gudgeon], Ink::Body),
-        line(&[(bottom, e - half), (top, e - half), (top, e + half), (bottom, e + half), (bottom, e - half)], Ink::Body),
+        line(
+            &[(bottom, e - half), (top, e - half), (top, e + half), (bottom, e + half), (bottom, e - half)],
+            Ink::Body,
+        ),
         DrawnShape::Circle(turned(pin), 0.08 * r, Ink::Body),
         DrawnShape::Circle(turned(gudgeon), 0.08 * r, Ink::Body),
     ];
@@ -87,7 +105,10 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Vec
         let head = (tail.0 + x, tail.1 + y);
         shapes.push(DrawnShape::Arrow(turned(tail), turned(head), Ink::Force));
         let beside = 0.15 * r / x.hypot(y);
-        shapes.push(DrawnShape::Label(turned((head.0 + beside * x, head.1 + beside * y + 0.1 * r)), name.into()));
+        shapes.push(DrawnShape::Label(
+            turned((head.0 + beside * x, head.1 + beside * y + 0.1 * r)),
+            name.into(),
+        ));
     }
     shapes
 }

@@ -57,7 +57,12 @@ pub(super) fn gravity<W: Worksheet>(
         (Orientation::Vertical, _) => Field { along: Some(g), across: None },
         (Orientation::Horizontal, _) => Field { along: None, across: Some(g) },
         (_, OrientationGiven::Inclined { angle }) => Field {
-            along: Some(sheet.step("g_x", "m/s^2", g * angle.sin(), "Gravity along the stroke, towards the crank")),
+            along: Some(sheet.step(
+                "g_x",
+                "m/s^2",
+                g * angle.sin(),
+                "Gravity along the stroke, towards the crank",
+            )),
             across: Some(sheet.step("g_y", "m/s^2", g * angle.cos(), "Gravity across the stroke")),
         },
         _ => none,
@@ -213,8 +218,8 @@ fn other_moments<W: Worksheet>(at: &Problem<'_, W>, sheet: W) -> Moments<W::Num>
         let why = "Virtual work of the weight of the rod's share at the crank pin, for δθ";
         sheet.step("T_W", "N*m", rod.at_pin * crank * lever, (why, BEVAN.at("ch. 12")))
     });
-    let correction = rod.missing.zip(moving.rod_acceleration).zip(moving.turn).map(
-        |((missing, acceleration), turn)| {
+    let correction =
+        rod.missing.zip(moving.rod_acceleration).zip(moving.turn).map(|((missing, acceleration), turn)| {
             let couple = sheet.step(
                 "C",
                 "N*m",
@@ -224,8 +229,7 @@ fn other_moments<W: Worksheet>(at: &Problem<'_, W>, sheet: W) -> Moments<W::Num>
             sheet.answer("correction_couple", "Correction couple of the rod", couple);
             let why = "Virtual work of the correction couple, for δθ";
             sheet.step("T_C", "N*m", couple * turn, (why, BEVAN.at("ch. 12")))
-        },
-    );
+        });
     let turning = moving.turning.map(|alpha| {
         let why = "Virtual work of the inertia of the rod's share at the crank pin, for δθ";
         sheet.step("T_α", "N*m", -(rod.at_pin * crank.powi(2) * alpha), why)
@@ -252,12 +256,8 @@ fn sought_force<W: Worksheet>(
     let why = "Virtual work F_P δs + ΣT δθ = M δθ: the effort that gives the turning moment";
     let effort = sheet.step("F_P", "N", rest / moving.arm, (why, RIUL.at("eq. 5")));
     let friction = resisting.friction.map(|(friction, helps)| (friction, !helps));
-    let force = signed([
-        Some(helps(effort)),
-        resisting.inertia.map(helps),
-        resisting.weight.map(hinders),
-        friction,
-    ]);
+    let force =
+        signed([Some(helps(effort)), resisting.inertia.map(helps), resisting.weight.map(hinders), friction]);
     let force = sheet.step("F_G", "N", force, "Force on the piston, towards the crank");
     Ok((force, effort))
 }
@@ -339,9 +339,7 @@ fn pins<W: Worksheet>(
     let found = if let Some(rod) = rod {
         let missing = rod.missing.zip(moving.rod_acceleration);
         let across = match missing {
-            Some((missing, acceleration)) => {
-                lateral(effort, obliquity, missing * acceleration, lengths.rod)
-            }
+            Some((missing, acceleration)) => lateral(effort, obliquity, missing * acceleration, lengths.rod),
             None => effort * obliquity.tan(),
         };
         let across = sheet.step(
@@ -405,7 +403,9 @@ fn pins<W: Worksheet>(
     sheet.answer("crank_pin", "Force at the crank pin", size);
     sheet.verify(|| {
         let what = "the turning moment is the tangential force times the crank";
-        let scale = (found.tangential.value() * lengths.crank.value()).abs().max(size.value() * lengths.crank.value());
+        let scale = (found.tangential.value() * lengths.crank.value())
+            .abs()
+            .max(size.value() * lengths.crank.value());
         sheet.check_zero(what, moment - found.tangential * lengths.crank, scale);
     });
     found
@@ -431,7 +431,8 @@ fn reversal<W: Worksheet>(
     sheet: W,
 ) {
     let &Problem { moving, field, .. } = at;
-    let (Some(mass), Some(speed), Some(acceleration)) = (reciprocating, moving.speed, moving.acceleration) else {
+    let (Some(mass), Some(speed), Some(acceleration)) = (reciprocating, moving.speed, moving.acceleration)
+    else {
         return;
     };
     let steady = signed([
@@ -448,7 +449,8 @@ fn reversal<W: Worksheet>(
     let reversal = sheet.step("ω₀", "rpm", reversal, (why, KHURMI.at("ch. 15")));
     sheet.answer("reversal_speed", "Speed at which the load on the gudgeon pin reverses", reversal);
     sheet.verify(|| {
-        let crank = dalembert_mechanics::slider_crank::CrankMotion { speed: reversal.value(), ..moving.crank() };
+        let crank =
+            dalembert_mechanics::slider_crank::CrankMotion { speed: reversal.value(), ..moving.crank() };
         let motion = kernel.motion(crank);
         let load = kernel.forces(crank, &motion, pressure.value()).gudgeon;
         let scale = pressure.value().abs() + (mass.value() * motion.acceleration).abs();

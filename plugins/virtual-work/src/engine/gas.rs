@@ -206,9 +206,9 @@ impl Cylinder {
     /// Force towards the crank.
     pub(super) fn force(&self, angle: f64, fraction: f64, out: bool) -> f64 {
         let cover = self.diagram.pressure(angle, fraction, out) - self.atmosphere;
-        let crank = self.crank_side.map_or(0.0, |area| {
-            area * (self.diagram.opposite(angle, fraction, out) - self.atmosphere)
-        });
+        let crank = self
+            .crank_side
+            .map_or(0.0, |area| area * (self.diagram.opposite(angle, fraction, out) - self.atmosphere));
         cover * self.area - crank
     }
 }
@@ -273,7 +273,14 @@ pub(super) fn force<W: Worksheet>(
             };
             let steam = Steam { admission, exhaust, cut_off: *cut_off, clearance: *clearance, exponent };
             let (area, crank_side) = areas(*bore, acting, sheet)?;
-            let force = steam.force(lengths, moving, [area, crank_side.unwrap_or(0.0.into())], crank_side.is_some(), datum, sheet);
+            let force = steam.force(
+                lengths,
+                moving,
+                [area, crank_side.unwrap_or(0.0.into())],
+                crank_side.is_some(),
+                datum,
+                sheet,
+            );
             let atmosphere = of_datum(datum);
             let cylinder = Cylinder {
                 diagram,
@@ -351,7 +358,12 @@ impl<N: Real> Steam<N> {
             return sheet.step(symbol, "kPa", self.exhaust, why);
         }
         if gone.value() <= self.cut_off.value() {
-            return sheet.step(symbol, "kPa", self.admission, "Before the cut-off: full pressure of the admission");
+            return sheet.step(
+                symbol,
+                "kPa",
+                self.admission,
+                "Before the cut-off: full pressure of the admission",
+            );
         }
         let filled = self.clearance.value() != 0.0;
         let with_clearance = |part: N| if filled { part + self.clearance } else { part };
@@ -444,7 +456,12 @@ fn from_diagram<W: Worksheet>(
     let (angle, fraction) = (moving.angle.value(), moving.displacement.value() / stroke);
     let out = moving.arm.value() >= 0.0;
     let read = |symbol, absolute: f64| {
-        sheet.found(symbol, "kPa", absolute - atmosphere, "Gauge pressure, read from the diagram between its rows")
+        sheet.found(
+            symbol,
+            "kPa",
+            absolute - atmosphere,
+            "Gauge pressure, read from the diagram between its rows",
+        )
     };
     let cover = read("p₁", diagram.pressure(angle, fraction, out));
     let force = match crank_side {
@@ -458,12 +475,7 @@ fn from_diagram<W: Worksheet>(
 }
 
 fn of_gas<W: Worksheet>(force: W::Num, sheet: W) -> W::Num {
-    sheet.step(
-        "F_G",
-        "N",
-        force,
-        ("Force of the gas on the piston, towards the crank", KHURMI.at("ch. 15")),
-    )
+    sheet.step("F_G", "N", force, ("Force of the gas on the piston, towards the crank", KHURMI.at("ch. 15")))
 }
 
 fn piston_area<W: Worksheet>(bore: W::Num, sheet: W) -> W::Num {

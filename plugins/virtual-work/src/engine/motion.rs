@@ -3,7 +3,7 @@
 use dalembert_core::{Refusal, Why, Worksheet};
 use dalembert_mechanics::{
     Real,
-    balance::reciprocating::{harmonic_by_series, inertia_force, PistonMotion},
+    balance::reciprocating::{PistonMotion, harmonic_by_series, inertia_force},
     roots,
     slider_crank::{
         CrankMotion,

@@ -89,17 +89,26 @@ pub(super) fn masses<W: Worksheet>(
     sheet: W,
 ) -> Result<Option<Masses<W::Num>>, Refusal> {
     match (problem, given) {
-        (RodMass::Pins { gudgeon, crank_pin }, RodMassGiven::Pins { gudgeon: at_gudgeon, crank_pin: at_pin }) => {
+        (
+            RodMass::Pins { gudgeon, crank_pin },
+            RodMassGiven::Pins { gudgeon: at_gudgeon, crank_pin: at_pin },
+        ) => {
             if gudgeon + crank_pin == 0.0 {
                 return Ok(None);
             }
             let mass = sheet.step("m", "kg", *at_gudgeon + *at_pin, "Mass of the rod");
             let centre = *at_gudgeon * rod / mass;
-            let centre =
-                sheet.step("c", "mm", centre, "Distance of its centre of mass from the crank pin");
+            let centre = sheet.step("c", "mm", centre, "Distance of its centre of mass from the crank pin");
             let inertia = mass * centre * (rod - centre);
             let inertia = sheet.step("I_G", "kg*m^2", inertia, "Moment of inertia of two masses in the pins");
-            Ok(Some(Masses { mass, centre, inertia, at_gudgeon: *at_gudgeon, at_pin: *at_pin, missing: None }))
+            Ok(Some(Masses {
+                mass,
+                centre,
+                inertia,
+                at_gudgeon: *at_gudgeon,
+                at_pin: *at_pin,
+                missing: None,
+            }))
         }
         (_, RodMassGiven::Body { mass, centre, inertia }) => {
             let mass = *mass;
@@ -143,7 +152,10 @@ pub(super) fn masses<W: Worksheet>(
                     "ΔI",
                     "kg*m^2",
                     equivalent::missing_inertia_from(inertia, mass, centre, other),
-                    ("Moment of inertia that the two masses lack; below zero, that they have too much", BEVAN.at("ch. 12")),
+                    (
+                        "Moment of inertia that the two masses lack; below zero, that they have too much",
+                        BEVAN.at("ch. 12"),
+                    ),
                 )
             });
             Ok(Some(Masses { mass, centre, inertia, at_gudgeon, at_pin, missing }))
@@ -161,15 +173,20 @@ pub(super) fn inertia_force<W: Worksheet>(
 ) {
     let (Some(speed), Some(piston)) = (moving.speed, moving.acceleration) else { return };
     let (angle, crank) = (moving.angle, lengths.crank);
-    let why = "The centre of mass divides the rod, and its acceleration those of the two pins: towards the crank";
-    let part = sheet.step("χ", "1", rod.centre / lengths.rod, "Part of the rod from the crank pin to its centre of mass");
+    let why =
+        "The centre of mass divides the rod, and its acceleration those of the two pins: towards the crank";
+    let part = sheet.step(
+        "χ",
+        "1",
+        rod.centre / lengths.rod,
+        "Part of the rod from the crank pin to its centre of mass",
+    );
     let rest = || W::Num::from(1.0) - part;
     let pin = crank * speed.powi(2);
     let (along, across) = match moving.turning {
-        Some(alpha) => (
-            pin * angle.cos() + crank * alpha * angle.sin(),
-            pin * angle.sin() - crank * alpha * angle.cos(),
-        ),
+        Some(alpha) => {
+            (pin * angle.cos() + crank * alpha * angle.sin(), pin * angle.sin() - crank * alpha * angle.cos())
+        }
         None => (pin * angle.cos(), pin * angle.sin()),
     };
     let along = sheet.step("a_x", "m/s^2", rest() * along + part * piston, why);

@@ -30,7 +30,8 @@ pub(super) fn motion<W: Worksheet>(
     let Ok(closed) = mechanism.motion(crank) else { return };
     let what = "obliquity of the rod by the closure of the slider-crank";
     sheet.check_zero(what, (moving.obliquity.value() + closed.rod_angle).into(), 1.0);
-    let (Some(speed), Some(velocity), Some(acceleration)) = (moving.speed, moving.velocity, moving.acceleration)
+    let (Some(speed), Some(velocity), Some(acceleration)) =
+        (moving.speed, moving.velocity, moving.acceleration)
     else {
         return;
     };
@@ -54,14 +55,20 @@ pub(super) fn motion<W: Worksheet>(
         Terms::Harmonics { .. } => {
             let step = 1e-3;
             let displacement = |k: f64| {
-                let at = dalembert_mechanics::slider_crank::CrankMotion { angle: crank.angle + k * step, ..crank };
+                let at =
+                    dalembert_mechanics::slider_crank::CrankMotion { angle: crank.angle + k * step, ..crank };
                 engine.motion(at).displacement
             };
             let rule = [(1.0, 672.0), (2.0, -168.0), (3.0, 32.0), (4.0, -3.0)];
             let slope: f64 =
-                rule.into_iter().map(|(k, w)| w * (displacement(k) - displacement(-k))).sum::<f64>() / (840.0 * step);
+                rule.into_iter().map(|(k, w)| w * (displacement(k) - displacement(-k))).sum::<f64>()
+                    / (840.0 * step);
             let what = "velocity of the piston as the slope of its displacement";
-            sheet.check_zero(what, (velocity.value() - slope * crank.speed).into(), engine.crank * crank.speed);
+            sheet.check_zero(
+                what,
+                (velocity.value() - slope * crank.speed).into(),
+                engine.crank * crank.speed,
+            );
         }
     }
 }
@@ -83,7 +90,11 @@ pub(super) fn forces<W: Worksheet>(
         let loads = engine.reciprocating + engine.rod_mass;
         let natural = engine.crank * (crank.speed.powi(2) + crank.acceleration.abs())
             + engine.gravity.iter().map(|g| g.abs()).sum::<f64>();
-        forces.tangential.abs() + forces.radial.abs() + forces.guide.abs() + forces.effort.abs() + loads * natural
+        forces.tangential.abs()
+            + forces.radial.abs()
+            + forces.guide.abs()
+            + forces.effort.abs()
+            + loads * natural
     };
     let pressure = forces.pressure;
     if engine.model == Model::Exact {
