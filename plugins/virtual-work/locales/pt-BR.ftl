@@ -220,6 +220,7 @@ the-centre-of-mass-divides-the-rod-and-its-acceleration-those-of-the-two-pins-to
 part-of-the-rod-from-the-crank-pin-to-its-centre-of-mass = Fração da biela do pino da manivela ao seu centro de massa
 across-the-stroke-towards-the-line-of-stroke = Transversal ao curso, em direção à linha de curso
 inertia-force-of-the-rod = Força de inércia da biela
+massless = Sem massa
 or-counted-with-the-reciprocating-mass = Ou contada com a massa alternativa.
 a-rigid-body = Um corpo rígido
 where-its-centre-of-mass-is = Onde está o seu centro de massa
@@ -269,6 +270,7 @@ two-strokes = Dois tempos
 strokes-of-a-cycle = Tempos de um ciclo
 moment-of-inertia-about-the-centre-of-mass = Momento de inércia em relação ao centro de massa
 moment-of-inertia = Momento de inércia
+no-force = Nenhuma força
 
 # virtual-work/equivalent-rod
 equivalent-masses-of-a-connecting-rod = Massas equivalentes de uma biela

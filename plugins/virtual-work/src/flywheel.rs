@@ -210,7 +210,7 @@ impl Flywheel {
                 };
                 let period = period(rows)?;
                 let curved = curved(moment, period, &[]);
-                let energy = self.fluctuation(&curved, given.speed, *given_mean, sheet);
+                let energy = fluctuation(&curved, given.speed, *given_mean, sheet);
                 sheet.verify(|| {
                     // The work above the mean has a closed form: the integral of every harmonic.
                     let work = |angle: f64| -> f64 {
@@ -259,119 +259,110 @@ impl Flywheel {
                     let what = "mean turning moment from the trapezia between the rows";
                     sheet.check_zero(what, (mean.value() - trapezia).into(), scale);
                 });
-                Ok(self.fluctuation(&curved, given.speed, mean, sheet))
+                Ok(fluctuation(&curved, given.speed, mean, sheet))
             }
             (
                 Moment::Areas { areas, .. },
                 MomentGiven::Areas { areas: given_areas, moment_scale, angle_scale },
-            ) => self.from_areas(areas, given_areas, *moment_scale, *angle_scale, sheet),
+            ) => energy_of_areas(areas, given_areas, *moment_scale, *angle_scale, sheet),
             (_, MomentGiven::Energy { energy }) => Ok(*energy),
             _ => unreachable!("what is given is made from the inputs"),
         }
     }
+}
 
-    /// Mean, extremes and fluctuation of a curve.
-    fn fluctuation<W: Worksheet>(&self, curved: &Curved, speed: W::Num, mean: W::Num, sheet: W) -> W::Num {
-        let cycle = &curved.cycle;
-        sheet.answer_list(
-            "crossings",
-            "Crank angles at which the turning moment crosses its mean",
-            "deg",
-            &cycle.crossings.iter().map(|(angle, _)| *angle).collect::<Vec<f64>>(),
-        );
-        let by = |sign: f64| {
-            let work = |it: &&(f64, f64)| sign * it.1;
-            cycle.crossings.iter().max_by(|a, b| work(a).total_cmp(&work(b))).map_or((0.0, 0.0), |it| *it)
-        };
-        let (most, least) = (by(1.0), by(-1.0));
-        let most_work = sheet.found(
+/// Mean, extremes and fluctuation of a curve.
+fn fluctuation<W: Worksheet>(curved: &Curved, speed: W::Num, mean: W::Num, sheet: W) -> W::Num {
+    let cycle = &curved.cycle;
+    sheet.answer_list(
+        "crossings",
+        "Crank angles at which the turning moment crosses its mean",
+        "deg",
+        &cycle.crossings.iter().map(|(angle, _)| *angle).collect::<Vec<f64>>(),
+    );
+    let by = |sign: f64| {
+        let work = |it: &&(f64, f64)| sign * it.1;
+        cycle.crossings.iter().max_by(|a, b| work(a).total_cmp(&work(b))).map_or((0.0, 0.0), |it| *it)
+    };
+    let (most, least) = (by(1.0), by(-1.0));
+    let most_work = sheet.found(
             "E₁",
             "J",
             most.1,
             "Work above the mean from the start of the cycle to the crossing where it is greatest: the speed is greatest there",
         );
-        let least_work = sheet.found("E₂", "J", least.1, "The same where it is least, and the speed with it");
-        let energy =
-            sheet.step("ΔE", "J", most_work - least_work, ("Fluctuation of energy", KHURMI.at("ch. 16")));
-        let power = sheet.step("P", "kW", mean * speed, "Mean power");
-        sheet.answer("mean_moment", "Mean turning moment over the cycle", mean);
-        sheet.answer("power", "Mean power", power);
-        let work = mean * curved.period;
-        if mean.value() != 0.0 && energy.value() != 0.0 {
-            let why =
-                ("Coefficient of fluctuation of energy: part of the work of a cycle", KHURMI.at("ch. 16"));
-            let part = sheet.step("C_E", "1", energy / work.abs(), why);
-            sheet.answer("energy_coefficient", "Coefficient of fluctuation of energy", part);
-        }
-        let mean = mean.value();
-        sheet.show(|| Exhibit::Plot(plot(curved, mean)));
-        energy
+    let least_work = sheet.found("E₂", "J", least.1, "The same where it is least, and the speed with it");
+    let energy =
+        sheet.step("ΔE", "J", most_work - least_work, ("Fluctuation of energy", KHURMI.at("ch. 16")));
+    let power = sheet.step("P", "kW", mean * speed, "Mean power");
+    sheet.answer("mean_moment", "Mean turning moment over the cycle", mean);
+    sheet.answer("power", "Mean power", power);
+    let work = mean * curved.period;
+    if mean.value() != 0.0 && energy.value() != 0.0 {
+        let why = ("Coefficient of fluctuation of energy: part of the work of a cycle", KHURMI.at("ch. 16"));
+        let part = sheet.step("C_E", "1", energy / work.abs(), why);
+        sheet.answer("energy_coefficient", "Coefficient of fluctuation of energy", part);
     }
+    let mean = mean.value();
+    sheet.show(|| Exhibit::Plot(plot(curved, mean)));
+    energy
+}
 
-    fn from_areas<W: Worksheet>(
-        &self,
-        areas: &[f64],
-        given: &[W::Num],
-        moment_scale: W::Num,
-        angle_scale: W::Num,
-        sheet: W,
-    ) -> Result<W::Num, Refusal> {
-        if areas.len() < 2 {
-            return Err(Refusal::because(
-                "one area alone cannot close a cycle: write all areas in order, with their signs",
-            ));
-        }
-        let scale = sheet.step(
-            "μ",
-            "J/mm^2",
-            moment_scale * angle_scale,
-            "Energy of a square millimetre of the diagram",
-        );
-        let (mut sums, mut so_far) = (Vec::new(), 0.0);
-        for area in areas {
-            so_far += area;
-            sums.push(so_far);
-        }
-        let size = areas.iter().map(|area| area.abs()).sum::<f64>();
-        if so_far.abs() > 0.01 * size {
-            sheet.warn(|| {
+/// Fluctuation of energy from the areas between the curve and its mean.
+fn energy_of_areas<W: Worksheet>(
+    areas: &[f64],
+    given: &[W::Num],
+    moment_scale: W::Num,
+    angle_scale: W::Num,
+    sheet: W,
+) -> Result<W::Num, Refusal> {
+    if areas.len() < 2 {
+        return Err(Refusal::because(
+            "one area alone cannot close a cycle: write all areas in order, with their signs",
+        ));
+    }
+    let scale =
+        sheet.step("μ", "J/mm^2", moment_scale * angle_scale, "Energy of a square millimetre of the diagram");
+    let (mut sums, mut so_far) = (Vec::new(), 0.0);
+    for area in areas {
+        so_far += area;
+        sums.push(so_far);
+    }
+    let size = areas.iter().map(|area| area.abs()).sum::<f64>();
+    if so_far.abs() > 0.01 * size {
+        sheet.warn(|| {
                 Text::new("the areas above and below the mean differ by {rest}: the curve does not close over the cycle")
                     .with_quantity("rest", so_far, "mm^2")
             });
-        }
-        let best = |sign: f64| {
-            let mut at = 0;
-            for (k, sum) in sums.iter().enumerate() {
-                if sign * sum > sign * sums[at] {
-                    at = k;
-                }
-            }
-            at
-        };
-        let (most, least) = (best(1.0), best(-1.0));
-        let sum = |to: usize| W::Num::sum(given[..=to].iter().copied());
-        let why = "Sum of the areas up to the crossing where it is greatest: the speed is greatest there";
-        let most_area = sheet.step("A₁", "mm^2", sum(most), why);
-        let why = "Sum of the areas up to the crossing where it is least";
-        let least_area = sheet.step("A₂", "mm^2", sum(least), why);
-        let energy = sheet.step(
-            "ΔE",
-            "J",
-            (most_area - least_area) * scale,
-            ("Fluctuation of energy", KHURMI.at("ch. 16")),
-        );
-        sheet.verify(|| {
-            let (from, to) = (most.min(least), most.max(least));
-            let between: f64 = areas[from + 1..=to].iter().sum();
-            let what = "the fluctuation from the areas between the two crossings";
-            sheet.check_zero(
-                what,
-                (energy.value() - scale.value() * between.abs()).into(),
-                scale.value() * size,
-            );
-        });
-        Ok(energy)
     }
+    let best = |sign: f64| {
+        let mut at = 0;
+        for (k, sum) in sums.iter().enumerate() {
+            if sign * sum > sign * sums[at] {
+                at = k;
+            }
+        }
+        at
+    };
+    let (most, least) = (best(1.0), best(-1.0));
+    let sum = |to: usize| W::Num::sum(given[..=to].iter().copied());
+    let why = "Sum of the areas up to the crossing where it is greatest: the speed is greatest there";
+    let most_area = sheet.step("A₁", "mm^2", sum(most), why);
+    let why = "Sum of the areas up to the crossing where it is least";
+    let least_area = sheet.step("A₂", "mm^2", sum(least), why);
+    let energy = sheet.step(
+        "ΔE",
+        "J",
+        (most_area - least_area) * scale,
+        ("Fluctuation of energy", KHURMI.at("ch. 16")),
+    );
+    sheet.verify(|| {
+        let (from, to) = (most.min(least), most.max(least));
+        let between: f64 = areas[from + 1..=to].iter().sum();
+        let what = "the fluctuation from the areas between the two crossings";
+        sheet.check_zero(what, (energy.value() - scale.value() * between.abs()).into(), scale.value() * size);
+    });
+    Ok(energy)
 }
 
 /// The mean of straight lines through the rows, closed over the period.

@@ -26,13 +26,13 @@ impl Cycle {
     /// Of a moment that is continuous, repeats after `period`, and is smooth between the angles `corners`.
     pub fn of(moment: impl Fn(f64) -> f64, period: f64, corners: &[f64]) -> Self {
         let knots = knots(period, corners);
-        let (mut work, mut squares, mut size) = (0.0, 0.0, 0.0f64);
+        let (mut work, mut squares) = (0.0, 0.0);
         for pair in knots.windows(2) {
             work += gauss(&moment, pair[0], pair[1]);
             squares += gauss(|angle| moment(angle).powi(2), pair[0], pair[1]);
         }
         let at: Vec<f64> = knots.iter().map(|angle| moment(*angle)).collect();
-        at.iter().for_each(|value| size = size.max(value.abs()));
+        let size = at.iter().fold(0.0f64, |size, value| size.max(value.abs()));
         let mean = clean(work / period, size);
         let (crossings, fluctuation) = crossings(&moment, &knots, &at, mean, size);
         Self {

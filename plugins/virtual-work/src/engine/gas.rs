@@ -12,7 +12,7 @@ use crate::sources::KHURMI;
 /// The force on the piston towards the crank, and what is known of it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Gas {
-    /// None
+    /// No force
     Nothing,
     /// Force given
     Force {

@@ -9,7 +9,7 @@ use crate::sources::{BEVAN, KHURMI};
 /// What is known of the connecting rod's mass.
 #[derive(Clone, Debug, Inputs)]
 pub enum RodMass {
-    /// Left out
+    /// Massless
     /// Or counted with the reciprocating mass.
     Massless,
     /// A rigid body
