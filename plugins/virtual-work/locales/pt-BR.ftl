@@ -46,6 +46,9 @@ fluctuation-of-energy-what-the-moment-does-above-its-mean-from-the-least-to-the-
 fluctuation-of-energy = Flutuação de energia
 coefficient-of-fluctuation-of-speed-the-range-of-speed-over-its-mean-against-a-constant-resistance = Coeficiente de flutuação de velocidade: a faixa da velocidade dividida pela média, contra uma resistência constante
 coefficient-of-fluctuation-of-speed = Coeficiente de flutuação de velocidade
+greatest-turning-moment-from-the-virtual-works-at-its-crank-angle = maior torque pelos trabalhos virtuais no seu ângulo da manivela
+least-turning-moment-from-the-virtual-works-at-its-crank-angle = menor torque pelos trabalhos virtuais no seu ângulo da manivela
+fluctuation-of-energy-as-the-range-of-the-kinetic-energy-of-piston-and-rod = flutuação de energia como a faixa da energia cinética de pistão e biela
 greatest-turning-moment-from-newton-s-and-euler-s-equations-at-its-crank-angle = maior torque pelas equações de Newton e Euler no seu ângulo da manivela
 least-turning-moment-from-newton-s-and-euler-s-equations-at-its-crank-angle = menor torque pelas equações de Newton e Euler no seu ângulo da manivela
 mean-turning-moment-from-the-work-of-gas-and-friction-in-a-cycle = torque médio pelo trabalho do gás e do atrito em um ciclo

@@ -204,6 +204,16 @@ impl Engine {
         }
     }
 
+    /// The turning moment as the virtual work of all loads for one radian of the crank, `T = F_P h − ΔI φ̈ φ′ + …`, N·m.
+    pub fn moment_by_virtual_work(&self, crank: CrankMotion, motion: &PistonMotion, gas: f64) -> f64 {
+        let [along, across] = self.gravity;
+        let (sine, cosine) = crank.angle.sin_cos();
+        let at_pin = self.shares().1 * self.crank;
+        self.forces(crank, motion, gas).effort * motion.arm
+            - self.missing_inertia() * motion.rod_acceleration * motion.turn
+            + at_pin * (along * sine - across * cosine - self.crank * crank.acceleration)
+    }
+
     /// Reactions of all joints from Newton's and Euler's equations of piston and rod, with the exact motion.
     ///
     /// # Errors
@@ -255,7 +265,7 @@ impl Engine {
         // The energy is smooth as far as the crank angle at which the rod would stand across the stroke, an imaginary
         // one away.
         let reach = ((self.rod - self.offset.abs()) / self.crank).acosh().min(1.0);
-        let step = 0.03 * reach;
+        let step = 0.01 * reach;
         let difference = |k: f64| {
             self.kinetic_energy(angle + k * step, speed) - self.kinetic_energy(angle - k * step, speed)
         };

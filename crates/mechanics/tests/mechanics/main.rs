@@ -8,6 +8,7 @@ mod balance_many;
 mod beam;
 mod dimensions;
 mod eigen;
+mod engine;
 mod forced;
 mod free_vibration;
 mod identification;

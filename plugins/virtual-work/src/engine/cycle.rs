@@ -8,7 +8,7 @@ use dalembert_mechanics::{
     slider_crank::{
         CrankMotion,
         cycle::Cycle,
-        engine::{Engine as Kernel, Model},
+        engine::{Engine as Kernel, Forces, Model, PistonMotion},
         gas::{self, Corners, Diagram},
     },
 };
@@ -22,11 +22,7 @@ pub(super) struct Turned {
 }
 
 /// The forces at a crank angle of a cycle: that of the gas, and all others.
-pub(super) fn at(
-    kernel: &Kernel,
-    gas: Option<&Cylinder>,
-    crank: CrankMotion,
-) -> (f64, dalembert_mechanics::slider_crank::engine::Forces) {
+pub(super) fn at(kernel: &Kernel, gas: Option<&Cylinder>, crank: CrankMotion) -> (f64, Forces) {
     let motion = kernel.motion(crank);
     let fraction = motion.displacement / kernel.stroke();
     let force = gas.map_or(0.0, |gas| gas.force(crank.angle, fraction, motion.arm >= 0.0));
@@ -96,17 +92,34 @@ pub(super) fn cycle<W: Worksheet>(
         sheet.answer("speed_fluctuation", "Coefficient of fluctuation of speed", fluctuation);
     }
     sheet.verify(|| {
+        let force = |motion: &PistonMotion, angle: f64| {
+            let fraction = motion.displacement / kernel.stroke();
+            gas.map_or(0.0, |gas| gas.force(angle, fraction, motion.arm >= 0.0))
+        };
+        let work_at = |angle: f64| {
+            let motion = kernel.motion(steady(angle));
+            kernel.moment_by_virtual_work(steady(angle), &motion, force(&motion, angle))
+        };
+        let what = "greatest turning moment from the virtual works at its crank angle";
+        sheet.check_zero(what, (most.value() - work_at(cycle.greatest.0)).into(), size);
+        let what = "least turning moment from the virtual works at its crank angle";
+        sheet.check_zero(what, (least.value() - work_at(cycle.least.0)).into(), size);
         if kernel.model == Model::Exact {
-            let plain = |angle: f64| {
-                let motion = kernel.motion(steady(angle));
-                let fraction = motion.displacement / kernel.stroke();
-                let force = gas.map_or(0.0, |gas| gas.force(angle, fraction, motion.arm >= 0.0));
+            let reaction_at = |angle: f64| {
+                let force = force(&kernel.motion(steady(angle)), angle);
                 kernel.reactions(steady(angle), force).map_or(f64::NAN, |reactions| reactions.moment)
             };
             let what = "greatest turning moment from Newton's and Euler's equations at its crank angle";
-            sheet.check_zero(what, (most.value() - plain(cycle.greatest.0)).into(), size);
+            sheet.check_zero(what, (most.value() - reaction_at(cycle.greatest.0)).into(), size);
             let what = "least turning moment from Newton's and Euler's equations at its crank angle";
-            sheet.check_zero(what, (least.value() - plain(cycle.least.0)).into(), size);
+            sheet.check_zero(what, (least.value() - reaction_at(cycle.least.0)).into(), size);
+            if gas.is_none() && kernel.friction == 0.0 && kernel.gravity == [0.0; 2] {
+                let energies = || cycle.crossings.iter().map(|it| kernel.kinetic_energy(it.0, speed.value()));
+                let range =
+                    energies().fold(f64::NEG_INFINITY, f64::max) - energies().fold(f64::INFINITY, f64::min);
+                let what = "fluctuation of energy as the range of the kinetic energy of piston and rod";
+                sheet.check_zero(what, (energy.value() - range.max(0.0)).into(), size);
+            }
         }
         let friction = 2.0 * f64::from(turns) * kernel.stroke() * kernel.friction;
         let done = match (gas, &kernel.model) {

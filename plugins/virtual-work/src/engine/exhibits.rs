@@ -139,7 +139,7 @@ impl View<'_> {
         } else {
             "Forces along the stroke without the gas, which is known at this angle alone"
         };
-        let y = Axis::linear("Force towards the crank", "kN");
+        let y = Axis::linear("Force towards the crank", "N");
         Plot::new(title, Axis::linear("Crank angle", "deg"), y, series)
     }
 
@@ -162,8 +162,8 @@ impl View<'_> {
         let points = self.loop_of(|forces| (-forces.radial, forces.tangential));
         Plot::new(
             "Force at the crank pin, in axes of the crank",
-            Axis::linear("outward along the crank", "kN"),
-            Axis::linear("along its motion", "kN"),
+            Axis::linear("outward along the crank", "N"),
+            Axis::linear("along its motion", "N"),
             vec![Series::line("over the cycle", points)],
         )
     }
@@ -173,8 +173,8 @@ impl View<'_> {
         let points = self.loop_of(|forces| (forces.bearing[0], forces.bearing[1]));
         Plot::new(
             "Force on the main bearings, in axes of the frame",
-            Axis::linear("along the stroke, towards the cylinder", "kN"),
-            Axis::linear("across the stroke", "kN"),
+            Axis::linear("along the stroke, towards the cylinder", "N"),
+            Axis::linear("across the stroke", "N"),
             vec![Series::line("over the cycle", points)],
         )
     }
