@@ -506,3 +506,199 @@ the-forces-on-the-whole-mechanism-along-x-are-those-that-its-masses-demand = as 
 the-forces-on-the-whole-mechanism-along-y-are-those-that-its-masses-demand = as forças sobre todo o mecanismo ao longo de y são as que suas massas exigem
 by-the-equations-of-newton-and-euler-of-every-link-solved-together = Pelas equações de Newton e Euler de todas as peças, resolvidas em conjunto
 force-in-the-joint = Força na junta
+
+# works
+uniform-slender-bar = Barra esbelta uniforme
+its-mass-centre-is-in-the-middle-and-its-moment-of-inertia-m-l-12 = O centro de massa fica no meio e o momento de inércia é m l²/12.
+mass-mass-centre-and-moment-of-inertia = Massa, centro de massa e momento de inércia
+distance-of-the-mass-centre-from-the-first-pin = Distância do centro de massa ao primeiro pino
+the-first-pin-of-a-crank-or-rocker-is-the-fixed-one-that-of-a-coupler-is-the-crank-pin = O primeiro pino de uma manivela ou de um balancim é o fixo; o de um acoplador é o pino da manivela.
+angle-of-the-mass-centre-from-the-line-of-the-pins = Ângulo do centro de massa em relação à linha dos pinos
+virtual-displacement-of-point-for-a-unit-of-the-coordinate = Deslocamento virtual de { $point } por unidade da coordenada
+acceleration-of-point = Aceleração de { $point }
+virtual-work-of-the-force-at-point-force-times-displacement = Trabalho virtual da força em { $point }: força vezes deslocamento
+virtual-work-of-the-couple-on-link-n-couple-times-turn = Trabalho virtual do conjugado na peça { $n }: conjugado vezes giro
+virtual-work-of-the-weight-of-link-n = Trabalho virtual do peso da peça { $n }
+virtual-work-of-the-inertia-force-m-a-of-link-n = Trabalho virtual da força de inércia −m a da peça { $n }
+link-n-is-a-uniform-bar-from-its-first-pin-to-its-middle = A peça { $n } é uma barra uniforme: do primeiro pino ao meio
+moment-of-inertia-of-the-uniform-bar-link-n = Momento de inércia da barra uniforme, peça { $n }
+from-the-first-pin-of-link-n-to-its-mass-centre = Do primeiro pino da peça { $n } ao seu centro de massa
+virtual-work-of-the-inertia-couple-i-of-link-n = Trabalho virtual do conjugado de inércia −I α da peça { $n }
+virtual-work-of-all-known-loads = Trabalho virtual de todas as ações conhecidas
+
+# dyad
+angle-of-link-n = Ângulo da peça { $n }
+angle-of-that-line = Ângulo dessa linha
+angular-acceleration-of-link-n = Aceleração angular da peça { $n }
+angular-velocity-of-link-n = Velocidade angular da peça { $n }
+from-from-to-to = De { $from } a { $to }
+how-far-the-line-of-the-slider-is-to-the-left-of-point = Quanto a linha do cursor está à esquerda de { $point }
+law-of-cosines-angle-between-that-line-and-link-n = Lei dos cossenos: ângulo entre essa linha e a peça { $n }
+link-n-has-its-length = a peça { $n } tem o seu comprimento
+link-n-stands-across-the-line-of-its-slider-a-limit-position-move-the-coordinate-a-little = a peça { $n } está perpendicular à linha do seu cursor, posição limite: afaste um pouco a coordenada
+links-one-and-two-are-in-one-line-a-dead-centre-the-coordinate-does-not-determine-their-motion-move = as peças { $one } e { $two } estão alinhadas, ponto morto: a coordenada não determina o seu movimento; afaste-a um pouco
+position-of-the-slider-along-its-line = Posição do cursor ao longo da sua linha
+the-loop-does-not-close-from-and-to-are-distance-apart-gap-less-than-links-one-and-two-can-fold-to = a cadeia não fecha: { $from } e { $to } distam { $distance }, { $gap } menos do que as peças { $one } e { $two } conseguem dobrar-se
+the-loop-does-not-close-from-and-to-are-distance-apart-gap-more-than-links-one-and-two-can-span = a cadeia não fecha: { $from } e { $to } distam { $distance }, { $gap } mais do que as peças { $one } e { $two } alcançam
+the-loop-does-not-close-the-line-of-the-slider-is-distance-away-from-point-and-link-n-is-gap-too = a cadeia não fecha: a linha do cursor dista { $distance } de { $point }, e faltam { $gap } à peça { $n }
+vector-of-link-n = Vetor da peça { $n }
+vector-of-link-n-which-closes-the-loop = Vetor da peça { $n }, que fecha a cadeia
+virtual-displacement-of-the-slider-for-a-unit-of-the-coordinate = Deslocamento virtual do cursor por unidade da coordenada
+virtual-turn-of-link-n-both-ways-to-the-common-pin-times-the-vector-of-link-m = Giro virtual da peça { $n }: os dois caminhos até o pino comum, vezes o vetor da peça { $m }
+virtual-turn-of-link-n-the-slider-does-not-leave-its-line = Giro virtual da peça { $n }: o cursor não sai da sua linha
+what-the-angular-accelerations-of-the-pair-must-make-up-for = O que as acelerações angulares do par devem compensar
+
+# slider-crank
+angle-of-the-rod = Ângulo da biela
+angle-of-the-rod-r-sin-2-l-sin-3-e = Ângulo da biela: r sen θ_2 + l sen θ_3 = e
+angular-velocity-of-the-rod-from-the-closure-of-the-loop = velocidade angular da biela pelo fechamento da cadeia
+at-this-angle-the-rod-has-to-bridge-distance-from-the-crank-pin-to-the-line-of-the-slider-it-is-gap = neste ângulo a biela precisa vencer { $distance } do pino da manivela à linha do cursor: faltam { $gap }
+crank-and-rod-are-in-one-line-a-dead-centre-no-force-on-the-slider-can-balance-a-torque-turn-the = manivela e biela estão alinhadas, ponto morto: nenhuma força no cursor equilibra um torque; gire um pouco a manivela
+force-in-the-bearing-of-the-crank = Força no mancal da manivela
+force-in-the-crank-pin = Força no pino da manivela
+force-in-the-pin-of-the-slider = Força no pino do cursor
+force-of-the-guide-on-the-slider = Força da guia sobre o cursor
+force-of-the-guide-on-the-slider-across-its-line-by-the-same-equations = Força da guia sobre o cursor, transversal à sua linha, pelas mesmas equações
+force-on-the-crank-pin = Força aplicada ao pino da manivela
+force-on-the-slider = Força no cursor
+force-on-the-slider-over-force-across-the-crank-at-its-pin-t-r-without-masses = Força no cursor sobre a força transversal à manivela no seu pino, T/r, sem massas
+force-over-the-turn = Força ao longo da volta
+force-with-it-the-sum-of-the-virtual-works-is-zero-f-b-u-b-w-0 = Força: com ela a soma dos trabalhos virtuais é nula, F_B u_B + ΣδW = 0
+from-the-bearing-to-the-crank-pin = Do mancal ao pino da manivela
+from-the-slider-s-line-counter-clockwise = A partir da linha do cursor, no sentido anti-horário.
+mass-of-the-crank = Massa da manivela
+mechanical-advantage = Vantagem mecânica
+position-of-the-slider = Posição do cursor
+positive-away-from-the-bearing-of-the-crank-along-x = Positiva ao afastar-se do mancal da manivela, ao longo de x.
+positive-counter-clockwise = Positivo no sentido anti-horário.
+the-rod-stands-across-the-line-of-the-slider-a-limit-position-the-angle-of-the-crank-does-not = a biela está perpendicular à linha do cursor, posição limite: o ângulo da manivela não determina o movimento; gire-a um pouco
+the-slider-crank = O cursor-manivela
+torque-on-the-crank-or-force-on-the-slider-of-a-slider-crank-at-rest-or-in-motion-with-masses-by = Torque na manivela ou força no cursor de um cursor-manivela, em repouso ou em movimento com massas, por trabalho virtual; movimento e reações.
+torque-over-the-turn = Torque ao longo da volta
+torque-with-it-the-sum-of-the-virtual-works-is-zero-t-2-w-0 = Torque: com ele a soma dos trabalhos virtuais é nula, T δθ_2 + ΣδW = 0
+velocity-of-the-slider-from-the-closure-of-the-loop = velocidade do cursor pelo fechamento da cadeia
+virtual-displacement-of-the-slider-for-2-1-x-b-r-sin-2-2-l-sin-3-3 = Deslocamento virtual do cursor para δθ_2 = 1: δx_B = −r sen θ_2 δθ_2 − l sen θ_3 δθ_3
+virtual-turn-of-the-rod-for-2-1-r-cos-2-2-l-cos-3-3-0 = Giro virtual da biela para δθ_2 = 1: r cos θ_2 δθ_2 + l cos θ_3 δθ_3 = 0
+virtual-work-of-the-force-on-the-slider = Trabalho virtual da força no cursor
+virtual-work-of-the-torque-for-2-1 = Trabalho virtual do torque para δθ_2 = 1
+zero-for-a-mechanism-in-a-horizontal-plane = Zero para um mecanismo em plano horizontal.
+zero-in-statics = Zero em problemas de estática.
+no-load-does-work-nothing-is-to-be-balanced = Nenhuma ação realiza trabalho: nada há a equilibrar
+
+# four-bar
+angle-of-the-coupler = Ângulo do acoplador
+angle-of-the-rocker = Ângulo do balancim
+angular-acceleration-of-the-coupler = Aceleração angular do acoplador
+angular-acceleration-of-the-coupler-from-the-derivatives-of-the-loop = aceleração angular do acoplador pelas derivadas da cadeia
+angular-acceleration-of-the-rocker = Aceleração angular do balancim
+angular-acceleration-of-the-rocker-from-the-derivatives-of-the-loop = aceleração angular do balancim pelas derivadas da cadeia
+angular-accelerations = Acelerações angulares
+angular-velocity-of-the-coupler = Velocidade angular do acoplador
+angular-velocity-of-the-coupler-over-that-of-the-crank = Velocidade angular do acoplador sobre a da manivela
+angular-velocity-of-the-rocker = Velocidade angular do balancim
+angular-velocity-of-the-rocker-over-that-of-the-crank = Velocidade angular do balancim sobre a da manivela
+angular-velocity-over-that-of-the-crank = Velocidade angular sobre a da manivela
+between-the-fixed-pins = Entre os pinos fixos.
+change-point-all-links-can-come-into-one-line = ponto de mudança: todas as peças podem alinhar-se
+class-after-grashof = Classe segundo Grashof
+coupler-curve = Curva do acoplador
+crank-and-coupler-are-in-one-line-and-the-rocker-turns-back-no-torque-on-the-rocker-can-balance-one = manivela e acoplador estão alinhados e o balancim inverte o movimento: nenhum torque no balancim equilibra um na manivela; gire um pouco a manivela
+crank-angle-from = Ângulo da manivela desde
+crank-angle-to = Ângulo da manivela até
+crank-from-o-to-a = Manivela, de O a A
+crank-rocker-the-crank-turns-round = manivela-balancim: a manivela dá a volta completa
+distance-from-the-crank-pin-along-the-coupler = Distância ao pino da manivela ao longo do acoplador
+distance-from-the-line-of-the-pins-to-its-left = Distância à linha dos pinos, para a sua esquerda
+distance-of-the-crank-pin-from-instant-centre-13 = Distância do pino da manivela ao centro instantâneo 13
+distance-of-the-crank-pin-from-instant-centre-13-a-2-i13-a-3 = Distância do pino da manivela ao centro instantâneo 13: a ω_2 = |I13 A| ω_3
+double-crank-crank-and-rocker-turn-round = dupla manivela: manivela e balancim dão a volta completa
+double-rocker-not-of-grashof-no-link-turns-round = duplo balancim, não Grashof: nenhuma peça dá a volta completa
+double-rocker-of-grashof-the-coupler-turns-round = duplo balancim de Grashof: o acoplador dá a volta completa
+force-in-the-fixed-pin-of-the-crank = Força no pino fixo da manivela
+force-in-the-fixed-pin-of-the-rocker = Força no pino fixo do balancim
+force-in-the-pin-of-coupler-and-rocker = Força no pino entre acoplador e balancim
+force-on-the-point-of-the-coupler = Força no ponto do acoplador
+from-the-crank-pin-to-the-point-of-the-coupler = Do pino da manivela ao ponto do acoplador
+instant-centre-24-is-on-the-line-of-the-coupler = o centro instantâneo 24 está na linha do acoplador
+instant-centre-24-on-the-line-of-the-frame-from-o = Centro instantâneo 24 na linha da base, a partir de O
+instant-centre-24-on-the-line-of-the-frame-x-2-x-d-4 = Centro instantâneo 24, na linha da base: x ω_2 = (x − d) ω_4
+largest-angle-of-the-crank-coupler-and-rocker-stretched-out = Maior ângulo da manivela: acoplador e balancim esticados
+largest-angle-of-the-crank-from-the-frame = Maior ângulo da manivela, a partir da base
+least-angle-of-the-crank-coupler-and-rocker-folded = Menor ângulo da manivela: acoplador e balancim dobrados
+least-angle-of-the-crank-from-the-frame = Menor ângulo da manivela, a partir da base
+least-transmission-angle-in-steps-of-the-turn = Menor ângulo de transmissão, em passos da volta
+length-of-the-coupler = Comprimento do acoplador
+length-of-the-frame = Comprimento da base
+length-of-the-rocker = Comprimento do balancim
+mass-of-the-coupler = Massa do acoplador
+mass-of-the-rocker = Massa do balancim
+mechanical-advantage-torque-of-the-rocker-over-torque-of-the-crank-without-masses = Vantagem mecânica: torque do balancim sobre torque da manivela, sem massas
+point-of-the-coupler = Ponto do acoplador
+positive-counter-clockwise-as-it-acts-on-the-rocker = Positivo no sentido anti-horário, como atua no balancim.
+property = Propriedade
+rocker-crank-the-driven-link-turns-round-the-crank-swings = balancim-manivela: a peça movida dá a volta completa, a manivela oscila
+the-four-bar-linkage = O quadrilátero articulado
+the-transmission-angle-is-angle-below-40-a-linkage-runs-hard-and-joints-take-large-forces = o ângulo de transmissão é { $angle }: abaixo de 40° o mecanismo trabalha mal e as juntas recebem forças grandes
+torque-on-crank-or-rocker-of-a-four-bar-linkage-at-rest-or-in-motion-with-masses-by-virtual-work = Torque na manivela ou no balancim de um quadrilátero articulado, em repouso ou em movimento com massas, por trabalho virtual; curva do acoplador, centros instantâneos, ângulo de transmissão, reações.
+torque-on-the-rocker = Torque no balancim
+torque-on-the-rocker-with-it-the-sum-of-the-virtual-works-is-zero-t-4-h-4-w-0 = Torque no balancim: com ele a soma dos trabalhos virtuais é nula, T_4 h_4 + ΣδW = 0
+torque-with-it-the-sum-of-the-virtual-works-is-zero-t-2-2-w-0 = Torque: com ele a soma dos trabalhos virtuais é nula, T_2 δθ_2 + ΣδW = 0
+transmission-angle = Ângulo de transmissão
+transmission-angle-the-acute-angle-between-coupler-and-rocker = Ângulo de transmissão: o ângulo agudo entre acoplador e balancim
+turn-of-the-coupler-from-the-derivatives-of-the-loop = giro do acoplador pelas derivadas da cadeia
+turn-of-the-rocker-from-the-derivatives-of-the-loop = giro do balancim pelas derivadas da cadeia
+value = Valor
+velocity-ratios = Razões de velocidades
+what-the-linkage-can-do = O que o mecanismo pode fazer
+
+# quick-return
+a-force-across-the-end-of-the-lever = Uma força transversal na ponta da alavanca
+a-slider-through-a-link-shaper = Um cursor por meio de uma biela: plaina limadora
+above-the-pivot-of-the-lever-the-slider-moves-along-x = Acima do pivô da alavanca; o cursor move-se ao longo de x.
+ahead = À frente
+angle-of-the-lever = Ângulo da alavanca
+angular-acceleration-of-the-lever = Aceleração angular da alavanca
+angular-velocity-of-the-lever = Velocidade angular da alavanca
+angular-velocity-of-the-lever-over-that-of-the-crank = Velocidade angular da alavanca sobre a da manivela
+behind = Atrás
+coriolis-acceleration-of-the-crank-pin-across-the-lever = Aceleração de Coriolis do pino da manivela, transversal à alavanca
+distance-of-the-crank-pin-from-the-pivot-of-the-lever = Distância do pino da manivela ao pivô da alavanca
+distance-of-the-pivots = Distância entre os pivôs
+force-in-the-pivot-of-the-lever = Força no pivô da alavanca
+force-of-the-lever-on-the-crank-pin-across-the-lever = Força da alavanca sobre o pino da manivela, transversal à alavanca
+force-of-the-lever-on-the-crank-pin-across-the-lever-by-the-same-equations = Força da alavanca sobre o pino da manivela, transversal à alavanca, pelas mesmas equações
+force-on-the-output = Força na saída
+force-with-it-the-sum-of-the-virtual-works-is-zero-f-u-w-0 = Força: com ela a soma dos trabalhos virtuais é nula, F u + ΣδW = 0
+from-its-pivot-to-its-end = Do pivô à ponta.
+from-the-pivot-of-the-lever-to-the-crank-pin = Do pivô da alavanca ao pino da manivela
+from-the-x-axis-counter-clockwise-at-90-the-crank-points-away-from-the-lever-s-pivot = A partir do eixo x, no sentido anti-horário; a 90° a manivela aponta para longe do pivô da alavanca.
+height-of-the-slider-s-line = Altura da linha do cursor
+length-of-the-lever = Comprimento da alavanca
+length-of-the-link = Comprimento da biela
+lever-from-c-to-its-end-b = Alavanca, de C à ponta B
+mass-of-the-lever = Massa da alavanca
+mass-of-the-link = Massa da biela
+on-the-slider-along-x-on-the-lever-across-its-end-counter-clockwise = No cursor, ao longo de x; na alavanca, transversal à ponta, no sentido anti-horário.
+quick-return-mechanism = Mecanismo de retorno rápido
+seen-from-the-end-of-the-lever-along-x = Visto da ponta da alavanca, ao longo de x.
+side-of-the-slider = Lado do cursor
+swing-of-the-lever = Oscilação da alavanca
+that-of-the-crank-is-above-that-of-the-lever = O da manivela fica acima do da alavanca.
+the-crank-pin-is-at-the-pivot-of-the-lever-the-lever-has-no-direction-turn-the-crank-or-change-a = o pino da manivela está no pivô da alavanca: a alavanca não tem direção; gire a manivela ou mude um comprimento
+the-lever-stands-across-the-line-of-the-pivots-sin-d-r = A alavanca fica perpendicular à linha dos pivôs: sen ψ = d/r
+the-lever-touches-the-circle-of-the-crank-pin-half-its-swing-sin-r-d = A alavanca tangencia o círculo do pino da manivela: metade da oscilação, sen ψ = r/d
+the-output-turns-back-here-a-dead-centre-no-force-on-it-can-balance-a-torque-on-the-crank-turn-the = a saída inverte aqui o movimento, ponto morto: nenhuma força nela equilibra um torque na manivela; gire um pouco a manivela
+the-quick-return-mechanism = O mecanismo de retorno rápido
+time-forward-over-time-back-at-a-steady-speed-the-crank-angles-between-the-ends = Tempo de ida sobre tempo de volta, a velocidade constante: os ângulos da manivela entre os extremos
+time-ratio-forward-over-back = Razão de tempos, ida sobre volta
+torque-or-force-motion-with-coriolis-acceleration-time-ratio-and-reactions-of-crank-and-slotted-lever = Torque ou força, movimento com aceleração de Coriolis, razão de tempos e reações de manivela e alavanca ranhurada, Whitworth e plaina limadora.
+unit-vector-along-the-lever = Vetor unitário ao longo da alavanca
+velocity-of-the-crank-pin-along-the-lever = Velocidade do pino da manivela ao longo da alavanca
+velocity-of-the-crank-pin-along-the-slot = Velocidade do pino da manivela ao longo da ranhura
+velocity-of-the-lever-under-the-crank-pin = Velocidade da alavanca sob o pino da manivela
+velocity-of-the-point-of-the-lever-that-is-under-the-crank-pin = Velocidade do ponto da alavanca que está sob o pino da manivela
+velocity-ratio = Razão de velocidades
+virtual-displacement-of-the-end-of-the-lever-across-it = Deslocamento virtual da ponta da alavanca, transversal a ela
+virtual-turn-of-the-lever-it-goes-with-the-crank-pin-across-its-slot = Giro virtual da alavanca: acompanha o pino da manivela transversalmente à ranhura
+virtual-work-of-the-force-on-the-output = Trabalho virtual da força na saída
+what-the-lever-drives = O que a alavanca aciona

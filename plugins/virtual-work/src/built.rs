@@ -1,7 +1,7 @@
 //! Plane mechanisms put together from their lengths: the second way to every effort of a template, the way to its
 //! reactions, and the pictures of bars, pins, blocks and forces.
 
-use std::f64::consts::TAU;
+use std::{cell::OnceCell, f64::consts::TAU};
 
 use dalembert_core::{
     Cell, Column, DrawnShape, Exhibit, Film, Ink, Inputs, Lift, Plain, Refusal, Stop, TableExhibit, Text,
@@ -306,9 +306,26 @@ impl Range {
     }
 }
 
-/// A curve over the range; it breaks where there is no value.
-pub(crate) fn curve(range: Range, count: usize, at: impl Fn(f64) -> Option<f64>) -> Vec<(f64, f64)> {
-    range.values(count).map(|x| (x, at(x).unwrap_or(f64::NAN))).collect()
+/// A template through its range, computed when somebody looks.
+pub(crate) struct Cycle<P: Template, A: Fn(f64) -> P> {
+    pub(crate) range: Range,
+    at: A,
+    found: OnceCell<Vec<(f64, Option<P::Found<f64>>)>>,
+}
+
+impl<P: Template, A: Fn(f64) -> P> Cycle<P, A> {
+    /// The template at each value of the coordinate.
+    pub(crate) fn new(range: Range, at: A) -> Self {
+        Self { range, at, found: OnceCell::new() }
+    }
+
+    /// A curve over the range; it breaks where there is no value. Infinity, not NaN: a solution equals itself.
+    pub(crate) fn curve(&self, of: impl Fn(&P::Found<f64>) -> f64) -> Vec<(f64, f64)> {
+        const STEPS: usize = 120;
+        let every = || self.range.values(STEPS).map(|x| (x, (self.at)(x).plain())).collect();
+        let found = self.found.get_or_init(every);
+        found.iter().map(|(x, found)| (*x, found.as_ref().map_or(f64::INFINITY, &of))).collect()
+    }
 }
 
 /// A film of the mechanism going through its range; positions without a picture are left out.

@@ -1,11 +1,15 @@
 //! Analyses by virtual work and virtual power.
 
-#[expect(dead_code, reason = "the templates that use it come one by one")]
 mod built;
+mod dyad;
 pub mod engine;
 pub mod equivalent_rod;
 pub mod flywheel;
+pub mod four_bar;
+pub mod quick_return;
+pub mod slider_crank;
 mod sources;
 pub mod virtual_power;
+pub mod works;
 
 dalembert_core::messages!("../locales/pt-BR.ftl");

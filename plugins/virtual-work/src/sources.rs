@@ -24,6 +24,10 @@ pub(crate) static BEER: Source = Source {
 pub(crate) static BEVAN: Source =
     Source { short: "Bevan", full: "T. Bevan, The Theory of Machines, 3rd ed., Longmans, 1956" };
 
+/// R. L. Norton, Design of Machinery.
+pub(crate) static NORTON: Source =
+    Source { short: "Norton", full: "R. L. Norton, Design of Machinery, 5th ed., McGraw-Hill, 2012" };
+
 /// R. S. Khurmi and J. K. Gupta, Theory of Machines.
 pub(crate) static KHURMI: Source = Source {
     short: "Khurmi & Gupta",
