@@ -181,6 +181,18 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         Term::Node(self, self.record(symbol.into(), unit, None, Number::Scalar(si), dim, how.into()))
     }
 
+    fn found_vector(
+        self,
+        symbol: impl Into<Symbol>,
+        unit: &'static str,
+        si: Vector3<f64>,
+        how: impl Into<Why>,
+    ) -> Vect<'s> {
+        let unit = self.unit(unit);
+        let dim = unit.dim;
+        Vect::Node(self, self.record(symbol.into(), unit, None, Number::Vector(si.into()), dim, how.into()))
+    }
+
     fn check(self, what: impl Into<Text>, left: Term<'s>, right: Term<'s>) {
         if let (Term::Node(_, a), Term::Node(_, b)) = (left, right) {
             self.same_dim(a, b);

@@ -42,6 +42,14 @@ pub trait Worksheet: Copy {
     /// Brings in a number (SI) that a numerical method found, saying how; a [`check`](Worksheet::check)
     /// must then hold it to its equation.
     fn found(self, symbol: impl Into<Symbol>, unit: &'static str, si: f64, how: impl Into<Why>) -> Self::Num;
+    /// Brings in a vector (SI) that a numerical method found, as [`found`](Worksheet::found) does a number.
+    fn found_vector(
+        self,
+        symbol: impl Into<Symbol>,
+        unit: &'static str,
+        si: Vector3<f64>,
+        how: impl Into<Why>,
+    ) -> Self::Vec;
     /// Holds two ways to the same number together, to within 10⁻⁹ of the larger.
     fn check(self, what: impl Into<Text>, left: Self::Num, right: Self::Num);
     /// Holds a sum to zero, to within 10⁻⁹ of `scale`, the size of its largest term.
@@ -186,6 +194,16 @@ impl Worksheet for &Plain<'_> {
     }
     #[inline]
     fn found(self, _: impl Into<Symbol>, _: &'static str, si: f64, _: impl Into<Why>) -> f64 {
+        si
+    }
+    #[inline]
+    fn found_vector(
+        self,
+        _: impl Into<Symbol>,
+        _: &'static str,
+        si: Vector3<f64>,
+        _: impl Into<Why>,
+    ) -> Vector3<f64> {
         si
     }
     #[inline]

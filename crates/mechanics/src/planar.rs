@@ -15,6 +15,7 @@
 
 mod balance;
 mod equation;
+mod equilibrium;
 mod follow;
 mod load;
 mod measure;
@@ -22,6 +23,7 @@ mod system;
 
 pub use balance::{Acting, Dynamics, LoadPower};
 pub use equation::{Driver, Equation, Joint, Profile, Term};
+pub use equilibrium::{Equilibrium, Sample, Stability};
 pub use follow::{Followed, Passed};
 pub use load::{Effort, Load};
 pub use measure::{Frame, Measure, Point, Pose, Slope};
@@ -104,12 +106,21 @@ pub enum PlanarError {
         /// The last value of its measure that can be reached, m or rad.
         at: f64,
     },
+    /// A driver is to move so far at once that its way cannot be followed.
+    #[error("driver {driver} is to move too far at once; let it go in parts")]
+    TooFar {
+        /// Which.
+        driver: usize,
+    },
     /// In this position the drivers do not determine the motion: a dead centre.
     #[error("driver {driver} cannot move the mechanism from this position, a dead centre")]
     DeadCentre {
         /// A driver that has lost its hold.
         driver: usize,
     },
+    /// No position near the drawn one needs no effort.
+    #[error("no equilibrium was found near the drawn position")]
+    NoEquilibrium,
     /// Friction grows faster than what drives against it: the mechanism locks itself.
     #[error("the friction in joint {joint} finds no balance: the mechanism jams")]
     Jammed {

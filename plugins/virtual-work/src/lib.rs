@@ -8,6 +8,8 @@ pub mod flywheel;
 pub mod four_bar;
 pub mod quick_return;
 pub mod slider_crank;
+pub mod mechanism;
+pub mod parts;
 mod sources;
 pub mod virtual_power;
 pub mod works;

@@ -33,3 +33,15 @@ pub(crate) static KHURMI: Source = Source {
     short: "Khurmi & Gupta",
     full: "R. S. Khurmi, J. K. Gupta, Theory of Machines, 14th ed., S. Chand, 2005",
 };
+
+/// P. E. Nikravesh, Computer-Aided Analysis of Mechanical Systems.
+pub(crate) static NIKRAVESH: Source = Source {
+    short: "Nikravesh",
+    full: "P. E. Nikravesh, Computer-Aided Analysis of Mechanical Systems, Prentice Hall, 1988",
+};
+
+/// E. J. Haug, Computer-Aided Kinematics and Dynamics of Mechanical Systems.
+pub(crate) static HAUG: Source = Source {
+    short: "Haug",
+    full: "E. J. Haug, Computer-Aided Kinematics and Dynamics of Mechanical Systems, Vol. I: Basic Methods, Allyn and Bacon, 1989",
+};

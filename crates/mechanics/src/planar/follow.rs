@@ -7,6 +7,8 @@ use crate::linalg::Elimination;
 const STEP: f64 = 0.2;
 /// The smallest step, in parts of the whole way: below it the mechanism has come to its end.
 const SMALLEST: f64 = 1e-11;
+/// The most steps of one way: some thirty turns of a crank.
+const MOST_STEPS: usize = 1_000;
 /// A correction above this part of the step is a jump.
 const JUMP: f64 = 0.1;
 /// A correction below this part of the step stays on the smooth path, even where two branches cross.
@@ -36,7 +38,7 @@ impl System {
     /// linkage never flips to its other branch. Where no step leads on, the mechanism has reached its limit.
     ///
     /// # Errors
-    /// `Limit` with the last value that can be reached; as for [`motion`](System::motion) if it cannot even start.
+    /// `Limit` with the last value that can be reached; `TooFar` beyond some thirty turns; as for [`motion`](System::motion) if it cannot even start.
     pub fn follow(&self, positions: &[[f64; 3]], values: &[f64]) -> Result<Followed, PlanarError> {
         let from: Vec<f64> =
             self.mechanism.drivers.iter().map(|driver| self.value(&driver.measure, positions)).collect();
@@ -46,8 +48,12 @@ impl System {
             |done: f64| -> Vec<f64> { from.iter().zip(&way).map(|(from, way)| from + done * way).collect() };
         let mut here = Followed { positions: positions.to_vec(), passed: Vec::new() };
         let mut moving = self.clone();
-        let (mut done, mut step) = (0.0, 1.0f64);
+        let (mut done, mut step, mut steps) = (0.0, 1.0f64, 0);
         while done < 1.0 {
+            steps += 1;
+            if steps > MOST_STEPS {
+                return Err(PlanarError::TooFar { driver: self.leader(&way) });
+            }
             let elimination = match moving.factored(&here.positions) {
                 Ok(elimination) => elimination,
                 Err(error) if done == 0.0 => return Err(error),
@@ -100,12 +106,17 @@ impl System {
 
     /// The limit, named by the driver that was to go farthest.
     fn limit(&self, way: &[f64], at: &[f64]) -> PlanarError {
+        let driver = self.leader(way);
+        PlanarError::Limit { driver, at: at.get(driver).copied().unwrap_or(0.0) }
+    }
+
+    /// The driver that is to go farthest.
+    fn leader(&self, way: &[f64]) -> usize {
         let extent = |driver: usize| {
             let in_length = if self.mechanism.drivers[driver].measure.is_angle() { self.length } else { 1.0 };
             way[driver].abs() * in_length
         };
-        let driver = (0..way.len()).max_by(|&a, &b| extent(a).total_cmp(&extent(b))).unwrap_or(0);
-        PlanarError::Limit { driver, at: at.get(driver).copied().unwrap_or(0.0) }
+        (0..way.len()).max_by(|&a, &b| extent(a).total_cmp(&extent(b))).unwrap_or(0)
     }
 
     /// The sign of the determinant of some of the equations.

@@ -82,6 +82,47 @@ impl System {
         Ok(system)
     }
 
+    /// About where the bodies are when only their angles are known: their origins as the joints want them while no
+    /// body turns, by least squares. What a joint takes from the drawn position is left out.
+    ///
+    /// # Errors
+    /// As for [`new`](System::new); `NotFinite`.
+    pub fn place(mechanism: &Mechanism, angles: &[f64]) -> Result<Vec<[f64; 3]>, PlanarError> {
+        // Not all in one place: distances between coinciding points have no direction.
+        let apart = |(body, &angle): (usize, &f64)| {
+            let turn = 2.4 * (body + 1) as f64;
+            [turn.cos(), turn.sin(), angle]
+        };
+        let mut drawn: Vec<[f64; 3]> = angles.iter().enumerate().map(apart).collect();
+        let system = Self::new(mechanism, &drawn)?;
+        for at in &mut drawn {
+            (at[0], at[1]) = (at[0] * 0.01 * system.length, at[1] * 0.01 * system.length);
+        }
+        let wanted: Vec<usize> = {
+            let joints = mechanism.joints.iter().flat_map(super::Joint::equations);
+            let asked = joints.enumerate().filter(|(_, equation)| equation.sum.is_some());
+            asked.map(|(row, _)| row).chain(system.first_driver()..system.equations.len()).collect()
+        };
+        let origins: Vec<usize> = (0..3 * angles.len()).filter(|column| column % 3 != 2).collect();
+        for _ in 0..20 {
+            let (gaps, slopes) = system.levelled(&drawn)?;
+            let slopes = slopes.select_rows(&wanted).select_columns(&origins);
+            let right = nalgebra::DVector::from_iterator(wanted.len(), wanted.iter().map(|&row| gaps[row]));
+            let mut normal = slopes.tr_mul(&slopes);
+            for at in 0..normal.nrows() {
+                normal[(at, at)] += 1e-9;
+            }
+            let step = Elimination::new(&normal)?.solve(slopes.tr_mul(&right).as_slice())?;
+            for (at, step) in drawn.iter_mut().zip(step.chunks_exact(2)) {
+                (at[0], at[1]) = (at[0] - step[0], at[1] - step[1]);
+            }
+            if step.iter().all(|step| step.abs() <= 1e-9 * system.length) {
+                break;
+            }
+        }
+        Ok(drawn)
+    }
+
     /// The mechanism.
     pub fn mechanism(&self) -> &Mechanism {
         &self.mechanism
@@ -121,6 +162,19 @@ impl System {
     pub fn rate(&self, measure: &Measure, state: &State) -> f64 {
         let slope = slope(measure, &poses(&state.positions));
         project(measure, &slope, &state.velocities)
+    }
+
+    /// Position, velocity and acceleration of a point.
+    pub fn point(&self, point: Point, state: &State) -> [[f64; 2]; 3] {
+        let Some(body) = point.on else { return [point.at, [0.0; 2], [0.0; 2]] };
+        let pose = Pose::new(state.positions[body]);
+        let [rx, ry] = pose.turned(point.at);
+        let ([vx, vy, w], [ax, ay, angular]) = (state.velocities[body], state.accelerations[body]);
+        [
+            [pose.x + rx, pose.y + ry],
+            [vx - w * ry, vy + w * rx],
+            [ax - angular * ry - w * w * rx, ay + angular * rx - w * w * ry],
+        ]
     }
 
     /// Closes the mechanism near the drawn position: Newton's method with the smallest change of the positions,

@@ -1,0 +1,223 @@
+//! Where a mechanism stays by itself, and whether it returns there.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{PlanarError, System};
+use crate::{linalg, roots};
+
+/// A position in which the drivers need no effort.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Equilibrium {
+    /// The values of the drivers' measures, m or rad.
+    pub values: Vec<f64>,
+    /// The positions.
+    pub positions: Vec<[f64; 3]>,
+    /// `∂²V/∂m_i ∂m_j`: how the efforts needed to hold it grow.
+    pub stiffness: DMatrix<f64>,
+    /// The lowest eigenvalue of the stiffness, with each measure in the scale that makes its diagonal ±1.
+    pub lowest: f64,
+    /// What that says.
+    pub stability: Stability,
+}
+
+/// Whether a mechanism that is moved a little returns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stability {
+    /// The potential energy has a minimum.
+    Stable,
+    /// It has none.
+    Unstable,
+    /// It does not tell, to second order.
+    Neutral,
+}
+
+/// One position of a mechanism that is moved through a range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// The value of the moved driver, m or rad.
+    pub value: f64,
+    /// The positions.
+    pub positions: Vec<[f64; 3]>,
+    /// The effort that holds it there, `dV/dm` where a potential is, N or N m.
+    pub effort: f64,
+    /// The potential energy, if there is one, J.
+    pub potential: Option<f64>,
+}
+
+impl System {
+    /// The efforts with which the drivers hold the mechanism at rest: `−Σ Q ∂q/∂m`, the slopes of the potential
+    /// energy. Friction takes no part.
+    ///
+    /// # Errors
+    /// As for [`motion`](System::motion).
+    pub fn holding(&self, positions: &[[f64; 3]]) -> Result<Vec<f64>, PlanarError> {
+        let elimination = self.factored(positions)?;
+        let still = vec![[0.0; 3]; positions.len()];
+        let applied = self.applied(positions, &still);
+        (0..self.mechanism.drivers.len())
+            .map(|driver| {
+                let mut unit = vec![0.0; self.equations.len()];
+                unit[self.first_driver() + driver] = 1.0;
+                let motion = self.unscaled(&elimination.solve(&unit)?);
+                let power: f64 = applied
+                    .iter()
+                    .flat_map(|(_, parts)| parts)
+                    .map(|(body, force)| force.iter().zip(motion[*body]).map(|(f, v)| f * v).sum::<f64>())
+                    .sum();
+                Ok(-power)
+            })
+            .collect()
+    }
+
+    /// `∂²V/∂m_i ∂m_j` from the holding efforts on both sides, with the error of the step taken out (Richardson).
+    ///
+    /// # Errors
+    /// As for [`follow`](System::follow).
+    pub fn stiffness(&self, positions: &[[f64; 3]]) -> Result<DMatrix<f64>, PlanarError> {
+        let drivers = &self.mechanism.drivers;
+        let values: Vec<f64> =
+            drivers.iter().map(|driver| self.value(&driver.measure, positions)).collect();
+        let mut stiffness = DMatrix::zeros(drivers.len(), drivers.len());
+        for (column, driver) in drivers.iter().enumerate() {
+            let step = 1e-3 * if driver.measure.is_angle() { 1.0 } else { self.length };
+            let at = |steps: f64| -> Result<DVector<f64>, PlanarError> {
+                let mut there = values.clone();
+                there[column] += steps * step;
+                Ok(DVector::from_vec(self.holding(&self.follow(positions, &there)?.positions)?))
+            };
+            let near = (at(1.0)? - at(-1.0)?) / (2.0 * step);
+            let far = (at(2.0)? - at(-2.0)?) / (4.0 * step);
+            stiffness.set_column(column, &((near * 4.0 - far) / 3.0));
+        }
+        Ok((&stiffness + stiffness.transpose()) / 2.0)
+    }
+
+    /// The mechanism in equal steps of its first driver from one value to another; the others are held. It ends
+    /// early at a limit position.
+    ///
+    /// # Errors
+    /// As for [`follow`](System::follow) to the first value.
+    pub fn through(&self, positions: &[[f64; 3]], [from, to]: [f64; 2], steps: usize) -> Result<Vec<Sample>, PlanarError> {
+        let mut values: Vec<f64> =
+            self.mechanism.drivers.iter().map(|driver| self.value(&driver.measure, positions)).collect();
+        let mut samples: Vec<Sample> = Vec::with_capacity(steps + 1);
+        for step in 0..=steps {
+            let value = from + (to - from) * step as f64 / steps.max(1) as f64;
+            let last = samples.last().map_or(positions, |sample| &sample.positions).to_vec();
+            values[0] = value;
+            let there = match self.follow(&last, &values) {
+                Ok(followed) => followed.positions,
+                Err(error) if samples.is_empty() => return Err(error),
+                Err(_) => break,
+            };
+            match self.holding(&there) {
+                Ok(efforts) => {
+                    let potential = self.potential(&there);
+                    samples.push(Sample { value, positions: there, effort: efforts[0], potential });
+                }
+                // A change point between two others has no effort of its own.
+                Err(PlanarError::DeadCentre { .. }) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(samples)
+    }
+
+    /// The equilibria of a mechanism with one driver, between samples of [`through`](System::through): one wherever
+    /// the holding effort changes its sign.
+    ///
+    /// # Errors
+    /// As for [`follow`](System::follow).
+    pub fn equilibria(&self, samples: &[Sample]) -> Result<Vec<Equilibrium>, PlanarError> {
+        let largest = samples.iter().fold(0.0f64, |most, sample| most.max(sample.effort.abs()));
+        let mut found = Vec::new();
+        for (at, pair) in samples.windows(2).enumerate() {
+            let [a, b] = pair else { continue };
+            let value = if a.effort == 0.0 {
+                a.value
+            } else if b.effort == 0.0 {
+                // The next pair has it, unless there is none.
+                if at + 2 < samples.len() { continue } else { b.value }
+            } else if a.effort.signum() == b.effort.signum() {
+                continue
+            } else {
+                let effort = |value: f64| {
+                    let there = self.follow(&a.positions, &[value]).ok();
+                    there.and_then(|there| self.holding(&there.positions).ok()).map_or(f64::NAN, |e| e[0])
+                };
+                let ends = if a.value < b.value { [a.value, b.value] } else { [b.value, a.value] };
+                match roots::find(effort, ends, |_| std::ops::ControlFlow::Continue(())) {
+                    Ok(value) => value,
+                    Err(_) => continue,
+                }
+            };
+            let positions = self.follow(&a.positions, &[value])?.positions;
+            found.push(self.judged(vec![value], positions, largest)?);
+        }
+        Ok(found)
+    }
+
+    /// The equilibrium near closed positions, for any number of drivers: Newton's method on the holding efforts, with
+    /// steps of at most a fifth of the size of the mechanism.
+    ///
+    /// # Errors
+    /// `NoEquilibrium` if it is not found; as for [`follow`](System::follow).
+    pub fn equilibrium_near(&self, positions: &[[f64; 3]]) -> Result<Equilibrium, PlanarError> {
+        let drivers = &self.mechanism.drivers;
+        let mut here = positions.to_vec();
+        let largest = self.holding(&here)?.iter().fold(0.0f64, |most, effort| most.max(effort.abs()));
+        for _ in 0..100 {
+            let values: Vec<f64> = drivers.iter().map(|driver| self.value(&driver.measure, &here)).collect();
+            let efforts = DVector::from_vec(self.holding(&here)?);
+            let stiffness = self.stiffness(&here)?;
+            let Ok(solved) = linalg::solve(&stiffness, &efforts) else {
+                return Err(PlanarError::NoEquilibrium);
+            };
+            let scale = |driver: usize| if drivers[driver].measure.is_angle() { self.length } else { 1.0 };
+            let size =
+                solved.x.iter().enumerate().fold(0.0f64, |most, (k, x)| most.max((x * scale(k)).abs()));
+            let part = f64::min(1.0, 0.2 * self.length / size.max(f64::MIN_POSITIVE));
+            let next: Vec<f64> = values.iter().zip(solved.x.iter()).map(|(value, x)| value - part * x).collect();
+            here = self.follow(&here, &next)?.positions;
+            if size <= 1e-13 * self.reach(&here) {
+                return self.judged(next, here, largest);
+            }
+        }
+        // Rounding of the stiffness may keep the last steps above the strictest measure.
+        let efforts = self.holding(&here)?;
+        if efforts.iter().all(|effort| effort.abs() <= 1e-9 * largest) {
+            let values = drivers.iter().map(|driver| self.value(&driver.measure, &here)).collect();
+            return self.judged(values, here, largest);
+        }
+        Err(PlanarError::NoEquilibrium)
+    }
+
+    fn judged(
+        &self,
+        values: Vec<f64>,
+        positions: Vec<[f64; 3]>,
+        largest: f64,
+    ) -> Result<Equilibrium, PlanarError> {
+        let stiffness = self.stiffness(&positions)?;
+        let scale: Vec<f64> = (0..values.len())
+            .map(|k| if stiffness[(k, k)] == 0.0 { 1.0 } else { stiffness[(k, k)].abs().sqrt() })
+            .collect();
+        let scaled = DMatrix::from_fn(values.len(), values.len(), |row, column| {
+            stiffness[(row, column)] / (scale[row] * scale[column])
+        });
+        let lowest = linalg::symmetric_eigen(&scaled)?.values[0];
+        // Noise of the differences against the efforts that occur.
+        let noise = |k: usize| {
+            let step = if self.mechanism.drivers[k].measure.is_angle() { 1.0 } else { self.length };
+            stiffness[(k, k)].abs() <= 1e-8 * largest / step
+        };
+        let stability = if lowest.abs() < 1e-7 || (0..values.len()).any(noise) {
+            Stability::Neutral
+        } else if lowest > 0.0 {
+            Stability::Stable
+        } else {
+            Stability::Unstable
+        };
+        Ok(Equilibrium { values, positions, stiffness, lowest, stability })
+    }
+}

@@ -1,0 +1,259 @@
+//! A plane mechanism of any shape, described by its parts: how it moves, what drives it, and what its joints carry.
+
+mod pictures;
+mod virtual_power;
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
+use dalembert_mechanics::planar::{Dynamics, PlanarError, State, System};
+use nalgebra::Vector3;
+
+use crate::{
+    parts::{Connection, Drive, Driven, NamedLoad, Part, Parts, Spot},
+    sources::{HAUG, NIKRAVESH, RIUL},
+};
+
+/// A mechanism in the plane, drawn in x and y.
+///
+/// Each body has axes of its own, in which its points are given; joints bring the points together. Angles and
+/// couples are positive counter-clockwise.
+#[derive(Clone, Debug, Inputs)]
+pub struct Mechanism {
+    /// Bodies.
+    #[input(min = 1)]
+    pub bodies: Vec<Part>,
+    /// Points.
+    pub points: Vec<Spot>,
+    /// Joints.
+    pub joints: Vec<Connection>,
+    /// Drivers.
+    /// One for each degree of freedom: what moves the mechanism, or holds it where it is.
+    pub drivers: Vec<Drive>,
+    /// Loads.
+    pub loads: Vec<NamedLoad>,
+    /// Acceleration of gravity.
+    #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
+    pub gravity: Vector3<f64>,
+    /// Points whose motion is asked for.
+    pub watched: Vec<Watched>,
+    /// Range of the first driver in the plots.
+    pub range: Range,
+}
+
+/// A point whose motion is asked for.
+#[derive(Clone, Debug, Inputs)]
+pub struct Watched {
+    /// Point.
+    #[input(rows = "points")]
+    pub point: Reference,
+}
+
+/// The values that the first driver goes through.
+#[derive(Clone, Debug, Inputs)]
+pub enum Range {
+    /// One turn, or as far as it goes
+    Turn,
+    /// Angles
+    Angles {
+        /// From.
+        #[input("θ_1", "deg")]
+        from: f64,
+        /// To.
+        #[input("θ_2", "deg")]
+        to: f64,
+    },
+    /// Lengths
+    Lengths {
+        /// From.
+        #[input("s_1", "mm")]
+        from: f64,
+        /// To.
+        #[input("s_2", "mm")]
+        to: f64,
+    },
+    /// This position alone
+    Nothing,
+}
+
+register!(Mechanism);
+
+impl Analysis for Mechanism {
+    const ABOUT: About = About {
+        id: "virtual-work/mechanism",
+        title: "Plane mechanism",
+        summary: "Motion, driving efforts by virtual power, and reactions of a plane mechanism of any shape: bodies, joints, drivers and loads.",
+        keywords: "mecanismo plano barras manivela articulação virtual power potência virtual newton euler multibody linkage joints reactions \
+                   six-bar gears cord slot spring geral build your own",
+        sources: &[&RIUL, &NIKRAVESH, &HAUG],
+        cases: include_str!("../cases/mechanism.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &MechanismGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let parts = self.parts();
+        let (system, rows, positions) = parts.assembled()?;
+        let refuse = |error: PlanarError| parts.refusal(&error, &rows);
+        let mobility = system.mobility(&positions).map_err(refuse)?;
+        let state = system.motion(&positions).map_err(refuse)?;
+        let dynamics = system.dynamics(&state).map_err(refuse)?;
+        sheet.keep_going()?;
+        let this = Solved { parts: &parts, rows: &rows, system: &system, state: &state, dynamics: &dynamics };
+        let angular = self.motion(&this, sheet);
+        this.efforts(given, &angular, sheet);
+        this.reactions(sheet);
+        if !mobility.redundant.is_empty() {
+            let mut named: Vec<&str> =
+                mobility.redundant.iter().map(|joint| self.joints[rows[*joint]].name.as_str()).collect();
+            named.dedup();
+            sheet.warn(|| {
+                Text::new("the mechanism holds more than it needs at {joints}: it moves, but statics does not tell how the joints share their forces")
+                    .with("joints", named.join(", "))
+            });
+        }
+        let samples = self.through(&this, sheet)?;
+        sheet.keep_going()?;
+        this.show(self, &samples, sheet);
+        Ok(())
+    }
+}
+
+/// A solved position.
+struct Solved<'a> {
+    parts: &'a Parts<'a>,
+    /// The row of each joint.
+    rows: &'a [usize],
+    system: &'a System,
+    state: &'a State,
+    dynamics: &'a Dynamics,
+}
+
+/// One position of the range.
+struct Sample {
+    /// The first driver.
+    value: f64,
+    state: State,
+    dynamics: Dynamics,
+}
+
+impl Mechanism {
+    fn parts(&self) -> Parts<'_> {
+        Parts {
+            gravity: self.gravity,
+            bodies: &self.bodies,
+            points: &self.points,
+            joints: &self.joints,
+            drivers: &self.drivers,
+            loads: &self.loads,
+        }
+    }
+
+    /// Where the bodies are and how they move; their angular accelerations.
+    fn motion<W: Worksheet>(&self, this: &Solved<'_>, sheet: W) -> Vec<W::Num> {
+        let mut angular = Vec::with_capacity(self.bodies.len());
+        let State { positions, velocities, accelerations } = this.state;
+        for (body, part) in self.bodies.iter().enumerate() {
+            let row = body + 1;
+            let named = |reason: &'static str| Text::new(reason).with("name", &part.name);
+            let angle = sheet.found(
+                ("θ", row),
+                "deg",
+                positions[body][2],
+                (
+                    named("Angle of {name}: where all joints hold, Φ(q) = 0, found by Newton's method"),
+                    NIKRAVESH.at("ch. 3"),
+                ),
+            );
+            sheet.answer(("angle", row), "Angle of the body", angle);
+            let speed = sheet.found(
+                ("ω", row),
+                "rad/s",
+                velocities[body][2],
+                (
+                    named("Angular velocity of {name}, from the joints and the drivers, Φ_q q̇ = −Φ_t"),
+                    NIKRAVESH.at("ch. 3"),
+                ),
+            );
+            sheet.answer(("angular_velocity", row), "Angular velocity of the body", speed);
+            let acceleration = sheet.found(
+                ("α", row),
+                "rad/s^2",
+                accelerations[body][2],
+                (named("Angular acceleration of {name}, from Φ_q q̈ = γ"), NIKRAVESH.at("ch. 3")),
+            );
+            sheet.answer(("angular_acceleration", row), "Angular acceleration of the body", acceleration);
+            angular.push(acceleration);
+        }
+        for (row, watched) in (1..).zip(&self.watched) {
+            let name = &self.points[watched.point.0].name;
+            let [position, velocity, acceleration] =
+                this.system.point(this.parts.point(watched.point), this.state);
+            let vector = |[x, y]: [f64; 2]| Vector3::new(x, y, 0.0);
+            let named = |reason: &'static str| Text::new(reason).with("name", name);
+            let at = sheet.found_vector(("P", row), "mm", vector(position), named("Position of {name}"));
+            sheet.answer_vector(("position", row), "Position of the point", at);
+            let velocity =
+                sheet.found_vector(("V", row), "m/s", vector(velocity), named("Velocity of {name}"));
+            sheet.answer_vector(("velocity", row), "Velocity of the point", velocity);
+            let acceleration = sheet.found_vector(
+                ("A", row),
+                "m/s^2",
+                vector(acceleration),
+                named("Acceleration of {name}"),
+            );
+            sheet.answer_vector(("acceleration", row), "Acceleration of the point", acceleration);
+        }
+        angular
+    }
+
+    /// The mechanism over the range of its first driver, as far as it goes; nothing where no range is asked for.
+    fn through<W: Worksheet>(&self, this: &Solved<'_>, sheet: W) -> Result<Vec<Sample>, Refusal> {
+        const STEPS: usize = 120;
+        let Some(first) = self.drivers.first() else { return Ok(Vec::new()) };
+        let here = |drive: &Drive| match drive.what {
+            Driven::Angle { value, .. } | Driven::Position { value, .. } | Driven::Distance { value, .. } => {
+                value
+            }
+        };
+        let start = here(first);
+        let turns = matches!(first.what, Driven::Angle { .. });
+        let (from, to, closed) = match self.range {
+            Range::Turn if turns => (start, start + TAU, true),
+            Range::Angles { from, to } if turns => (from, to, false),
+            Range::Lengths { from, to } if !turns => (from, to, false),
+            _ => return Ok(Vec::new()),
+        };
+        let values: Vec<f64> = self.drivers.iter().map(here).collect();
+        let at = |value: f64| [&[value], &values[1..]].concat();
+        let one_way = |positions: &[[f64; 3]], from: f64, to: f64| {
+            let (mut positions, mut samples) = (positions.to_vec(), Vec::new());
+            for step in 0..=STEPS {
+                sheet.keep_going()?;
+                let value = from + (to - from) * step as f64 / STEPS as f64;
+                let Ok(followed) = this.system.follow(&positions, &at(value)) else { break };
+                positions = followed.positions;
+                let state = this.system.motion(&positions);
+                if let Ok((state, dynamics)) =
+                    state.and_then(|state| this.system.dynamics(&state).map(|dynamics| (state, dynamics)))
+                {
+                    samples.push(Sample { value, state, dynamics });
+                }
+            }
+            Ok(samples)
+        };
+        let positions = &this.state.positions;
+        if !closed {
+            let refuse = |error: PlanarError| this.parts.refusal(&error, this.rows);
+            let there = this.system.follow(positions, &at(from)).map_err(refuse)?;
+            return one_way(&there.positions, from, to);
+        }
+        let forward = one_way(positions, from, to)?;
+        if forward.last().is_some_and(|last| last.value > to - 1e-9) {
+            return Ok(forward);
+        }
+        let mut backward = one_way(positions, from, from - TAU)?;
+        backward.reverse();
+        backward.pop();
+        backward.extend(forward);
+        Ok(backward)
+    }
+}

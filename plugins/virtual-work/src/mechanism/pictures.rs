@@ -1,0 +1,318 @@
+//! Tables, plots and the film of a mechanism.
+
+use std::f64::consts::FRAC_PI_2;
+
+use dalembert_core::{
+    Axis, DrawnShape, Exhibit, Film, Ink, Plot, Series, TableExhibit, Text, Worksheet,
+    exhibit::{Cell, Column},
+};
+use dalembert_mechanics::planar::{Acting, Point, State};
+
+use super::{Mechanism, Sample, Solved};
+use crate::parts::{Carrier, Driven, Joint, Load};
+
+impl Solved<'_> {
+    /// Everything there is to look at.
+    pub(super) fn show<W: Worksheet>(&self, problem: &Mechanism, samples: &[Sample], sheet: W) {
+        if !self.parts.drivers.is_empty() {
+            sheet.show(|| Exhibit::Table(self.table_of_works()));
+        }
+        sheet.show(|| Exhibit::Table(self.table_of_reactions()));
+        if samples.len() > 1 {
+            for (driver, drive) in self.parts.drivers.iter().enumerate() {
+                let (unit, label) = match drive.what {
+                    Driven::Angle { .. } => ("N*m", "Torque"),
+                    _ => ("N", "Force"),
+                };
+                let title = Text::new("Effort of {name}").with("name", &drive.name);
+                let of = |sample: &Sample| sample.dynamics.efforts[driver];
+                sheet.show(|| Exhibit::Plot(self.over_range(samples, title, label, unit, &[("", &of)])));
+            }
+            let mut all: Vec<(String, Box<dyn Fn(&Sample) -> f64>)> = Vec::new();
+            for (body, part) in self.parts.bodies.iter().enumerate() {
+                all.push((part.name.clone(), Box::new(move |sample| sample.state.velocities[body][2])));
+            }
+            let series: Vec<Of<'_>> = all.iter().map(|(name, of)| (name.as_str(), of.as_ref())).collect();
+            let title = Text::new("Angular velocities");
+            sheet.show(|| Exhibit::Plot(self.over_range(samples, title, "Angular velocity", "rad/s", &series)));
+            for watched in &problem.watched {
+                let name = &self.parts.points[watched.point.0].name;
+                let point = self.parts.point(watched.point);
+                let of = |part: usize| {
+                    move |sample: &Sample| {
+                        let [x, y] = self.system.point(point, &sample.state)[part];
+                        x.hypot(y)
+                    }
+                };
+                let title = Text::new("Speed of {name}").with("name", name);
+                sheet.show(|| Exhibit::Plot(self.over_range(samples, title, "Speed", "m/s", &[("", &of(1))])));
+                let title = Text::new("Acceleration of {name}").with("name", name);
+                sheet.show(|| {
+                    Exhibit::Plot(self.over_range(samples, title, "Acceleration", "m/s^2", &[("", &of(2))]))
+                });
+                sheet.show(|| Exhibit::Plot(self.path(point, name, samples)));
+            }
+        }
+        sheet.show(|| Exhibit::Film(self.film(problem, samples)));
+    }
+
+    fn over_range(
+        &self,
+        samples: &[Sample],
+        title: Text,
+        label: &'static str,
+        unit: &'static str,
+        series: &[Of<'_>],
+    ) -> Plot {
+        let (x_label, x_unit) = match self.parts.drivers[0].what {
+            Driven::Angle { .. } => ("Angle of the first driver", "deg"),
+            _ => ("Length of the first driver", "mm"),
+        };
+        let line = |(name, of): &Of<'_>| {
+            Series::line(Text::new("{name}").with("name", *name), samples.iter().map(|sample| (sample.value, of(sample))).collect())
+        };
+        Plot::new(
+            title,
+            Axis::linear(x_label, x_unit),
+            Axis::linear(label, unit),
+            series.iter().map(line).collect(),
+        )
+    }
+
+    /// The path of a point over the range.
+    fn path(&self, point: Point, name: &str, samples: &[Sample]) -> Plot {
+        let at = |state: &State| {
+            let [[x, y], ..] = self.system.point(point, state);
+            (x, y)
+        };
+        let points = samples.iter().map(|sample| at(&sample.state)).collect();
+        Plot::new(
+            Text::new("Path of {name}").with("name", name),
+            Axis::linear("x", "mm"),
+            Axis::linear("y", "mm"),
+            vec![Series::line("", points)],
+        )
+        .mark("here", at(self.state))
+    }
+
+    fn table_of_works(&self) -> TableExhibit {
+        let unit = match self.parts.drivers[0].what {
+            Driven::Angle { .. } => "N*m",
+            _ => "N",
+        };
+        let row = |power: &dalembert_mechanics::planar::LoadPower| {
+            let words = match power.of {
+                Acting::Load(_) => Text::new("{name}"),
+                Acting::Weight(_) => Text::new("Weight of {name}"),
+                Acting::InertiaForce(_) => Text::new("Inertia force of {name}"),
+                Acting::InertiaCouple(_) => Text::new("Inertia couple of {name}"),
+            };
+            let name = words.with("name", self.name(power.of));
+            vec![Cell::Text(name), Cell::Number(power.generalised[0]), Cell::Number(power.power)]
+        };
+        let mut rows: Vec<Vec<Cell>> = self.dynamics.powers.iter().map(row).collect();
+        for (driver, drive) in self.parts.drivers.iter().enumerate() {
+            let (effort, velocity) =
+                (self.dynamics.efforts[driver], self.system.mechanism().drivers[driver].velocity);
+            let own = if driver == 0 { Cell::Number(effort) } else { Cell::Empty };
+            rows.push(vec![
+                Cell::Text(Text::new("{name}").with("name", &drive.name)),
+                own,
+                Cell::Number(effort * velocity),
+            ]);
+        }
+        TableExhibit {
+            title: "Virtual power of the loads".into(),
+            columns: vec![
+                Column { heading: "Load".into(), unit: "" },
+                Column { heading: "For a unit velocity of the first driver".into(), unit },
+                Column { heading: "Power".into(), unit: "W" },
+            ],
+            rows,
+            foot: Vec::new(),
+        }
+    }
+
+    fn table_of_reactions(&self) -> TableExhibit {
+        let number = |part: Option<f64>| part.map_or(Cell::Empty, Cell::Number);
+        let row = |(row, connection): (usize, &crate::parts::Connection)| {
+            let [first, second, couple] = self.carried(row);
+            // A pin or weld has components in the axes of the ground, everything else one along its own line.
+            let parts = match second {
+                Some(_) => [first, second, None],
+                None => [None, None, first],
+            };
+            let [x, y, line] = parts.map(number);
+            vec![Cell::Text(Text::new("{name}").with("name", &connection.name)), x, y, line, number(couple)]
+        };
+        TableExhibit {
+            title: "What each joint exerts on its second point".into(),
+            columns: vec![
+                Column { heading: "Joint".into(), unit: "" },
+                Column { heading: "Force along x".into(), unit: "N" },
+                Column { heading: "Force along y".into(), unit: "N" },
+                Column { heading: "Force along its own line".into(), unit: "N" },
+                Column { heading: "Couple".into(), unit: "N*m" },
+            ],
+            rows: self.parts.joints.iter().enumerate().map(row).collect(),
+            foot: Vec::new(),
+        }
+    }
+
+    fn film(&self, problem: &Mechanism, samples: &[Sample]) -> Film {
+        const FRAMES: usize = 24;
+        let size = self.size();
+        let paths: Vec<DrawnShape> = problem
+            .watched
+            .iter()
+            .filter(|_| samples.len() > 1)
+            .map(|watched| {
+                let point = self.parts.point(watched.point);
+                let at = |sample: &Sample| place(self, point, &sample.state);
+                DrawnShape::Polyline(samples.iter().map(at).collect(), Ink::Faint)
+            })
+            .collect();
+        let frame = |state: &State| {
+            let mut shapes = paths.clone();
+            self.draw(state, size, &mut shapes);
+            shapes
+        };
+        let mut frames = vec![frame(self.state)];
+        if samples.len() > 1 {
+            // The film begins where the problem stands.
+            let start = samples
+                .iter()
+                .enumerate()
+                .min_by(|(_, a), (_, b)| {
+                    let here = |sample: &Sample| (sample.value - self.here()).abs();
+                    here(a).total_cmp(&here(b))
+                })
+                .map_or(0, |(at, _)| at);
+            let shown = |k: usize| &samples[(start + k * (samples.len() - 1) / FRAMES) % samples.len()].state;
+            frames.extend((1..FRAMES).map(|k| frame(shown(k))));
+        }
+        Film { title: "Mechanism".into(), frames, period: 4.0 }
+    }
+
+    fn here(&self) -> f64 {
+        self.system.mechanism().drivers.first().map_or(0.0, |driver| driver.value)
+    }
+
+    /// The size of the drawing.
+    fn size(&self) -> f64 {
+        let all: Vec<(f64, f64)> = (0..self.parts.points.len())
+            .map(|row| place(self, self.parts.point(dalembert_core::Reference(row)), self.state))
+            .collect();
+        let extent = |of: fn(&(f64, f64)) -> f64| {
+            let (low, high) = all.iter().map(of).fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+            high - low
+        };
+        if all.is_empty() { 1.0 } else { extent(|p| p.0).max(extent(|p| p.1)).max(f64::MIN_POSITIVE) }
+    }
+
+    fn draw(&self, state: &State, size: f64, shapes: &mut Vec<DrawnShape>) {
+        let parts = self.parts;
+        let at = |reference: dalembert_core::Reference| place(self, parts.point(reference), state);
+        let small = 0.015 * size;
+        for connection in parts.joints {
+            match &connection.joint {
+                Joint::Slider { guide, direction, slides, .. }
+                | Joint::Slot { guide, direction, pin: slides, .. }
+                | Joint::Rolling { guide, direction, centre: slides, .. } => {
+                    let turned = parts.points[guide.0].on.frame().map_or(0.0, |body| state.positions[body][2]);
+                    let (sin, cos) = (direction + turned).sin_cos();
+                    let ((gx, gy), (px, py)) = (at(*guide), at(*slides));
+                    let way = (px - gx) * cos + (py - gy) * sin;
+                    let (low, high) = (way.min(0.0) - 0.1 * size, way.max(0.0) + 0.1 * size);
+                    let along = |s: f64| (gx + s * cos, gy + s * sin);
+                    let ink = if matches!(parts.points[guide.0].on, Carrier::Ground) { Ink::Faint } else { Ink::Body };
+                    shapes.push(DrawnShape::Polyline(vec![along(low), along(high)], ink));
+                    match connection.joint {
+                        Joint::Slider { .. } => {
+                            let (w, h) = (2.5 * small, 1.7 * small);
+                            let corner = |x: f64, y: f64| (px + x * cos - y * sin, py + x * sin + y * cos);
+                            let corners = [(-w, -h), (w, -h), (w, h), (-w, h), (-w, -h)];
+                            let corners = corners.map(|(x, y)| corner(x, y));
+                            shapes.push(DrawnShape::Polyline(corners.into(), Ink::Body));
+                        }
+                        Joint::Rolling { radius, .. } => {
+                            let body = parts.points[slides.0].on.frame();
+                            let angle = body.map_or(0.0, |body| state.positions[body][2]) - FRAC_PI_2;
+                            let rim = (px + radius * angle.cos(), py + radius * angle.sin());
+                            shapes.push(DrawnShape::Circle((px, py), radius, Ink::Body));
+                            shapes.push(DrawnShape::Polyline(vec![(px, py), rim], Ink::Faint));
+                        }
+                        _ => {}
+                    }
+                }
+                Joint::Rod { from, to, .. } => {
+                    shapes.push(DrawnShape::Polyline(vec![at(*from), at(*to)], Ink::Body));
+                }
+                Joint::Cord { runs, .. } => {
+                    for run in runs {
+                        shapes.push(DrawnShape::Polyline(vec![at(run.from), at(run.to)], Ink::Faint));
+                    }
+                }
+                Joint::Pin { .. } | Joint::Weld { .. } | Joint::Gears { .. } | Joint::Cam { .. } => {}
+            }
+        }
+        for body in 0..parts.bodies.len() {
+            let own = parts.points.iter().enumerate().filter(|(_, spot)| spot.on.frame() == Some(body));
+            let mut corners: Vec<(f64, f64)> = own.map(|(row, _)| at(dalembert_core::Reference(row))).collect();
+            if corners.len() > 2 {
+                corners.push(corners[0]);
+            }
+            if corners.len() > 1 {
+                shapes.push(DrawnShape::Polyline(corners, Ink::Body));
+            }
+        }
+        for (row, spot) in parts.points.iter().enumerate() {
+            let point = at(dalembert_core::Reference(row));
+            match spot.on {
+                Carrier::Ground => shapes.push(DrawnShape::Pin(point)),
+                Carrier::Body { .. } => shapes.push(DrawnShape::Circle(point, 0.5 * small, Ink::Body)),
+            }
+        }
+        self.draw_loads(state, size, shapes);
+    }
+
+    fn draw_loads(&self, state: &State, size: f64, shapes: &mut Vec<DrawnShape>) {
+        let parts = self.parts;
+        let at = |reference: dalembert_core::Reference| place(self, parts.point(reference), state);
+        let largest = parts.loads.iter().fold(0.0f64, |most, load| match &load.load {
+            Load::Force { force, .. } => most.max(force.norm()),
+            _ => most,
+        });
+        for load in parts.loads {
+            match &load.load {
+                Load::Force { at: point, force, axes } if largest > 0.0 => {
+                    let turned = axes.frame().map_or(0.0, |body| state.positions[body][2]);
+                    let (sin, cos) = turned.sin_cos();
+                    let (x, y) = (force.x * cos - force.y * sin, force.x * sin + force.y * cos);
+                    let tip = at(*point);
+                    let scale = 0.25 * size / largest;
+                    let tail = (tip.0 - scale * x, tip.1 - scale * y);
+                    shapes.push(DrawnShape::Arrow(tail, tip, Ink::Force));
+                    shapes.push(DrawnShape::Label(tail, Text::new("{name}").with("name", &load.name)));
+                }
+                Load::Spring { from, to, .. } => shapes.push(DrawnShape::Spring(at(*from), at(*to))),
+                Load::Damper { from, to, .. } | Load::Gas { from, to, .. } => {
+                    shapes.push(DrawnShape::Damper(at(*from), at(*to)));
+                }
+                Load::Thrust { from, to, .. } => {
+                    shapes.push(DrawnShape::Arrow(at(*from), at(*to), Ink::Force));
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+/// A curve: its name, and what it is at a sample.
+type Of<'a> = (&'a str, &'a dyn Fn(&Sample) -> f64);
+
+fn place(solved: &Solved<'_>, point: Point, state: &State) -> (f64, f64) {
+    let [[x, y], ..] = solved.system.point(point, state);
+    (x, y)
+}
+
