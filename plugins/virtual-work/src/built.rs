@@ -248,6 +248,8 @@ pub(crate) fn refusal(error: PlanarError) -> Refusal {
         PlanarError::Number { .. }
         | PlanarError::NoSuchBody { .. }
         | PlanarError::UnderDriven { .. }
+        | PlanarError::TooFar { .. }
+        | PlanarError::NoEquilibrium
         | PlanarError::NotFinite => {
             "the numbers of this mechanism are too far apart to be computed with".into()
         }
