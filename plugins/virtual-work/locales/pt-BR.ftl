@@ -549,7 +549,6 @@ virtual-turn-of-link-n-the-slider-does-not-leave-its-line = Giro virtual da peç
 what-the-angular-accelerations-of-the-pair-must-make-up-for = O que as acelerações angulares do par devem compensar
 
 # slider-crank
-angle-of-the-rod = Ângulo da biela
 angle-of-the-rod-r-sin-2-l-sin-3-e = Ângulo da biela: r sen θ_2 + l sen θ_3 = e
 angular-velocity-of-the-rod-from-the-closure-of-the-loop = velocidade angular da biela pelo fechamento da cadeia
 at-this-angle-the-rod-has-to-bridge-distance-from-the-crank-pin-to-the-line-of-the-slider-it-is-gap = neste ângulo a biela precisa vencer { $distance } do pino da manivela à linha do cursor: faltam { $gap }

@@ -504,15 +504,16 @@ impl Parts<'_> {
             }],
             Joint::Rolling { guide, direction, centre, radius, resting } => {
                 let (guide, centre) = (point(guide), point(centre));
-                let rolling =
-                    planar::Joint::Rack { guide, direction: *direction, centre, radius: *radius };
-                let held =
-                    planar::Joint::Slot { guide, direction: *direction, pin: centre, offset: *radius };
+                let rolling = planar::Joint::Rack { guide, direction: *direction, centre, radius: *radius };
+                let held = planar::Joint::Slot { guide, direction: *direction, pin: centre, offset: *radius };
                 if *resting { vec![held, rolling] } else { vec![rolling] }
             }
             Joint::Cord { runs, drums } => vec![planar::Joint::Cord {
                 runs: runs.iter().map(|run| [point(&run.from), point(&run.to)]).collect(),
-                drums: drums.iter().map(|drum| (drum.of.frame(), drum.against.frame(), drum.radius)).collect(),
+                drums: drums
+                    .iter()
+                    .map(|drum| (drum.of.frame(), drum.against.frame(), drum.radius))
+                    .collect(),
             }],
             Joint::Cam { cam, guide, direction, follower, lift } => {
                 let points: Vec<[f64; 2]> = lift.iter().map(|point| [point.angle, point.lift]).collect();

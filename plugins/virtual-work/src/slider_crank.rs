@@ -116,7 +116,7 @@ impl Analysis for SliderCrank {
 
     fn solve<W: Worksheet>(&self, given: &SliderCrankGiven<W>, sheet: W) -> Result<(), Refusal> {
         let found = self.efforts(given, sheet)?;
-        sheet.answer("rod_angle", "Angle of the rod", found.rod_angle);
+        sheet.answer("rod_angle", "Angle of the connecting rod", found.rod_angle);
         sheet.answer("slider_position", "Position of the slider", found.position);
         if self.moves() {
             sheet.answer("rod_speed", "Angular velocity of the rod", found.rod_speed);

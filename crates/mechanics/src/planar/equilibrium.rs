@@ -75,8 +75,7 @@ impl System {
     /// As for [`follow`](System::follow).
     pub fn stiffness(&self, positions: &[[f64; 3]]) -> Result<DMatrix<f64>, PlanarError> {
         let drivers = &self.mechanism.drivers;
-        let values: Vec<f64> =
-            drivers.iter().map(|driver| self.value(&driver.measure, positions)).collect();
+        let values: Vec<f64> = drivers.iter().map(|driver| self.value(&driver.measure, positions)).collect();
         let mut stiffness = DMatrix::zeros(drivers.len(), drivers.len());
         for (column, driver) in drivers.iter().enumerate() {
             let step = 1e-3 * if driver.measure.is_angle() { 1.0 } else { self.length };
@@ -97,7 +96,12 @@ impl System {
     ///
     /// # Errors
     /// As for [`follow`](System::follow) to the first value.
-    pub fn through(&self, positions: &[[f64; 3]], [from, to]: [f64; 2], steps: usize) -> Result<Vec<Sample>, PlanarError> {
+    pub fn through(
+        &self,
+        positions: &[[f64; 3]],
+        [from, to]: [f64; 2],
+        steps: usize,
+    ) -> Result<Vec<Sample>, PlanarError> {
         let mut values: Vec<f64> =
             self.mechanism.drivers.iter().map(|driver| self.value(&driver.measure, positions)).collect();
         let mut samples: Vec<Sample> = Vec::with_capacity(steps + 1);
@@ -139,7 +143,7 @@ impl System {
                 // The next pair has it, unless there is none.
                 if at + 2 < samples.len() { continue } else { b.value }
             } else if a.effort.signum() == b.effort.signum() {
-                continue
+                continue;
             } else {
                 let effort = |value: f64| {
                     let there = self.follow(&a.positions, &[value]).ok();
@@ -177,7 +181,8 @@ impl System {
             let size =
                 solved.x.iter().enumerate().fold(0.0f64, |most, (k, x)| most.max((x * scale(k)).abs()));
             let part = f64::min(1.0, 0.2 * self.length / size.max(f64::MIN_POSITIVE));
-            let next: Vec<f64> = values.iter().zip(solved.x.iter()).map(|(value, x)| value - part * x).collect();
+            let next: Vec<f64> =
+                values.iter().zip(solved.x.iter()).map(|(value, x)| value - part * x).collect();
             here = self.follow(&here, &next)?.positions;
             if size <= 1e-13 * self.reach(&here) {
                 return self.judged(next, here, largest);

@@ -34,7 +34,9 @@ impl Solved<'_> {
             }
             let series: Vec<Of<'_>> = all.iter().map(|(name, of)| (name.as_str(), of.as_ref())).collect();
             let title = Text::new("Angular velocities");
-            sheet.show(|| Exhibit::Plot(self.over_range(samples, title, "Angular velocity", "rad/s", &series)));
+            sheet.show(|| {
+                Exhibit::Plot(self.over_range(samples, title, "Angular velocity", "rad/s", &series))
+            });
             for watched in &problem.watched {
                 let name = &self.parts.points[watched.point.0].name;
                 let point = self.parts.point(watched.point);
@@ -45,7 +47,8 @@ impl Solved<'_> {
                     }
                 };
                 let title = Text::new("Speed of {name}").with("name", name);
-                sheet.show(|| Exhibit::Plot(self.over_range(samples, title, "Speed", "m/s", &[("", &of(1))])));
+                sheet
+                    .show(|| Exhibit::Plot(self.over_range(samples, title, "Speed", "m/s", &[("", &of(1))])));
                 let title = Text::new("Acceleration of {name}").with("name", name);
                 sheet.show(|| {
                     Exhibit::Plot(self.over_range(samples, title, "Acceleration", "m/s^2", &[("", &of(2))]))
@@ -69,7 +72,10 @@ impl Solved<'_> {
             _ => ("Length of the first driver", "mm"),
         };
         let line = |(name, of): &Of<'_>| {
-            Series::line(Text::new("{name}").with("name", *name), samples.iter().map(|sample| (sample.value, of(sample))).collect())
+            Series::line(
+                Text::new("{name}").with("name", *name),
+                samples.iter().map(|sample| (sample.value, of(sample))).collect(),
+            )
         };
         Plot::new(
             title,
@@ -219,13 +225,18 @@ impl Solved<'_> {
                 Joint::Slider { guide, direction, slides, .. }
                 | Joint::Slot { guide, direction, pin: slides, .. }
                 | Joint::Rolling { guide, direction, centre: slides, .. } => {
-                    let turned = parts.points[guide.0].on.frame().map_or(0.0, |body| state.positions[body][2]);
+                    let turned =
+                        parts.points[guide.0].on.frame().map_or(0.0, |body| state.positions[body][2]);
                     let (sin, cos) = (direction + turned).sin_cos();
                     let ((gx, gy), (px, py)) = (at(*guide), at(*slides));
                     let way = (px - gx) * cos + (py - gy) * sin;
                     let (low, high) = (way.min(0.0) - 0.1 * size, way.max(0.0) + 0.1 * size);
                     let along = |s: f64| (gx + s * cos, gy + s * sin);
-                    let ink = if matches!(parts.points[guide.0].on, Carrier::Ground) { Ink::Faint } else { Ink::Body };
+                    let ink = if matches!(parts.points[guide.0].on, Carrier::Ground) {
+                        Ink::Faint
+                    } else {
+                        Ink::Body
+                    };
                     shapes.push(DrawnShape::Polyline(vec![along(low), along(high)], ink));
                     match connection.joint {
                         Joint::Slider { .. } => {
@@ -258,7 +269,8 @@ impl Solved<'_> {
         }
         for body in 0..parts.bodies.len() {
             let own = parts.points.iter().enumerate().filter(|(_, spot)| spot.on.frame() == Some(body));
-            let mut corners: Vec<(f64, f64)> = own.map(|(row, _)| at(dalembert_core::Reference(row))).collect();
+            let mut corners: Vec<(f64, f64)> =
+                own.map(|(row, _)| at(dalembert_core::Reference(row))).collect();
             if corners.len() > 2 {
                 corners.push(corners[0]);
             }
@@ -315,4 +327,3 @@ fn place(solved: &Solved<'_>, point: Point, state: &State) -> (f64, f64) {
     let [[x, y], ..] = solved.system.point(point, state);
     (x, y)
 }
-

@@ -53,8 +53,10 @@ impl Solved<'_> {
             sheet.verify(|| {
                 let largest = powers.iter().fold(0.0f64, |most, p| most.max(p.generalised[driver].abs()));
                 sheet.check_zero(
-                    Text::new("virtual power and the equations of Newton and Euler give {name} the same effort")
-                        .with("name", &drive.name),
+                    Text::new(
+                        "virtual power and the equations of Newton and Euler give {name} the same effort",
+                    )
+                    .with("name", &drive.name),
                     (effort.value() - self.dynamics.newton_euler[driver]).into(),
                     largest,
                 );
@@ -112,12 +114,16 @@ impl Solved<'_> {
             };
             sheet.found(symbol("u"), unit, self.system.rate(measure, &moved), why(reason))
         };
-        let power = Why { reason: Text::new("Virtual power of {name}").with("name", name), cite: Some(RIUL.at("eqs. 1, 5")) };
+        let power = Why {
+            reason: Text::new("Virtual power of {name}").with("name", name),
+            cite: Some(RIUL.at("eqs. 1, 5")),
+        };
         let of_force = |force: W::Vec, way: W::Vec, power: Why| {
             sheet.step(symbol("W"), per.effort, work::force_power(force, way), power)
         };
-        let of_effort =
-            |effort: W::Num, rate: W::Num, power: Why| sheet.step(symbol("W"), per.effort, effort * rate, power);
+        let of_effort = |effort: W::Num, rate: W::Num, power: Why| {
+            sheet.step(symbol("W"), per.effort, effort * rate, power)
+        };
         const OF_CENTRE: &str = "How far the mass centre of {name} moves when the driver moves by one unit";
         match of {
             Acting::Weight(body) => {
@@ -129,8 +135,7 @@ impl Solved<'_> {
                 let way = way(Point::body(body, [0.0; 2]), OF_CENTRE);
                 let [x, y, _] = self.state.accelerations[body];
                 let reason = why("Acceleration of the mass centre of {name}");
-                let acceleration =
-                    sheet.found_vector(symbol("a"), "m/s^2", Vector3::new(x, y, 0.0), reason);
+                let acceleration = sheet.found_vector(symbol("a"), "m/s^2", Vector3::new(x, y, 0.0), reason);
                 let force = work::inertia_force(given.bodies[body].mass, acceleration);
                 let reason = why("Inertia force of {name}, against the acceleration");
                 of_force(sheet.step_vector(symbol("F"), "N", force, reason), way, power)
@@ -156,7 +161,8 @@ impl Solved<'_> {
                             Carrier::Body { body } => {
                                 let turned = Rotation2::new(self.state.positions[body.0][2])
                                     * Vector2::new(typed.x, typed.y);
-                                let reason = why("Force {name}, turned with the part in whose axes it is given");
+                                let reason =
+                                    why("Force {name}, turned with the part in whose axes it is given");
                                 sheet.found_vector(symbol("F"), "N", turned.push(0.0), reason)
                             }
                         };
@@ -187,14 +193,19 @@ impl Solved<'_> {
                         let force = sheet.step(symbol("F"), "N", -(*coefficient * velocity), reason);
                         of_effort(force, rate(&measure), power)
                     }
-                    (&Load::Gas { area, pressure, column, exponent, ambient, .. }, _, Some((measure, value, _))) => {
+                    (
+                        &Load::Gas { area, pressure, column, exponent, ambient, .. },
+                        _,
+                        Some((measure, value, _)),
+                    ) => {
                         let force = area * (pressure * (column / value).powf(exponent) - ambient);
                         let reason = why("Force of the gas of {name}, A (p₁ (L₁/L)ⁿ − p₀)");
                         of_effort(sheet.found(symbol("F"), "N", force, reason), rate(&measure), power)
                     }
                     _ => {
-                        let reason =
-                            why("Virtual power of the friction of {name}, in proportion to the force that its joint carries");
+                        let reason = why(
+                            "Virtual power of the friction of {name}, in proportion to the force that its joint carries",
+                        );
                         let found = self.dynamics.powers.iter().find(|power| power.of == of);
                         let si = found.map_or(0.0, |power| power.generalised[driver]);
                         sheet.found(symbol("W"), per.effort, si, reason)
@@ -222,7 +233,9 @@ impl Solved<'_> {
                 [Some(one), ..] => one.abs(),
                 _ => continue,
             };
-            let reason = Text::new("Force that {name} carries, by the equations of Newton and Euler, M q̈ = Q + Φ_qᵀ λ");
+            let reason = Text::new(
+                "Force that {name} carries, by the equations of Newton and Euler, M q̈ = Q + Φ_qᵀ λ",
+            );
             let why = (reason.with("name", &connection.name), HAUG.at("ch. 6"));
             let force = sheet.found(("R", row + 1), "N", size, why);
             sheet.answer(("reaction", row + 1), "Force in the joint", force);
