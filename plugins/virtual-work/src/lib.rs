@@ -1,16 +1,27 @@
 //! Analyses by virtual work and virtual power.
 
+pub mod a_frame;
+pub mod bar_and_cord;
 mod built;
+pub mod compound_lever;
 mod dyad;
 pub mod engine;
+mod equilibria;
 pub mod equivalent_rod;
 pub mod flywheel;
 pub mod four_bar;
+pub mod guided_bar;
 pub mod mechanism;
+mod one_freedom;
 pub mod parts;
 pub mod quick_return;
+pub mod rhombus;
+pub mod roberval_balance;
 pub mod slider_crank;
 mod sources;
+pub mod spring_lever;
+pub mod toggle_press;
+pub mod two_bar_linkage;
 pub mod virtual_power;
 pub mod works;
 

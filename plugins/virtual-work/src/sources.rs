@@ -45,3 +45,9 @@ pub(crate) static HAUG: Source = Source {
     short: "Haug",
     full: "E. J. Haug, Computer-Aided Kinematics and Dynamics of Mechanical Systems, Vol. I: Basic Methods, Allyn and Bacon, 1989",
 };
+
+/// R. C. Hibbeler, Engineering Mechanics: Statics.
+pub(crate) static HIBBELER: Source = Source {
+    short: "Hibbeler",
+    full: "R. C. Hibbeler, Engineering Mechanics: Statics, 14th ed., Pearson, 2016",
+};

@@ -1,0 +1,286 @@
+//! Machines with one freedom under weights, springs and constant forces: all equilibria, and whether they last.
+
+use dalembert_core::{
+    Axis, DrawnShape, Exhibit, Film, Ink, Plot, Refusal, Series, TableExhibit, Text, Worksheet,
+    exhibit::{Cell, Column, Point as At},
+};
+use dalembert_mechanics::{
+    planar::{Dynamics, Load, Mechanism, Point, System},
+    roots,
+};
+
+use crate::sources::{BEER, HIBBELER};
+
+/// Steps of the scan for equilibria.
+const STEPS: usize = 720;
+/// The most equilibria that are answered.
+const MOST: usize = 12;
+/// What of a potential energy or curvature is rounding, as a part of its largest value in the range.
+const ROUNDING: f64 = 1e-11;
+
+/// An equilibrium.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Equilibrium {
+    pub(crate) at: f64,
+    pub(crate) energy: f64,
+    pub(crate) curvature: f64,
+    pub(crate) stability: Stability,
+}
+
+/// What happens after a small push.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stability {
+    /// The potential energy is least: it comes back.
+    Stable,
+    /// It goes away.
+    Unstable,
+    /// `V″ = 0`: the second derivative cannot tell.
+    Critical,
+}
+
+impl Stability {
+    pub(crate) fn word(self) -> Text {
+        Text::from(match self {
+            Stability::Stable => "stable",
+            Stability::Unstable => "unstable",
+            Stability::Critical => "critical",
+        })
+    }
+
+    fn answers(self) -> [(&'static str, &'static str); 2] {
+        match self {
+            Stability::Stable => [
+                ("stable_angle", "Stable equilibrium"),
+                ("stable_curvature", "Curvature of the potential energy at the stable equilibrium"),
+            ],
+            Stability::Unstable => [
+                ("unstable_angle", "Unstable equilibrium"),
+                ("unstable_curvature", "Curvature of the potential energy at the unstable equilibrium"),
+            ],
+            Stability::Critical => [
+                ("critical_angle", "Equilibrium at the limit of stability"),
+                ("critical_curvature", "Curvature of the potential energy at the limit of stability"),
+            ],
+        }
+    }
+}
+
+/// Finds and answers every equilibrium at an angle θ in a range. `terms` and `numbers` both give the potential
+/// energy and its first two derivatives, as numbers of the worksheet (for the equilibrium of that number, counted
+/// from 1) and as plain ones.
+pub(crate) fn answer_equilibria<W: Worksheet>(
+    sheet: W,
+    [from, to]: [f64; 2],
+    terms: impl Fn(usize, W::Num) -> [W::Num; 3],
+    numbers: impl Fn(f64) -> [f64; 3],
+) -> Result<Vec<Equilibrium>, Refusal> {
+    if from >= to {
+        return Err(Refusal::because(
+            "the range of angles ends where it begins or before: write the smaller angle first",
+        ));
+    }
+    let scan = (0..=STEPS).map(|n| numbers(from + (to - from) * n as f64 / STEPS as f64));
+    let (mut lowest, mut highest, mut slope, mut curvature) =
+        (f64::INFINITY, f64::NEG_INFINITY, 0.0f64, 0.0f64);
+    for [v, first, second] in scan {
+        if ![v, first, second].iter().all(|x| x.is_finite()) {
+            return Err(Refusal::because(
+                "the potential energy is not finite everywhere in the range of angles: choose a range without the singular position",
+            ));
+        }
+        (lowest, highest) = (lowest.min(v), highest.max(v));
+        (slope, curvature) = (slope.max(first.abs()), curvature.max(second.abs()));
+    }
+    if highest - lowest <= ROUNDING * highest.abs().max(lowest.abs()) {
+        return Err(Refusal::because(
+            "every position is an equilibrium: the potential energy is the same at all angles, and the balance is neutral",
+        ));
+    }
+    let zeros =
+        roots::find_all(|at| numbers(at)[1], [from, to], STEPS, |_| std::ops::ControlFlow::Continue(()));
+    let mut zeros = zeros.map_err(|_| Refusal::because("the search for equilibria did not converge"))?;
+    // At an end of the range rounding may hide a zero.
+    for end in [from, to] {
+        let near = |zero: &f64| (zero - end).abs() <= 1e-9 * (to - from);
+        if numbers(end)[1].abs() <= ROUNDING * slope && !zeros.iter().any(near) {
+            zeros.push(end);
+        }
+    }
+    zeros.sort_by(f64::total_cmp);
+    sheet.keep_going()?;
+    if zeros.is_empty() {
+        let why = Text::new(
+            "there is no equilibrium between {from} and {to}: write a wider range of angles, or other loads",
+        );
+        return Err(Refusal::NoAnswer(why.with_quantity("from", from, "deg").with_quantity("to", to, "deg")));
+    }
+    if zeros.len() > MOST {
+        let why = Text::new("there are {number} equilibria in the range of angles: write a narrower one");
+        return Err(Refusal::NoAnswer(why.with("number", zeros.len())));
+    }
+    let mut counts = [0; 3];
+    let mut list = Vec::new();
+    for (row, at) in zeros.into_iter().enumerate() {
+        let n = row + 1;
+        let at = polished(at, &numbers);
+        let at = if at.abs() <= 1e-12 * (to - from) { 0.0 } else { at };
+        let [energy, _, second] = numbers(at);
+        let stability = if second.abs() <= ROUNDING * curvature {
+            Stability::Critical
+        } else if second > 0.0 {
+            Stability::Stable
+        } else {
+            Stability::Unstable
+        };
+        let angle = sheet.found(
+            ("θ", n),
+            "deg",
+            at,
+            (
+                "Equilibrium, δV = 0: where δV/δθ changes its sign in the range, closed in on by Brent's method",
+                HIBBELER.at("§11.6"),
+            ),
+        );
+        let [_, first, bend] = terms(n, angle);
+        let first = sheet.step(
+            ("V′", n),
+            "N*m",
+            first,
+            ("δV/δθ there: the virtual works sum to zero", BEER.at("§10.2C")),
+        );
+        sheet.check_zero("the slope of the potential energy is zero in equilibrium", first, slope);
+        let words = match stability {
+            Stability::Stable => "d²V/dθ² > 0: the potential energy is least, the equilibrium is stable",
+            Stability::Unstable => {
+                "d²V/dθ² < 0: the potential energy is largest, the equilibrium is unstable"
+            }
+            Stability::Critical => "d²V/dθ² = 0: the limit of stability, which higher derivatives decide",
+        };
+        let bend = sheet.step(("V″", n), "N*m/rad", bend, (words, BEER.at("§10.2D")));
+        let count = &mut counts[stability as usize];
+        *count += 1;
+        let [(angle_key, angle_label), (curvature_key, curvature_label)] = stability.answers();
+        sheet.answer((angle_key, *count), angle_label, angle);
+        sheet.answer((curvature_key, *count), curvature_label, bend);
+        list.push(Equilibrium { at, energy, curvature: second, stability });
+    }
+    let shown = list.clone();
+    sheet.show(|| Exhibit::Plot(potential(&shown, [from, to], &numbers)));
+    sheet.show(|| Exhibit::Table(table(&shown)));
+    Ok(list)
+}
+
+/// A zero of `V′` to the last digit, by Newton's method.
+fn polished(at: f64, numbers: impl Fn(f64) -> [f64; 3]) -> f64 {
+    let [_, slope, curvature] = numbers(at);
+    let better = at - slope / curvature;
+    if better.is_finite() && numbers(better)[1].abs() < slope.abs() { better } else { at }
+}
+
+/// Holds the virtual work to the equations of Newton and Euler: at every equilibrium the holding couple is zero.
+pub(crate) fn check_held<W: Worksheet>(
+    sheet: W,
+    list: &[Equilibrium],
+    scale: f64,
+    built: impl Fn(f64) -> Option<(Mechanism, Vec<[f64; 3]>)>,
+) {
+    for equilibrium in list {
+        let effort = built(equilibrium.at).and_then(|(mechanism, drawn)| solved(&mechanism, &drawn));
+        if let Some(effort) = effort {
+            sheet.check_zero(
+                "nothing is needed to hold it there, by Newton and Euler for every body",
+                W::Num::from(effort.newton_euler[0]),
+                scale,
+            );
+        }
+    }
+}
+
+/// The efforts and reactions of a mechanism that stands still; none where it does not determine them.
+pub(crate) fn solved(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Option<Dynamics> {
+    let system = System::new(mechanism, drawn).ok()?;
+    let positions = system.assemble(drawn).ok()?;
+    let state = system.motion(&positions).ok()?;
+    system.dynamics(&state).ok()
+}
+
+/// A downward force.
+pub(crate) fn down(at: Point, force: f64) -> Load {
+    Load::Force { at, force: [0.0, -force], turns_with: None }
+}
+
+/// Angles of a film that swings through a range and back, beginning with the present one.
+fn swing(present: f64, [from, to]: [f64; 2]) -> Vec<f64> {
+    const FRAMES: u32 = 24;
+    let (middle, half) = (f64::midpoint(from, to), (to - from) / 2.0);
+    let phase = ((present - middle) / half).clamp(-1.0, 1.0).asin();
+    (0..FRAMES)
+        .map(|n| middle + half * (phase + std::f64::consts::TAU * f64::from(n) / f64::from(FRAMES)).sin())
+        .collect()
+}
+
+/// A machine that swings through a range of angles and back.
+pub(crate) fn film(
+    title: &'static str,
+    present: f64,
+    range: [f64; 2],
+    frame: impl Fn(f64) -> Vec<DrawnShape>,
+) -> Exhibit {
+    let frames = swing(present, range).into_iter().map(frame).collect();
+    Exhibit::Film(Film { title: title.into(), frames, period: 3.0 })
+}
+
+/// An arrow with its name at the tail.
+pub(crate) fn arrow(tail: At, [x, y]: [f64; 2], name: &'static str) -> [DrawnShape; 2] {
+    [
+        DrawnShape::Arrow(tail, (tail.0 + x, tail.1 + y), Ink::Force),
+        DrawnShape::Label((tail.0 + 1.1 * x, tail.1 + 1.1 * y), name.into()),
+    ]
+}
+
+/// Evenly spread numbers, both ends included.
+pub(crate) fn spread([from, to]: [f64; 2], steps: u32) -> impl Iterator<Item = f64> {
+    (0..=steps).map(move |n| from + (to - from) * f64::from(n) / f64::from(steps))
+}
+
+/// The angle most worth drawing: the first stable equilibrium that is not the origin, else the first.
+pub(crate) fn telling(list: &[Equilibrium]) -> f64 {
+    let stable = list.iter().find(|one| one.stability == Stability::Stable && one.at != 0.0);
+    stable.or(list.first()).map_or(0.0, |one| one.at)
+}
+
+fn potential(list: &[Equilibrium], range: [f64; 2], numbers: impl Fn(f64) -> [f64; 3]) -> Plot {
+    let curve = spread(range, 360).map(|at| (at, numbers(at)[0])).collect();
+    let plot = Plot::new(
+        "Potential energy and its equilibria",
+        Axis::linear("angle", "deg"),
+        Axis::linear("potential energy", "J"),
+        vec![Series::line("V", curve)],
+    );
+    list.iter().fold(plot, |plot, one| plot.mark(one.stability.word(), (one.at, one.energy)))
+}
+
+fn table(list: &[Equilibrium]) -> TableExhibit {
+    let column = |heading: &'static str, unit: &'static str| Column { heading: heading.into(), unit };
+    TableExhibit {
+        title: "Equilibria in the range".into(),
+        columns: vec![
+            column("Angle", "deg"),
+            column("Potential energy", "J"),
+            column("Its curvature", "N*m/rad"),
+            column("Equilibrium", ""),
+        ],
+        rows: list
+            .iter()
+            .map(|one| {
+                vec![
+                    Cell::Number(one.at),
+                    Cell::Number(one.energy),
+                    Cell::Number(one.curvature),
+                    Cell::Text(one.stability.word()),
+                ]
+            })
+            .collect(),
+        foot: Vec::new(),
+    }
+}

@@ -1,0 +1,453 @@
+//! An arm that turns about a pivot under a load and a spring: where it balances, and whether it stays there.
+
+mod law;
+mod picture;
+
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Worksheet, register};
+use dalembert_mechanics::Real;
+
+pub use crate::one_freedom::Position;
+use crate::one_freedom::PositionGiven;
+use crate::{
+    equilibria::{Equilibrium, Stability, check_held, solved, telling},
+    sources::{BEER, HIBBELER, RIUL},
+};
+use law::{Geometry, Height, Law};
+
+/// An arm on a pivot, loaded, and held by a spring.
+///
+/// The angle θ grows clockwise from the position of reference. One of stiffness, load and position is left out or
+/// sought.
+#[derive(Clone, Debug, Inputs)]
+pub struct SpringLever {
+    /// The arm at θ = 0.
+    pub reference: Start,
+    /// Load.
+    pub load: Load,
+    /// Spring.
+    pub spring: Spring,
+    /// Position.
+    pub position: Position,
+}
+
+/// Where the arm stands at θ = 0; θ grows clockwise.
+#[derive(Clone, Copy, Debug, Inputs)]
+pub enum Start {
+    /// Upright
+    Upright,
+    /// Horizontal, to the right
+    /// The load on the arm goes down as θ grows.
+    Horizontal,
+    /// Hanging
+    Hanging,
+    /// Tilted from the upright position
+    Tilted {
+        /// Angle from the upright position, clockwise.
+        #[input("φ₀", "deg", min = -360, max = 360)]
+        tilt: f64,
+    },
+}
+
+/// What acts on the arm.
+#[derive(Clone, Debug, Inputs)]
+pub enum Load {
+    /// Mass on the arm
+    Mass {
+        /// Mass.
+        /// Left out, it is sought from the position.
+        #[input("m", "kg", positive)]
+        mass: Option<f64>,
+        /// Distance of its centre from the pivot.
+        #[input("l", "m", positive)]
+        arm: f64,
+        /// Acceleration of gravity.
+        #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+        gravity: f64,
+    },
+    /// Vertical force on the arm
+    Force {
+        /// Force, downwards.
+        /// Left out, it is sought from the position.
+        #[input("P", "N", positive)]
+        force: Option<f64>,
+        /// Distance of its point from the pivot.
+        #[input("l", "m", positive)]
+        arm: f64,
+    },
+    /// Couple on the arm
+    Couple {
+        /// Couple, in the sense of θ.
+        /// Left out, it is sought from the position.
+        #[input("M", "N*m")]
+        couple: Option<f64>,
+    },
+}
+
+/// What holds the arm.
+#[derive(Clone, Debug, Inputs)]
+pub enum Spring {
+    /// Torsion spring at the pivot
+    Torsion {
+        /// Stiffness.
+        /// Left out, it is sought from the position.
+        #[input("k", "N*m/rad", positive)]
+        stiffness: Option<f64>,
+        /// Angle at which it is untwisted.
+        /// Zero where it is left out.
+        #[input("θ₀", "deg", min = -3600, max = 3600)]
+        free: Option<f64>,
+    },
+    /// Spring on a cord around a drum
+    /// The drum is fixed to the arm.
+    Drum {
+        /// Stiffness.
+        /// Left out, it is sought from the position.
+        #[input("k", "N/m", positive)]
+        stiffness: Option<f64>,
+        /// Radius of the drum.
+        #[input("a", "m", positive)]
+        radius: f64,
+        /// Angle at which it is unstretched.
+        /// Zero where it is left out.
+        #[input("θ₀", "deg", min = -3600, max = 3600)]
+        free: Option<f64>,
+    },
+    /// Spring between the arm and a fixed point
+    Points {
+        /// Stiffness.
+        /// Left out, it is sought from the position.
+        #[input("k", "N/m", positive)]
+        stiffness: Option<f64>,
+        /// Distance of its end on the arm from the pivot.
+        #[input("b", "m", positive)]
+        on_arm: f64,
+        /// Angle of that end from the line of the arm, clockwise.
+        /// 180° on the other side of the pivot.
+        #[input("γ", "deg", min = -360, max = 360, default = "0 deg")]
+        on_arm_angle: f64,
+        /// Distance of its fixed end from the pivot.
+        #[input("d", "m", positive)]
+        fixed: f64,
+        /// Angle of the fixed end from the arm at θ = 0, clockwise.
+        #[input("δ", "deg", min = -360, max = 360)]
+        fixed_angle: f64,
+        /// Unstretched.
+        unstretched: Unstretched,
+    },
+    /// Two springs, one on each side
+    /// Square to the arm at θ = 0, unstretched there, and so long that they keep their direction.
+    Sides {
+        /// Stiffness of each.
+        /// Left out, it is sought from the position.
+        #[input("k", "N/m", positive)]
+        stiffness: Option<f64>,
+        /// Distance from the pivot.
+        #[input("a", "m", positive)]
+        height: f64,
+    },
+}
+
+/// When a spring between points is unstretched.
+#[derive(Clone, Debug, Inputs)]
+pub enum Unstretched {
+    /// At an angle of the arm
+    Angle {
+        /// Angle of the arm.
+        #[input("θ₀", "deg", min = -3600, max = 3600, default = "0 deg")]
+        angle: f64,
+    },
+    /// At a length
+    Length {
+        /// Unstretched length.
+        #[input("s₀", "m", nonnegative)]
+        length: f64,
+    },
+}
+
+register!(SpringLever);
+
+impl Analysis for SpringLever {
+    const ABOUT: About = About {
+        id: "virtual-work/spring-lever",
+        title: "Arm with a spring",
+        summary: "All equilibria of a loaded arm held by a spring, and whether they are stable; or the load or stiffness for a given angle.",
+        keywords: "lever torsion spring drum disc weight inverted pendulum potential energy stability equilibrium critical \
+                   alavanca mola de torção tambor disco pêndulo invertido energia potencial estabilidade equilíbrio",
+        sources: &[&BEER, &HIBBELER, &RIUL],
+        cases: include_str!("../cases/spring_lever.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &SpringLeverGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let height = match &given.reference {
+            StartGiven::Upright {} => Height::Upright,
+            StartGiven::Horizontal {} => Height::Horizontal,
+            StartGiven::Hanging {} => Height::Hanging,
+            StartGiven::Tilted { tilt } => Height::Tilted(*tilt),
+        };
+        let height = if matches!(given.load, LoadGiven::Couple { .. }) { Height::Couple } else { height };
+        let moment = load_moment(&given.load, sheet);
+        let (stiffness, geometry) = spring(&given.spring, sheet);
+        let law = Law { geometry, height };
+        let numbers = law.value();
+        match &given.position {
+            PositionGiven::Sought { from, to } => {
+                let (Some(k), Some(moment)) = (stiffness, moment) else {
+                    return Err(Refusal::because(
+                        "load or stiffness is left out: write it, or write the angle at which the arm is to be in equilibrium",
+                    ));
+                };
+                let range = [from.value(), to.value()];
+                let list = law.equilibria(k, moment, range, sheet)?;
+                self.critical(given, k, moment, &law, sheet);
+                sheet.verify(|| {
+                    check_held(sheet, &list, moment.value().abs(), |at| {
+                        Some(self.built(&numbers, k.value(), moment.value(), at))
+                    });
+                });
+                self.show(&numbers, k.value(), Some(moment.value()), range, &list, sheet);
+            }
+            PositionGiven::Given { angle } => {
+                let (k, moment) = self.at_angle(given, &law, stiffness, moment, *angle, sheet)?;
+                let at = angle.value();
+                let [energy, _, curvature] = numbers.potential(k, moment, at);
+                let here = Equilibrium { at, energy, curvature, stability: Stability::Critical };
+                let range = [at.min(0.0) - 0.5, at.max(0.0) + 0.5];
+                self.show(&numbers, k, None, range, &[here], sheet);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The load about the pivot with a horizontal arm, where it is known.
+fn load_moment<W: Worksheet>(load: &LoadGiven<W>, sheet: W) -> Option<W::Num> {
+    let words = "Moment of the load about the pivot with the arm horizontal";
+    match load {
+        LoadGiven::Mass { mass, arm, gravity } => {
+            let weight = sheet.step("W", "N", (*mass)? * *gravity, "Weight");
+            Some(sheet.step("M", "N*m", weight * *arm, words))
+        }
+        LoadGiven::Force { force, arm } => Some(sheet.step("M", "N*m", (*force)? * *arm, words)),
+        LoadGiven::Couple { couple } => *couple,
+    }
+}
+
+/// The stiffness of the spring, where it is known, and how the spring is stretched.
+fn spring<W: Worksheet>(spring: &SpringGiven<W>, sheet: W) -> (Option<W::Num>, Geometry<W::Num>) {
+    match spring {
+        SpringGiven::Torsion { stiffness, free } => (*stiffness, Geometry::Torsion { free: *free }),
+        SpringGiven::Drum { stiffness, radius, free } => {
+            (*stiffness, Geometry::Drum { radius: *radius, free: *free })
+        }
+        SpringGiven::Sides { stiffness, height } => (*stiffness, Geometry::Sides { height: *height }),
+        SpringGiven::Points { stiffness, on_arm, on_arm_angle, fixed, fixed_angle, unstretched } => {
+            let between = sheet.step(
+                "ψ₀",
+                "deg",
+                *on_arm_angle - *fixed_angle,
+                "Angle at the pivot between the two ends of the spring at θ = 0; at θ it is θ + ψ₀",
+            );
+            let free = match unstretched {
+                UnstretchedGiven::Length { length } => *length,
+                UnstretchedGiven::Angle { angle } => sheet.step(
+                    "s₀",
+                    "mm",
+                    law::length(*on_arm, *fixed, *angle + between),
+                    "Unstretched length, by the law of cosines",
+                ),
+            };
+            (*stiffness, Geometry::Points { on_arm: *on_arm, fixed: *fixed, between, free })
+        }
+    }
+}
+
+impl SpringLever {
+    /// The one number that is left out, or the couple that holds the arm, at a given angle.
+    fn at_angle<W: Worksheet>(
+        &self,
+        given: &SpringLeverGiven<W>,
+        law: &Law<W::Num>,
+        stiffness: Option<W::Num>,
+        moment: Option<W::Num>,
+        angle: W::Num,
+        sheet: W,
+    ) -> Result<(f64, f64), Refusal> {
+        let [energy, unit, second] = law.unit_spring(1, angle, sheet);
+        let unit = sheet.step(
+            "u′",
+            if matches!(law.geometry, Geometry::Torsion { .. }) { "rad" } else { "mm^2" },
+            unit,
+            "Stretch of the spring times its virtual change over δθ: the couple of the spring is k u′",
+        );
+        let (down, drop) = law.height.slope(angle);
+        let (k, moment) = match (stiffness, moment) {
+            (None, None) => {
+                return Err(Refusal::because(
+                    "both load and stiffness are left out: the angle tells only one of them",
+                ));
+            }
+            (Some(k), Some(moment)) => {
+                let couple = sheet.step(
+                    "T",
+                    "N*m",
+                    if down { k * unit - moment * drop } else { k * unit + moment * drop },
+                    ("Couple that holds the arm, in the sense of θ: T δθ and the works of spring and load sum to zero", RIUL.at("eq. 3")),
+                );
+                sheet.answer("holding_couple", "Couple that holds the arm", couple);
+                (k, moment)
+            }
+            (Some(k), None) => {
+                if drop.value().abs() < 1e-12 {
+                    return Err(Refusal::because(
+                        "at this angle the arm is vertical: the load does no work, so no load can be told from it",
+                    ));
+                }
+                let spring = k * unit;
+                let moment = if down { spring / drop } else { -spring / drop };
+                let words = ("Load whose virtual work is that of the spring", BEER.at("§10.1C"));
+                let moment = match &given.load {
+                    LoadGiven::Mass { arm, gravity, .. } => {
+                        let weight = sheet.step("W", "N", moment / *arm, words);
+                        let mass = sheet.step("m", "kg", weight / *gravity, "Mass of that weight");
+                        sheet.answer("mass", "Mass for equilibrium at this angle", mass);
+                        weight * *arm
+                    }
+                    LoadGiven::Force { arm, .. } => {
+                        let force = sheet.step("P", "N", moment / *arm, words);
+                        sheet.answer("force", "Force for equilibrium at this angle", force);
+                        force * *arm
+                    }
+                    LoadGiven::Couple { .. } => {
+                        let couple = sheet.step("M", "N*m", moment, words);
+                        sheet.answer("couple", "Couple for equilibrium at this angle", couple);
+                        couple
+                    }
+                };
+                (k, moment)
+            }
+            (None, Some(moment)) => {
+                if unit.value() == 0.0 {
+                    return Err(Refusal::because(
+                        "at this angle the spring is unstretched or pulls through the pivot: no stiffness can be told from it",
+                    ));
+                }
+                let load = moment * drop;
+                let k = if down { load / unit } else { -load / unit };
+                let unit_of =
+                    if matches!(law.geometry, Geometry::Torsion { .. }) { "N*m/rad" } else { "N/m" };
+                let k = sheet.step(
+                    "k",
+                    unit_of,
+                    k,
+                    (
+                        "Stiffness with which the virtual work of the spring is that of the load",
+                        BEER.at("§10.1C"),
+                    ),
+                );
+                sheet.answer("stiffness", "Stiffness for equilibrium at this angle", k);
+                if k.value() < 0.0 {
+                    sheet.warn(|| {
+                        "the stiffness is negative: at this angle load and spring turn the arm the same way".into()
+                    });
+                }
+                (k, moment)
+            }
+        };
+        let bend = sheet.step(
+            "V″",
+            "N*m/rad",
+            law.with_load(k, moment, angle, [energy, unit, second])[2],
+            (
+                "Curvature of the potential energy: positive where the equilibrium is stable",
+                BEER.at("§10.2D"),
+            ),
+        );
+        sheet.answer("curvature", "Curvature of the potential energy", bend);
+        let (k, moment) = (k.value(), moment.value());
+        sheet.verify(|| {
+            let (mechanism, drawn) = self.built(&law.value(), k, moment, angle.value());
+            if let Some(effort) = solved(&mechanism, &drawn) {
+                let [_, first, _] = law.value().potential(k, moment, angle.value());
+                let size = moment.abs().max((k * unit.value()).abs());
+                sheet.check_zero(
+                    "the holding couple by Newton and Euler",
+                    W::Num::from(effort.newton_euler[0] + first),
+                    size,
+                );
+            }
+        });
+        Ok((k, moment))
+    }
+
+    /// Where θ = 0 is an equilibrium under any load, the load and the stiffness at which it ceases to be stable.
+    fn critical<W: Worksheet>(
+        &self,
+        given: &SpringLeverGiven<W>,
+        k: W::Num,
+        moment: W::Num,
+        law: &Law<W::Num>,
+        sheet: W,
+    ) {
+        let numbers = law.value();
+        let [_, slope, bend] = numbers.plain_spring(0.0);
+        if !matches!(law.height, Height::Upright) || slope != 0.0 || bend <= 0.0 {
+            return;
+        }
+        let bend = match &law.geometry {
+            Geometry::Points { on_arm, fixed, between, .. } => {
+                let rate = law::rate(*on_arm, *fixed, *between, law::length(*on_arm, *fixed, *between));
+                sheet.step("s′₀", "mm", rate, "Slope of the length of the spring at θ = 0").powi(2)
+            }
+            Geometry::Torsion { .. } => W::Num::from(1.0),
+            Geometry::Drum { radius, .. } => radius.powi(2),
+            Geometry::Sides { height } => height.powi(2) * 2.0,
+        };
+        let unit = if matches!(law.geometry, Geometry::Torsion { .. }) { "N*m/rad" } else { "N/m" };
+        let words = (
+            "Stiffness at which d²V/dθ² = 0 at θ = 0: a larger one holds the arm upright",
+            BEER.at("§10.2D"),
+        );
+        let torsion = matches!(law.geometry, Geometry::Torsion { .. });
+        let critical = sheet.step("k_c", unit, if torsion { moment } else { moment / bend }, words);
+        sheet.answer("critical_stiffness", "Critical stiffness of the upright position", critical);
+        let words = "Load at which d²V/dθ² = 0 at θ = 0: a smaller one lets the arm stand upright";
+        let held = if torsion { k } else { k * bend };
+        match &given.load {
+            LoadGiven::Mass { arm, gravity, .. } => {
+                let mass = sheet.step("m_c", "kg", held / (*gravity * *arm), words);
+                sheet.answer("critical_mass", "Critical mass of the upright position", mass);
+            }
+            LoadGiven::Force { arm, .. } => {
+                let force = sheet.step("P_c", "N", held / *arm, words);
+                sheet.answer("critical_force", "Critical force of the upright position", force);
+            }
+            LoadGiven::Couple { .. } => {}
+        }
+        sheet.verify(|| {
+            let [_, _, left] = numbers.potential(critical.value(), moment.value(), 0.0);
+            sheet.check_zero(
+                "the curvature of the potential energy at θ = 0 with the critical stiffness",
+                W::Num::from(left),
+                moment.value(),
+            );
+        });
+    }
+
+    fn show<W: Worksheet>(
+        &self,
+        numbers: &Law<f64>,
+        k: f64,
+        moment: Option<f64>,
+        range: [f64; 2],
+        list: &[Equilibrium],
+        sheet: W,
+    ) {
+        let arm = match &self.load {
+            Load::Mass { arm, .. } | Load::Force { arm, .. } => Some(*arm),
+            Load::Couple { .. } => None,
+        };
+        sheet.show(|| Exhibit::Plot(picture::load_over_angle(numbers, k, arm, moment, range)));
+        let at = telling(list);
+        sheet.show(|| self.film(at, range));
+    }
+}
