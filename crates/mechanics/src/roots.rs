@@ -159,6 +159,16 @@ pub fn find_all(
     Ok(zeros)
 }
 
+/// The zero of a continuous function between two neighbours of a table of it, points and values; none where both values
+/// have the same sign. A value of zero counts as negative, so that a zero on a point of the table is found once.
+pub fn crossing(neighbours: &[(f64, f64)], function: impl FnMut(f64) -> f64) -> Option<f64> {
+    let [(from, before), (to, after)] = neighbours else { return None };
+    if (*before > 0.0) == (*after > 0.0) {
+        return None;
+    }
+    find(function, [*from, *to], |_| ControlFlow::Continue(())).ok()
+}
+
 /// The step from `b` to the zero of the interpolation through three points, or through two where they coincide.
 fn interpolated([a, b, c]: [f64; 3], [fa, fb, fc]: [f64; 3]) -> Option<f64> {
     let s = fb / fa;

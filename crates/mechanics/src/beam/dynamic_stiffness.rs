@@ -11,7 +11,7 @@
 
 use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
 
-use crate::vibration::gauss;
+use crate::{roots, vibration::gauss};
 
 pub mod spans;
 
@@ -641,24 +641,12 @@ impl Shape {
             .chain([(1.0, self.state(1.0).deflection)])
             .filter(|(_, w)| w.abs() > 1e-9)
             .collect();
-        let held =
-            |from: f64, to: f64| self.beam.stations.iter().any(|at| at.held && from <= at.at && at.at <= to);
-        sampled
-            .windows(2)
-            .filter(|pair| (pair[0].1 > 0.0) != (pair[1].1 > 0.0) && !held(pair[0].0, pair[1].0))
-            .map(|pair| {
-                let (mut low, mut high) = (pair[0].0, pair[1].0);
-                for _ in 0..42 {
-                    let middle = 0.5 * (low + high);
-                    if (self.state(middle).deflection > 0.0) == (pair[0].1 > 0.0) {
-                        low = middle;
-                    } else {
-                        high = middle;
-                    }
-                }
-                0.5 * (low + high)
-            })
-            .collect()
+        let stations = &self.beam.stations;
+        let free = |pair: &&[(f64, f64)]| {
+            !stations.iter().any(|at| at.held && pair[0].0 <= at.at && at.at <= pair[1].0)
+        };
+        let crossing = |pair| roots::crossing(pair, |xi| self.state(xi).deflection);
+        sampled.windows(2).filter(free).filter_map(crossing).collect()
     }
 
     /// Rayleigh's quotient of the shape: twice the largest strain energy, that of axial force, foundation and

@@ -10,6 +10,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::{
     linalg::{self, LinalgError},
+    roots,
     vibration::gauss,
 };
 
@@ -193,21 +194,7 @@ impl Shape {
         let at = |n: usize| n as f64 / parts as f64;
         let samples: Vec<(f64, f64)> =
             (1..parts).map(|n| (at(n), self.deflection(at(n)))).filter(|(_, w)| w.abs() > 1e-9).collect();
-        let between = samples.windows(2).filter(|pair| (pair[0].1 > 0.0) != (pair[1].1 > 0.0));
-        between
-            .map(|pair| {
-                let (mut low, mut high) = (pair[0].0, pair[1].0);
-                for _ in 0..55 {
-                    let middle = 0.5 * (low + high);
-                    if (self.deflection(middle) > 0.0) == (pair[0].1 > 0.0) {
-                        low = middle;
-                    } else {
-                        high = middle;
-                    }
-                }
-                0.5 * (low + high)
-            })
-            .collect()
+        samples.windows(2).filter_map(|pair| roots::crossing(pair, |xi| self.deflection(xi))).collect()
     }
 
     pub(super) fn scaled(mut self) -> Self {

@@ -4,9 +4,12 @@
 //! NASA SP-160 (1969), chapters 2 and 4.
 
 use super::{bessel, gauss};
-use crate::beam::dynamic_stiffness::{
-    BeamError,
-    spans::{Joint, Span, SpanShape, Spans},
+use crate::{
+    beam::dynamic_stiffness::{
+        BeamError,
+        spans::{Joint, Span, SpanShape, Spans},
+    },
+    roots,
 };
 
 /// What holds an edge.
@@ -122,21 +125,7 @@ impl RoundMode {
         let parts = 40 * self.place;
         let at = |n: usize| n as f64 / parts as f64;
         let values: Vec<(f64, f64)> = (1..parts).map(|n| (at(n), self.deflection(at(n)))).collect();
-        let through = values.windows(2).filter(|pair| (pair[0].1 > 0.0) != (pair[1].1 > 0.0));
-        through
-            .map(|pair| {
-                let (mut low, mut high) = (pair[0].0, pair[1].0);
-                for _ in 0..45 {
-                    let middle = 0.5 * (low + high);
-                    if (self.deflection(middle) > 0.0) == (pair[0].1 > 0.0) {
-                        low = middle;
-                    } else {
-                        high = middle;
-                    }
-                }
-                0.5 * (low + high)
-            })
-            .collect()
+        values.windows(2).filter_map(|pair| roots::crossing(pair, |r| self.deflection(r))).collect()
     }
 
     /// Strain energy over kinetic energy at unit frequency, integrated over the area: `λ⁴` of a plate, `λ²` of a

@@ -8,6 +8,7 @@ use nalgebra::{Matrix2, Vector2, Vector4};
 use super::{Beam, BeamError, Chain, MOST_WAVES, Node, SEGMENTS, Segment, negatives};
 use crate::{
     linalg::{LinalgError, SymmetricBand, lowest_modes},
+    roots,
     vibration::gauss,
 };
 
@@ -359,23 +360,10 @@ impl SpanShape {
             place += self.beam.spans.get(n).map_or(0.0, |span| span.length);
         }
         let sampled: Vec<(f64, f64)> = self.along(8).into_iter().filter(|(_, w)| w.abs() > 1e-9).collect();
-        let through = |pair: &&[(f64, f64)]| {
-            (pair[0].1 > 0.0) != (pair[1].1 > 0.0)
-                && !held.iter().any(|at| pair[0].0 <= *at && *at <= pair[1].0)
-        };
-        let zero = |pair: &[(f64, f64)]| {
-            let (mut low, mut high) = (pair[0].0, pair[1].0);
-            for _ in 0..42 {
-                let middle = 0.5 * (low + high);
-                if (self.deflection(middle) > 0.0) == (pair[0].1 > 0.0) {
-                    low = middle;
-                } else {
-                    high = middle;
-                }
-            }
-            0.5 * (low + high)
-        };
-        sampled.windows(2).filter(through).map(zero).collect()
+        let free =
+            |pair: &&[(f64, f64)]| !held.iter().any(|at| pair[0].0 <= *at && *at <= pair[1].0);
+        let crossing = |pair| roots::crossing(pair, |x| self.deflection(x));
+        sampled.windows(2).filter(free).filter_map(crossing).collect()
     }
 
     /// Rayleigh's quotient: twice the strain energy, that of axial force, foundation and joints included, over twice
