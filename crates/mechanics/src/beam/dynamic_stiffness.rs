@@ -11,9 +11,12 @@
 
 use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
 
+use self::search::Search;
 use crate::{roots, vibration::gauss};
 
 pub mod spans;
+
+mod search;
 
 /// Largest angles of the wave in a segment, rad; a segment clamped at both ends vibrates first at 4.73. The second
 /// one serves where the first one cuts the beam so that a part of it resonates by itself.
@@ -136,72 +139,12 @@ impl Beam {
         if self.is_buckled()? {
             return Err(BeamError::Buckled);
         }
-        let rigid = self.rigid_motions();
-        let mut roots: Vec<f64> = Vec::with_capacity(count);
-        for n in 1..=count {
-            let lower = roots.last().map_or(0.0, |root| root * (1.0 - 1e-12));
-            let root = SEGMENTS.iter().find_map(|angle| self.root(rigid + n, lower, *angle).ok());
-            roots.push(root.map_or_else(|| self.root(rigid + n, lower, SEGMENTS[0]), Ok)?);
-        }
-        Ok(roots)
-    }
-
-    /// The lowest β with `wanted` frequencies below it.
-    fn root(&self, wanted: usize, lower: f64, angle: f64) -> Result<f64, BeamError> {
-        let (mut low, mut below) = (lower, 0);
-        let mut high = lower + 4.0;
-        let mut above = self.count_below(high.powi(4), angle)?;
-        while above < wanted {
-            (low, below) = (high, above);
-            high *= 1.5;
-            above = self.count_below(high.powi(4), angle)?;
-        }
-        for _ in 0..400 {
-            let width = high - low;
-            // Alone between the bounds, a root is found from its shape.
-            if width <= 0.05 * high
-                && above == wanted
-                && below + 1 == wanted
-                && let Some(root) = self.polished([low, high])
-            {
-                return Ok(root);
-            }
-            if width <= 1e-9 * high {
-                return self.polished([low, high]).ok_or(BeamError::NotConverged);
-            }
-            // A root far below one is found by its order of size first.
-            let middle = if low == 0.0 { high / 8.0 } else { 0.5 * (low + high) };
-            if middle < 1e-60 {
-                return Err(BeamError::NotConverged);
-            }
-            let count = self.count_below(middle.powi(4), angle)?;
-            if count < wanted {
-                (low, below) = (middle, count);
-            } else {
-                (high, above) = (middle, count);
-            }
-        }
-        Err(BeamError::NotConverged)
-    }
-
-    /// The root between two bounds from its shape: the error of Rayleigh's quotient is the square of that of the
-    /// shape, and each round is of the next one's.
-    fn polished(&self, [low, high]: [f64; 2]) -> Option<f64> {
-        let slack = 1e-6 * high;
-        let mut root = 0.5 * (low + high);
-        for _ in 0..6 {
-            let next = self.unscaled(root).ok()?.rayleigh_quotient().sqrt().sqrt();
-            if !(low - slack..=high + slack).contains(&next) {
-                return None;
-            }
-            let step = (next - root).abs();
-            root = next;
-            // Beyond this, the next round changes nothing any more.
-            if step <= 1e-8 * root {
-                return Some(root);
-            }
-        }
-        None
+        let search = Search {
+            count: |lambda: f64, angle: f64| self.count_below(lambda, angle),
+            quotient: |beta: f64| Ok(self.unscaled(beta)?.rayleigh_quotient()),
+            alone: 0.05,
+        };
+        search.roots(self.rigid_motions(), count)
     }
 
     /// How many `λ` of the beam lie below this one.

@@ -5,7 +5,7 @@
 
 use nalgebra::{Matrix2, Vector2, Vector4};
 
-use super::{Beam, BeamError, Chain, MOST_WAVES, Node, SEGMENTS, Segment, negatives};
+use super::{Beam, BeamError, Chain, MOST_WAVES, Node, SEGMENTS, Segment, negatives, search::Search};
 use crate::{
     linalg::{LinalgError, SymmetricBand, lowest_modes},
     roots,
@@ -109,13 +109,13 @@ impl Spans {
                 return Err(BeamError::Buckled);
             }
         }
-        let mut roots: Vec<f64> = Vec::with_capacity(count);
-        for n in 1..=count {
-            let lower = roots.last().map_or(0.0, |root| root * (1.0 - 1e-12));
-            let root = SEGMENTS.iter().find_map(|angle| self.root(rigid + n, lower, *angle).ok());
-            roots.push(root.map_or_else(|| self.root(rigid + n, lower, SEGMENTS[0]), Ok)?);
-        }
-        Ok(roots)
+        let search = Search {
+            count: |lambda: f64, angle: f64| self.count(lambda, angle),
+            quotient: |beta: f64| Ok(self.unscaled(beta)?.rayleigh_quotient()),
+            // A shape of several spans settles later.
+            alone: 0.02,
+        };
+        search.roots(rigid, count)
     }
 
     /// Motions as a whole that nothing holds: none, one or two.
@@ -193,61 +193,6 @@ impl Spans {
         let rigid = self.rigid_motions();
         let modes = lowest_modes(&stiffness, &mass, (rigid + count).min(size))?;
         Ok(modes.values.iter().skip(rigid).copied().collect())
-    }
-
-    /// The lowest β with `wanted` frequencies below it.
-    fn root(&self, wanted: usize, lower: f64, angle: f64) -> Result<f64, BeamError> {
-        let (mut low, mut below) = (lower, 0);
-        let mut high = lower + 4.0;
-        let mut above = self.count(high.powi(4), angle)?;
-        while above < wanted {
-            (low, below) = (high, above);
-            high *= 1.5;
-            above = self.count(high.powi(4), angle)?;
-        }
-        for _ in 0..400 {
-            let width = high - low;
-            // Alone between the bounds, a root is found from its shape.
-            if width <= 0.02 * high
-                && above == wanted
-                && below + 1 == wanted
-                && let Some(root) = self.polished([low, high])
-            {
-                return Ok(root);
-            }
-            if width <= 1e-9 * high {
-                return self.polished([low, high]).ok_or(BeamError::NotConverged);
-            }
-            let middle = if low == 0.0 { high / 8.0 } else { 0.5 * (low + high) };
-            if middle < 1e-60 {
-                return Err(BeamError::NotConverged);
-            }
-            let count = self.count(middle.powi(4), angle)?;
-            if count < wanted {
-                (low, below) = (middle, count);
-            } else {
-                (high, above) = (middle, count);
-            }
-        }
-        Err(BeamError::NotConverged)
-    }
-
-    /// The root between two bounds from its shape, whose error is squared in Rayleigh's quotient.
-    fn polished(&self, [low, high]: [f64; 2]) -> Option<f64> {
-        let slack = 1e-6 * high;
-        let mut root = 0.5 * (low + high);
-        for _ in 0..6 {
-            let next = self.unscaled(root).ok()?.rayleigh_quotient().sqrt().sqrt();
-            if !(low - slack..=high + slack).contains(&next) {
-                return None;
-            }
-            let step = (next - root).abs();
-            root = next;
-            if step <= 1e-8 * root {
-                return Some(root);
-            }
-        }
-        None
     }
 
     /// How many `λ` lie below this one.
