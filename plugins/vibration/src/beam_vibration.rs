@@ -156,8 +156,8 @@ impl Analysis for BeamVibration {
     };
 
     fn solve<W: Worksheet>(&self, given: &BeamVibrationGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let (area, second_moment) = profile(&given.section, sheet)?;
-        let line = line_mass(&given.mass, area, sheet);
+        let (area, second_moment) = profile(&given.section, 0, sheet)?;
+        let line = line_mass(&given.mass, 0, area, sheet);
         let length = given.length;
         let bending = sheet.step("EI", "N*m^2", given.young * second_moment, "Bending stiffness");
         let unit = sheet.step(

@@ -102,24 +102,32 @@ pub(crate) fn shear_modulus<W: Worksheet>(given: &ShearModulusGiven<W>, sheet: W
     }
 }
 
-/// The mass of each length, kg/m, of a body with that area.
-pub(crate) fn line_mass<W: Worksheet>(given: &LineMassGiven<W>, area: W::Num, sheet: W) -> W::Num {
-    match given {
-        LineMassGiven::Density { density } => {
-            sheet.step("m̄", "kg/m", *density * area, "Mass of each length: density times area")
-        }
-        LineMassGiven::PerLength { mass } => *mass,
+/// The mass of each length, kg/m, of a body with that area; row 0 for the only body.
+pub(crate) fn line_mass<W: Worksheet>(
+    given: &LineMassGiven<W>,
+    row: usize,
+    area: W::Num,
+    sheet: W,
+) -> W::Num {
+    let (mass, why) = match given {
+        LineMassGiven::PerLength { mass } => return *mass,
+        LineMassGiven::Density { density } => (*density * area, "Mass of each length: density times area"),
         LineMassGiven::Weight { weight, gravity } => {
-            sheet.step("m̄", "kg/m", *weight / *gravity, "Mass of each length: weight over gravity")
+            (*weight / *gravity, "Mass of each length: weight over gravity")
         }
-    }
+    };
+    sheet.step(("m̄", row), "kg/m", mass, why)
 }
 
-/// Area, m², and second moment of area, m⁴, of a section.
+/// Area, m², and second moment of area, m⁴, of a section; row 0 for the only one.
 ///
 /// # Errors
 /// A tube whose inner diameter is not below the outer one.
-pub(crate) fn profile<W: Worksheet>(given: &ProfileGiven<W>, sheet: W) -> Result<(W::Num, W::Num), Refusal> {
+pub(crate) fn profile<W: Worksheet>(
+    given: &ProfileGiven<W>,
+    row: usize,
+    sheet: W,
+) -> Result<(W::Num, W::Num), Refusal> {
     let (area, second_moment) = match given {
         ProfileGiven::Given { area, second_moment } => return Ok((*area, *second_moment)),
         ProfileGiven::Round { diameter } => {
@@ -133,8 +141,9 @@ pub(crate) fn profile<W: Worksheet>(given: &ProfileGiven<W>, sheet: W) -> Result
             (section::rectangle_area(*breadth, *height), section::rectangle_second_moment(*breadth, *height))
         }
     };
-    let area = sheet.step("A", "cm^2", area, ("Area of the section", BEER.at("app. A")));
-    let second_moment = sheet.step("I", "cm^4", second_moment, ("Second moment of area", BEER.at("app. A")));
+    let area = sheet.step(("A", row), "cm^2", area, ("Area of the section", BEER.at("app. A")));
+    let why = ("Second moment of area", BEER.at("app. A"));
+    let second_moment = sheet.step(("I", row), "cm^4", second_moment, why);
     Ok((area, second_moment))
 }
 

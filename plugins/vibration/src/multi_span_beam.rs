@@ -10,12 +10,11 @@ use dalembert_mechanics::{
         BeamError,
         spans::{Joint, Span, SpanShape, Spans},
     },
-    section,
 };
 
 use crate::{
     beam_vibration::Support,
-    continuous::{LineMass, LineMassGiven, Profile, ProfileGiven, Sampled, shapes_film, shapes_plot, wall},
+    continuous::{LineMass, Profile, Sampled, line_mass, profile, shapes_film, shapes_plot},
     sources::{BEER, BLEVINS, RAO, WITTRICK},
 };
 
@@ -95,10 +94,10 @@ impl Analysis for MultiSpanBeam {
         }
         let mut properties = Vec::with_capacity(self.spans.len());
         for (n, span) in (1..).zip(&given.spans) {
-            let (area, second_moment) = section_of(n, &span.section, sheet)?;
+            let (area, second_moment) = profile(&span.section, n, sheet)?;
             let bending =
                 sheet.step(("EI", n), "N*m^2", span.young * second_moment, "Bending stiffness of the span");
-            let line = mass_of(n, &span.mass, area, sheet);
+            let line = line_mass(&span.mass, n, area, sheet);
             properties.push((bending, line));
         }
         let length =
@@ -238,43 +237,6 @@ impl MultiSpanBeam {
             joints: std::iter::once(&self.left).chain(ends).map(joint).collect(),
         }
     }
-}
-
-/// Area and second moment of the section of a span.
-fn section_of<W: Worksheet>(
-    n: usize,
-    given: &ProfileGiven<W>,
-    sheet: W,
-) -> Result<(W::Num, W::Num), Refusal> {
-    let (area, second_moment) = match given {
-        ProfileGiven::Given { area, second_moment } => return Ok((*area, *second_moment)),
-        ProfileGiven::Round { diameter } => {
-            (section::round_area(*diameter), section::round_second_moment(*diameter))
-        }
-        ProfileGiven::Tube { outer, inner } => {
-            wall(outer.value(), inner.value())?;
-            (section::tube_area(*outer, *inner), section::tube_second_moment(*outer, *inner))
-        }
-        ProfileGiven::Rectangle { breadth, height } => {
-            (section::rectangle_area(*breadth, *height), section::rectangle_second_moment(*breadth, *height))
-        }
-    };
-    let area = sheet.step(("A", n), "cm^2", area, ("Area of the section", BEER.at("app. A")));
-    let second_moment =
-        sheet.step(("I", n), "cm^4", second_moment, ("Second moment of area", BEER.at("app. A")));
-    Ok((area, second_moment))
-}
-
-/// Mass of each length of a span.
-fn mass_of<W: Worksheet>(n: usize, given: &LineMassGiven<W>, area: W::Num, sheet: W) -> W::Num {
-    let (mass, why) = match given {
-        LineMassGiven::PerLength { mass } => return *mass,
-        LineMassGiven::Density { density } => (*density * area, "Mass of each length: density times area"),
-        LineMassGiven::Weight { weight, gravity } => {
-            (*weight / *gravity, "Mass of each length: weight over gravity")
-        }
-    };
-    sheet.step(("m̄", n), "kg/m", mass, why)
 }
 
 /// What is left of the frequency equation of equal plain spans on pins, the ends both pinned or both clamped:

@@ -104,9 +104,9 @@ impl Analysis for ShaftWithDiscs {
 
     fn solve<W: Worksheet>(&self, given: &ShaftWithDiscsGiven<W>, sheet: W) -> Result<(), Refusal> {
         self.check()?;
-        let (area, second_moment) = profile(&given.section, sheet)?;
+        let (area, second_moment) = profile(&given.section, 0, sheet)?;
         let bending = sheet.step("EI", "N*m^2", given.young * second_moment, "Bending stiffness");
-        let line = given.own_mass.as_ref().map(|own| line_mass(own, area, sheet));
+        let line = given.own_mass.as_ref().map(|own| line_mass(own, 0, area, sheet));
         let mass = |(n, disc): (usize, &DiscGiven<W>)| match disc.load {
             LoadGiven::Mass { mass } => mass,
             LoadGiven::Weight { weight } => {

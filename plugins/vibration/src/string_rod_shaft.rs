@@ -357,9 +357,9 @@ fn body<W: Worksheet>(given: &BodyGiven<W>, length: W::Num, sheet: W) -> Result<
     match given {
         BodyGiven::String { tension, mass, area, left, right } => {
             let line = match mass {
-                LineMassGiven::Density { .. } => line_mass(mass, need(*area)?, sheet),
+                LineMassGiven::Density { .. } => line_mass(mass, 0, need(*area)?, sheet),
                 // The mass of each length does not ask for the area.
-                _ => line_mass(mass, W::Num::from(1.0), sheet),
+                _ => line_mass(mass, 0, W::Num::from(1.0), sheet),
             };
             let speed = sheet.step(
                 "c",
