@@ -7,6 +7,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
+    rotor::Way,
     sources::{MABIE, RIUL},
     views::{self, Shown},
 };
@@ -76,15 +77,6 @@ pub enum Correction {
         #[input("m", "kg", positive)]
         mass: f64,
     },
-}
-
-/// Whether a correction is put on or taken off.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Way {
-    /// Mass is added
-    Add,
-    /// Mass is removed by drilling
-    Drill,
 }
 
 register!(TwoPlane);
