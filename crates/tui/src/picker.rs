@@ -19,6 +19,8 @@ pub struct Listing {
     pub cases: Vec<Case>,
     /// Everything that the filter looks in beside the name, in both languages.
     words: String,
+    /// The same in lower case: a phrase is looked for at each key, in every analysis.
+    lowered: String,
 }
 
 /// What is chosen in the list.
@@ -63,7 +65,8 @@ impl Listing {
         ];
         words.extend(about.sources.iter().map(|source| format!("{} {}", source.short, source.full)));
         words.extend(cases.iter().map(|case| format!("{} {}", case.name, case.source)));
-        Self { entry, cases, words: words.join("\n") }
+        let words = words.join("\n");
+        Self { entry, cases, lowered: words.to_lowercase(), words }
     }
 
     /// Its title.
@@ -115,7 +118,7 @@ fn visible(listings: &[Listing], filter: &str) -> Vec<usize> {
         let best = |pattern: &Pattern, of: &mut dyn FnMut(&Pattern, &str) -> Option<u32>| {
             names.iter().filter_map(|name| of(pattern, name)).max()
         };
-        let together = || u8::from(listing.words.to_lowercase().contains(&phrase));
+        let together = || u8::from(listing.lowered.contains(&phrase));
         let exact = best(&as_is, &mut of).map(|score| (3, score));
         exact
             .or_else(|| of(&as_is, &listing.words).map(|score| (1 + together(), score)))
