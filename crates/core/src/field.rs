@@ -93,6 +93,21 @@ pub struct Variant {
     pub fields: fn() -> &'static [Field],
 }
 
+/// Which list of fields or alternatives stands inside a shape. Two shapes with the same insides are described once;
+/// a type that contains itself meets its own again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Insides {
+    place: *const (),
+    /// How many fields or alternatives there are.
+    pub parts: usize,
+}
+
+impl Insides {
+    fn of<T>(list: &'static [T]) -> Self {
+        Self { place: list.as_ptr().cast(), parts: list.len() }
+    }
+}
+
 impl Measure {
     /// The unit of a number written alone.
     pub fn own_unit(&self) -> Unit {
@@ -130,6 +145,15 @@ impl Shape {
             Shape::Group(fields) | Shape::Table(fields) => fields(),
             Shape::OneOf(variants) => variant.and_then(|n| variants().get(n)).map_or(&[], |v| (v.fields)()),
             _ => &[],
+        }
+    }
+
+    /// What is inside a group, a table or a one-of.
+    pub fn insides(&self) -> Option<Insides> {
+        match self {
+            Shape::Group(fields) | Shape::Table(fields) => Some(Insides::of(fields())),
+            Shape::OneOf(variants) => Some(Insides::of(variants())),
+            _ => None,
         }
     }
 

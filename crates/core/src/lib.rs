@@ -39,7 +39,7 @@ pub use crate::{
         Axis, Band, Cell, Column, Drawing, DrawnShape, Exhibit, Film, Ink, Level, Mark, Plot, Point, Scale,
         Series, TableExhibit,
     },
-    field::{Field, Limit, Measure, Shape, Variant},
+    field::{Field, Insides, Limit, Measure, Shape, Variant},
     input::{FieldError, Inputs, Lift, Reference},
     path::nearest,
     record::{Record, Table, Value},

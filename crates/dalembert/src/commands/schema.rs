@@ -4,7 +4,7 @@
 
 use std::process::ExitCode;
 
-use dalembert_core::{Entry, Field, Limit, Locale, Measure, Shape, Text, Variant};
+use dalembert_core::{Entry, Field, Insides, Limit, Locale, Measure, Shape, Text, Variant};
 use serde_json::{Map, Value as Json, json};
 
 use crate::{
@@ -46,15 +46,8 @@ fn of(entry: &Entry, locale: &Locale) -> Json {
 struct Writer<'l> {
     locale: &'l Locale,
     /// Alternatives and rows are defined once: a type may contain itself.
-    known: Vec<(Place, String)>,
+    known: Vec<(Insides, String)>,
     definitions: Map<String, Json>,
-}
-
-/// The address of what a definition was made from.
-#[derive(PartialEq)]
-enum Place {
-    Fields(*const Field),
-    Variants(*const Variant),
 }
 
 impl Writer<'_> {
@@ -109,12 +102,8 @@ impl Writer<'_> {
                 "type": ["string", "array"],
                 "items": { "type": "array", "items": { "type": ["string", "number"] } },
             }),
-            Shape::Group(fields) => {
-                self.defined(Place::Fields(fields().as_ptr()), name, |writer| writer.group(fields()))
-            }
-            Shape::OneOf(variants) => {
-                self.defined(Place::Variants(variants().as_ptr()), name, |writer| writer.one_of(variants()))
-            }
+            Shape::Group(fields) => self.defined(shape, name, |writer| writer.group(fields())),
+            Shape::OneOf(variants) => self.defined(shape, name, |writer| writer.one_of(variants())),
             Shape::Rows { item, min } => {
                 let items = self.shape(item(), name);
                 json!({ "type": "array", "minItems": min, "items": items })
@@ -149,14 +138,16 @@ impl Writer<'_> {
         json!({ "oneOf": alternatives })
     }
 
-    fn defined(&mut self, place: Place, name: &str, write: impl FnOnce(&mut Self) -> Json) -> Json {
-        let known = self.known.iter().find(|(known, _)| *known == place).map(|(_, name)| name.clone());
+    /// The definition of the insides of a shape, written where they are first met.
+    fn defined(&mut self, shape: &Shape, name: &str, write: impl FnOnce(&mut Self) -> Json) -> Json {
+        let Some(insides) = shape.insides() else { return write(self) };
+        let known = self.known.iter().find(|(known, _)| *known == insides).map(|(_, name)| name.clone());
         let name = known.unwrap_or_else(|| {
             let taken = |name: &String| self.known.iter().any(|(_, known)| known == name);
             let numbered = std::iter::once(name.to_owned()).chain((2..).map(|n| format!("{name}-{n}")));
             let free = numbered.into_iter().find(|name| !taken(name)).unwrap_or_default();
             // Known before it is written, so that it can name itself.
-            self.known.push((place, free.clone()));
+            self.known.push((insides, free.clone()));
             let definition = write(self);
             self.definitions.insert(free.clone(), definition);
             free

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use dalembert_core::{
-    Entry, Field, Limit, Locale, Measure, Shape, Stop, Text, Variant,
+    Entry, Field, Insides, Limit, Locale, Measure, Shape, Stop, Text, Variant,
     cases::{self, Case, Hold},
 };
 use dalembert_report::{Block, Document, Line};
@@ -97,20 +97,16 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
 /// Groups and alternatives that were described, and where: what several inputs share, or what contains itself, is
 /// described once. A single input is as short as the hint to where it stands.
 #[derive(Default)]
-struct Described(Vec<(*const (), String)>);
+struct Described(Vec<(Insides, String)>);
 
 impl Described {
     /// Where the insides of the shape were described; those that never were are from now on described at `path`.
     fn before(&mut self, shape: &Shape, path: &str) -> Option<String> {
-        let (place, parts) = match shape {
-            Shape::Group(fields) | Shape::Table(fields) => (fields().as_ptr().cast(), fields().len()),
-            Shape::OneOf(variants) => (variants().as_ptr().cast(), variants().len()),
-            _ => return None,
-        };
-        let known = self.0.iter().find(|(known, _)| parts > 1 && *known == place);
+        let insides = shape.insides()?;
+        let known = self.0.iter().find(|(known, _)| insides.parts > 1 && *known == insides);
         let first = known.map(|(_, first)| first.clone());
         if first.is_none() {
-            self.0.push((place, path.to_owned()));
+            self.0.push((insides, path.to_owned()));
         }
         first
     }
