@@ -13,6 +13,7 @@ mod lowest;
 mod nonsymmetric;
 mod pencil;
 
+use faer::MatRef;
 use nalgebra::{DMatrix, DVector};
 
 pub use self::{
@@ -270,6 +271,11 @@ fn symmetric(a: &DMatrix<f64>) -> Result<(), LinalgError> {
         return Ok(());
     }
     Err(LinalgError::NotSymmetric { row: worst.2 + 1, column: worst.1 + 1, difference })
+}
+
+/// The same matrix for the other library.
+fn view(a: &DMatrix<f64>) -> MatRef<'_, f64> {
+    MatRef::from_column_major_slice(a.as_slice(), a.nrows(), a.ncols())
 }
 
 fn not_above(what: &'static str, size: usize, limit: usize) -> Result<(), LinalgError> {

@@ -1,11 +1,11 @@
 //! Eigenvalues and eigenvectors of real square matrices without symmetry.
 
-use faer::{Mat, MatRef, Par, linalg::solvers::DenseSolveCore};
+use faer::{Mat, Par, linalg::solvers::DenseSolveCore};
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{Complex, DMatrix};
 
 use super::{
-    LinalgError, MOST_DENSE, Random, SINGULAR, finite, not_above, power_of_two_below, rounding, square,
+    LinalgError, MOST_DENSE, Random, SINGULAR, finite, not_above, power_of_two_below, rounding, square, view,
 };
 
 /// Eigenvalues and right eigenvectors of a real square matrix.
@@ -56,9 +56,8 @@ pub fn complex_eigenvalues(a: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Linalg
     let Balanced { matrix, size, .. } = balanced(a)?;
     let n = a.nrows();
     let mut values: Vec<Complex<f64>> = {
-        let view = MatRef::from_column_major_slice(matrix.as_slice(), n, n);
         #[expect(clippy::disallowed_methods, reason = "finite, balanced, and limited by the library itself")]
-        let values = view.eigenvalues().map_err(|_| LinalgError::NotConverged)?;
+        let values = view(&matrix).eigenvalues().map_err(|_| LinalgError::NotConverged)?;
         values.iter().map(|value| Complex::new(value.re, value.im)).collect()
     };
     // The sum of the values is the trace, that of their squares the trace of the square.
@@ -91,9 +90,8 @@ pub fn complex_eigen(a: &DMatrix<f64>) -> Result<ComplexEigen, LinalgError> {
     let Balanced { matrix, scale, size } = balanced(a)?;
     let n = a.nrows();
     let (values, vectors) = {
-        let view = MatRef::from_column_major_slice(matrix.as_slice(), n, n);
         #[expect(clippy::disallowed_methods, reason = "finite, balanced, and limited by the library itself")]
-        let eigen = view.eigen().map_err(|_| LinalgError::NotConverged)?;
+        let eigen = view(&matrix).eigen().map_err(|_| LinalgError::NotConverged)?;
         let values: Vec<Complex<f64>> =
             eigen.S().column_vector().iter().map(|value| Complex::new(value.re, value.im)).collect();
         let vectors = DMatrix::from_fn(n, n, |row, column| {

@@ -1,7 +1,7 @@
 //! `K φ = λ M φ` with full symmetric matrices.
 
 use faer::{
-    MatMut, MatRef, Par,
+    MatMut, Par,
     diag::DiagMut,
     dyn_stack::{MemBuffer, MemStack},
     linalg::{
@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{
     LinalgError, MOST_DENSE, SymmetricEigen, exact::Sum, finite, not_above, power_of_two_below, shape,
-    square, symmetric,
+    square, symmetric, view,
 };
 
 /// A mode whose value lies this far below the largest one has its value taken anew from its vector, with twice
@@ -84,10 +84,6 @@ pub fn generalised_eigenvalues(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<DVe
 /// One thread for small matrices, as many as there are for large ones.
 fn threads(n: usize) -> Par {
     if n < WORTH_THREADS { Par::Seq } else { Par::rayon(0) }
-}
-
-fn view(a: &DMatrix<f64>) -> MatRef<'_, f64> {
-    MatRef::from_column_major_slice(a.as_slice(), a.nrows(), a.ncols())
 }
 
 fn view_mut(a: &mut DMatrix<f64>) -> MatMut<'_, f64> {
