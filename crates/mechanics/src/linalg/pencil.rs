@@ -98,6 +98,7 @@ fn eigen(a: &DMatrix<f64>, values: &mut [f64], vectors: Option<MatMut<'_, f64>>)
     let settings = <_>::default();
     let mut memory = MemBuffer::new(self_adjoint_evd_scratch::<f64>(n, wanted, par, settings));
     let values = DiagMut::from_slice_mut(values);
+    #[expect(clippy::disallowed_methods, reason = "finite and scaled, and held to its equation by the callers")]
     self_adjoint_evd(view(a), values, vectors, par, MemStack::new(&mut memory), settings)
         .map_err(|_| LinalgError::NotConverged)
 }
@@ -142,6 +143,7 @@ fn reduce(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<Reduced, LinalgError> {
     let (mut lower, par) = (mass.clone(), threads(n));
     let settings = <_>::default();
     let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(n, par, settings));
+    #[expect(clippy::disallowed_methods, reason = "finite and scaled, and its pivots are held below")]
     cholesky_in_place(view_mut(&mut lower), <_>::default(), par, MemStack::new(&mut memory), settings)
         .map_err(|LltError::NonPositivePivot { index }| LinalgError::NotPositiveDefinite {
             matrix: "mass",
