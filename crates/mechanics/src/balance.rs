@@ -69,6 +69,19 @@ pub fn marked_direction<S: Real>(x: S, y: S) -> S {
     }
 }
 
+/// An angle as it is marked on a rotor: whole turns taken away, rad in `[0, 2π)`.
+#[inline]
+pub fn marked_angle<S: Real>(angle: S) -> S {
+    let turns = (angle.value() / TAU).floor();
+    if turns == 0.0 { angle } else { angle - TAU * turns }
+}
+
+/// The same of an angle that a numerical method found: what lies within rounding of the mark lies on it.
+pub fn marked_angle_found(angle: f64) -> f64 {
+    let angle = marked_angle(angle);
+    if angle < 1e-12 || TAU - angle < 1e-12 { 0.0 } else { angle }
+}
+
 /// Mass of a correction from its components and the radius where it is put, `m = √(U_x² + U_y²)/r`, kg.
 /// Eqs. 11, 17, 21.
 #[inline]

@@ -4,6 +4,7 @@ use dalembert_core::{About, Analysis, Inputs, Refusal, Text, Worksheet, register
 use dalembert_mechanics::{
     Real,
     balance::{
+        self,
         influence::{self, InfluenceError},
         min_max::min_max,
         spread::{self, ReadingSpread},
@@ -206,7 +207,7 @@ impl Field {
         };
         let found = |(n, weight): (usize, &Complex<f64>)| Found {
             mass: sheet.found(("m_c", n), "g", weight.norm(), (how, GOODMAN.at("pp. 273–277"))),
-            angle: sheet.found(("θ_c", n), "deg", full_turn(weight.arg()), "Its angle from the mark"),
+            angle: sheet.found(("θ_c", n), "deg", balance::marked_angle_found(weight.arg()), "Its angle from the mark"),
         };
         (1..).zip(&solved.weights).map(found).collect()
     }
@@ -225,7 +226,7 @@ impl Field {
         );
         let found = |(n, weight): (usize, &Complex<f64>)| Found {
             mass: sheet.found(("m_c", n), "g", weight.norm(), how),
-            angle: sheet.found(("θ_c", n), "deg", full_turn(weight.arg()), "Its angle from the mark"),
+            angle: sheet.found(("θ_c", n), "deg", balance::marked_angle_found(weight.arg()), "Its angle from the mark"),
         };
         let corrections = (1..).zip(&solved.weights).map(found).collect();
         sheet.check_zero(
@@ -294,12 +295,6 @@ impl Field {
     }
 }
 
-/// An angle from 0 to a full turn, as they are marked on a rotor.
-fn full_turn(angle: f64) -> f64 {
-    let angle = angle.rem_euclid(TAU);
-    if angle < 1e-12 || TAU - angle < 1e-12 { 0.0 } else { angle }
-}
-
 fn refusal(error: InfluenceError, alpha: &DMatrix<Complex<f64>>) -> Refusal {
     match error {
         InfluenceError::TooFewReadings { readings, planes } => Refusal::because(
@@ -365,7 +360,7 @@ fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
             trim.norm(),
             "Weight to add while all trial weights stay on: the correction less the trial weights in this plane",
         );
-        let angle = sheet.found(("θ_a", n), "deg", full_turn(trim.arg()), "Its angle from the mark");
+        let angle = sheet.found(("θ_a", n), "deg", balance::marked_angle_found(trim.arg()), "Its angle from the mark");
         sheet.answer(("trim", n), "Weight to add with the trial weights left on, plane", mass);
         sheet.answer(("trim_angle", n), "Angle of the weight to add, plane", angle);
     }

@@ -14,7 +14,6 @@ use dalembert_mechanics::{
     linalg::LinalgError,
 };
 use nalgebra::{Complex, DMatrix};
-use std::f64::consts::TAU;
 
 use crate::sources::RAO;
 
@@ -377,7 +376,7 @@ fn correct<W: Worksheet>(
         let angle = sheet.found(
             ("θ_c", n),
             "deg",
-            full_turn(weight.arg()),
+            balance::marked_angle_found(weight.arg()),
             "Angle of the correction, counted as that of the trial weight",
         );
         sheet.answer(("correction", n), "Correction weight in plane", mass);
@@ -488,10 +487,4 @@ fn polar(weights: &[Complex<f64>]) -> Drawing {
         shapes.push(DrawnShape::Label((1.12 * tip.re, 1.12 * tip.im), Text::new(format!("W{n}"))));
     }
     Drawing { title: "Corrections around the shaft, the circle being the trial weight".into(), shapes }
-}
-
-/// An angle from 0 to a full turn, as they are marked on a rotor.
-fn full_turn(angle: f64) -> f64 {
-    let angle = angle.rem_euclid(TAU);
-    if angle < 1e-12 || TAU - angle < 1e-12 { 0.0 } else { angle }
 }

@@ -7,6 +7,7 @@ use dalembert_mechanics::{Real, vibration::swing};
 
 use crate::{
     inertia::{self, Inertia},
+    shaft_with_discs::{Load, LoadGiven},
     sources::{ABRAMOWITZ, RAO, THOMSON},
 };
 
@@ -32,7 +33,7 @@ pub enum Test {
     /// A compound pendulum: a connecting rod on a knife edge.
     OnePoint {
         /// Body.
-        body: Body,
+        body: Load,
         /// From the point of suspension to the mass centre.
         #[input("s", "m", positive)]
         distance: f64,
@@ -47,7 +48,7 @@ pub enum Test {
     /// Both points and the mass centre on one line.
     TwoPoints {
         /// Body.
-        body: Body,
+        body: Load,
         /// Between the two points.
         #[input("L", "m", positive)]
         distance: f64,
@@ -68,7 +69,7 @@ pub enum Test {
     /// Bifilar, trifilar: the body turns about the upright line through its mass centre.
     Wires {
         /// Body.
-        body: Body,
+        body: Load,
         /// From the axis to the wires, at the body.
         #[input("r", "m", positive)]
         radius: f64,
@@ -96,7 +97,7 @@ pub enum Test {
     /// On its journals.
     Rails {
         /// Body.
-        body: Body,
+        body: Load,
         /// Radius of the journals.
         #[input("ρ", "m", positive)]
         journal: f64,
@@ -110,7 +111,7 @@ pub enum Test {
     /// On its journals, from rest and without slip.
     Incline {
         /// Body.
-        body: Body,
+        body: Load,
         /// Radius of the journals.
         #[input("ρ", "m", positive)]
         journal: f64,
@@ -123,23 +124,6 @@ pub enum Test {
         /// Time for it.
         #[input("t", "s", positive)]
         time: f64,
-    },
-}
-
-/// The mass of the body.
-#[derive(Clone, Debug, Inputs)]
-pub enum Body {
-    /// Mass given
-    Mass {
-        /// Mass.
-        #[input("m", "kg", positive)]
-        mass: f64,
-    },
-    /// Weight given
-    Weight {
-        /// Weight.
-        #[input("W", "N", positive)]
-        weight: f64,
     },
 }
 
@@ -353,10 +337,10 @@ fn answer<W: Worksheet>(inertia: W::Num, mass: W::Num, sheet: W) {
 }
 
 /// The mass of the body.
-fn mass<W: Worksheet>(given: &BodyGiven<W>, gravity: W::Num, sheet: W) -> W::Num {
+fn mass<W: Worksheet>(given: &LoadGiven<W>, gravity: W::Num, sheet: W) -> W::Num {
     match given {
-        BodyGiven::Mass { mass } => *mass,
-        BodyGiven::Weight { weight } => sheet.step("m", "kg", *weight / gravity, "Mass of the weight"),
+        LoadGiven::Mass { mass } => *mass,
+        LoadGiven::Weight { weight } => sheet.step("m", "kg", *weight / gravity, "Mass of the weight"),
     }
 }
 

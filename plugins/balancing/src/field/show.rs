@@ -3,10 +3,10 @@
 use dalembert_core::{
     Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Plot, Series, TableExhibit, Text, Worksheet,
 };
-use dalembert_mechanics::balance::influence;
+use dalembert_mechanics::balance::{self, influence};
 use nalgebra::{Complex, DMatrix};
 
-use super::{Numbers, full_turn, readings::Units};
+use super::{Numbers, readings::Units};
 
 /// The most vector triangles that are drawn.
 const MOST_TRIANGLES: usize = 4;
@@ -45,7 +45,7 @@ fn coefficients(alpha: &DMatrix<Complex<f64>>, unit: &'static str) -> TableExhib
     let row = |(plane, row): (usize, usize)| {
         let entry = alpha[(row, plane)];
         let number = |n: usize| Cell::Text(Text::new((n + 1).to_string()));
-        vec![number(plane), number(row), entry.norm().into(), full_turn(entry.arg()).into()]
+        vec![number(plane), number(row), entry.norm().into(), balance::marked_angle_found(entry.arg()).into()]
     };
     TableExhibit {
         title: "Influence coefficients, to be used again".into(),
@@ -57,7 +57,7 @@ fn coefficients(alpha: &DMatrix<Complex<f64>>, unit: &'static str) -> TableExhib
 
 fn readings(first: &[Complex<f64>], left: &[Complex<f64>], unit: &'static str) -> TableExhibit {
     let row = |(n, (before, after)): (usize, (&Complex<f64>, &Complex<f64>))| {
-        let angle = |v: &Complex<f64>| if v.norm() > 0.0 { full_turn(v.arg()).into() } else { Cell::Empty };
+        let angle = |v: &Complex<f64>| if v.norm() > 0.0 { balance::marked_angle_found(v.arg()).into() } else { Cell::Empty };
         vec![
             Cell::Text(Text::new(n.to_string())),
             before.norm().into(),

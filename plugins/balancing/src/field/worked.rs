@@ -3,9 +3,9 @@
 use dalembert_core::{Symbol, Worksheet};
 use dalembert_mechanics::{
     Real,
-    balance::{Phasor, two_plane_weights},
+    balance::{self, Phasor, two_plane_weights},
 };
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use super::{
     Found, Influence, Job,
@@ -90,7 +90,7 @@ fn triangle<W: Worksheet>(
         "From the trial weight, turn by the angle from its effect to the first reading, and half a turn more to oppose it",
         RAO.at("§9.4.1"),
     );
-    Found { mass, angle: sheet.step("θ_c", "deg", in_one_turn(angle), why) }
+    Found { mass, angle: sheet.step("θ_c", "deg", balance::marked_angle(angle), why) }
 }
 
 /// Two planes and two sensors: four influence coefficients and Cramer's rule.
@@ -159,10 +159,4 @@ fn two_planes<W: Worksheet>(
             Found { mass, angle: sheet.step(("θ_c", n), "deg", angle, "Its angle from the mark") }
         })
         .collect()
-}
-
-/// The same angle from 0 to a full turn, as they are marked on a rotor.
-fn in_one_turn<N: Real>(angle: N) -> N {
-    let turns = (angle.value() / TAU).floor();
-    if turns == 0.0 { angle } else { angle - TAU * turns }
 }

@@ -65,36 +65,11 @@ pub(super) fn bearing_forces<W: Worksheet>(
     let couple = balance::centrifugal_force(balance::magnitude(moment(|u| u.x), moment(|u| u.y)), speed);
     let couple = sheet.step("C", "N*m", couple, ("Rotating couple of the masses", RIUL.at("eq. 13")));
     sheet.answer("couple", "Rotating couple of the masses", couple);
-    let ends = (bearings.first, bearings.second);
-    let mut last = forces(
-        &masses.iter().collect::<Vec<_>>(),
-        ends,
-        speed,
-        (
-            "Rotating force of the masses on the first bearing",
-            "Rotating force of the masses on the second bearing",
-        ),
-        ["F_I", "F_J"],
-        sheet,
-    );
-    let [first, second] = last;
-    sheet.answer("bearing_first", "Rotating force on the first bearing", first);
-    sheet.answer("bearing_second", "Rotating force on the second bearing", second);
+    let before: Vec<&Unbalance<W::Num>> = masses.iter().collect();
+    let mut last = forces(&before, bearings, &BEFORE, sheet);
     if let Some(corrections) = corrections {
-        last = forces(
-            &masses.iter().chain(corrections.iter().map(|c| &c.unbalance)).collect::<Vec<_>>(),
-            ends,
-            speed,
-            (
-                "Rotating force on the first bearing after balancing",
-                "Rotating force on the second bearing after balancing",
-            ),
-            ["F′_I", "F′_J"],
-            sheet,
-        );
-        let [first, second] = last;
-        sheet.answer("bearing_first_after", "Rotating force on the first bearing after balancing", first);
-        sheet.answer("bearing_second_after", "Rotating force on the second bearing after balancing", second);
+        let after: Vec<_> = masses.iter().chain(corrections.iter().map(|c| &c.unbalance)).collect();
+        last = forces(&after, bearings, &AFTER, sheet);
     }
     let Some(rotor) = &bearings.rotor else { return };
     let weight = sheet.step("W_G", "N", rotor.mass * gravity, "Weight of the rotor");
@@ -124,14 +99,53 @@ pub(super) fn bearing_forces<W: Worksheet>(
     }
 }
 
+/// How the force on a bearing is written.
+struct Written {
+    symbol: &'static str,
+    why: &'static str,
+    key: &'static str,
+    label: &'static str,
+}
+
+/// The forces on the two bearings before balancing.
+const BEFORE: [Written; 2] = [
+    Written {
+        symbol: "F_I",
+        why: "Rotating force of the masses on the first bearing",
+        key: "bearing_first",
+        label: "Rotating force on the first bearing",
+    },
+    Written {
+        symbol: "F_J",
+        why: "Rotating force of the masses on the second bearing",
+        key: "bearing_second",
+        label: "Rotating force on the second bearing",
+    },
+];
+
+/// The same after it.
+const AFTER: [Written; 2] = [
+    Written {
+        symbol: "F′_I",
+        why: "Rotating force on the first bearing after balancing",
+        key: "bearing_first_after",
+        label: "Rotating force on the first bearing after balancing",
+    },
+    Written {
+        symbol: "F′_J",
+        why: "Rotating force on the second bearing after balancing",
+        key: "bearing_second_after",
+        label: "Rotating force on the second bearing after balancing",
+    },
+];
+
 fn forces<W: Worksheet>(
     all: &[&Unbalance<W::Num>],
-    (first, second): (W::Num, W::Num),
-    speed: W::Num,
-    (why_first, why_second): (&'static str, &'static str),
-    [symbol_first, symbol_second]: [&'static str; 2],
+    bearings: &BearingsGiven<W>,
+    written: &[Written; 2],
     sheet: W,
 ) -> [W::Num; 2] {
+    let (first, second) = (bearings.first, bearings.second);
     let x = || along(all.iter().copied(), |u| u.x);
     let y = || along(all.iter().copied(), |u| u.y);
     let in_first = balance::magnitude(
@@ -142,10 +156,12 @@ fn forces<W: Worksheet>(
         balance::equivalent_in_second(x(), first, second),
         balance::equivalent_in_second(y(), first, second),
     );
-    let one = |symbol, size, why| {
-        sheet.step(symbol, "N", balance::centrifugal_force(size, speed), (why, RIUL.at("eqs. 7, 13")))
-    };
-    let [one, other] = [one(symbol_first, in_first, why_first), one(symbol_second, in_second, why_second)];
+    let [one, other] = [(&written[0], in_first), (&written[1], in_second)].map(|(written, size)| {
+        let force = balance::centrifugal_force(size, bearings.speed);
+        sheet.step(written.symbol, "N", force, (written.why, RIUL.at("eqs. 7, 13")))
+    });
+    sheet.answer(written[0].key, written[0].label, one);
+    sheet.answer(written[1].key, written[1].label, other);
     sheet.verify(|| {
         // The bearings together carry the resultant.
         let scale: f64 = all.iter().map(|u| u.size()).sum();
