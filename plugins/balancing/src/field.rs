@@ -207,7 +207,12 @@ impl Field {
         };
         let found = |(n, weight): (usize, &Complex<f64>)| Found {
             mass: sheet.found(("m_c", n), "g", weight.norm(), (how, GOODMAN.at("pp. 273–277"))),
-            angle: sheet.found(("θ_c", n), "deg", balance::marked_angle_found(weight.arg()), "Its angle from the mark"),
+            angle: sheet.found(
+                ("θ_c", n),
+                "deg",
+                balance::marked_angle_found(weight.arg()),
+                "Its angle from the mark",
+            ),
         };
         (1..).zip(&solved.weights).map(found).collect()
     }
@@ -226,7 +231,12 @@ impl Field {
         );
         let found = |(n, weight): (usize, &Complex<f64>)| Found {
             mass: sheet.found(("m_c", n), "g", weight.norm(), how),
-            angle: sheet.found(("θ_c", n), "deg", balance::marked_angle_found(weight.arg()), "Its angle from the mark"),
+            angle: sheet.found(
+                ("θ_c", n),
+                "deg",
+                balance::marked_angle_found(weight.arg()),
+                "Its angle from the mark",
+            ),
         };
         let corrections = (1..).zip(&solved.weights).map(found).collect();
         sheet.check_zero(
@@ -360,7 +370,12 @@ fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
             trim.norm(),
             "Weight to add while all trial weights stay on: the correction less the trial weights in this plane",
         );
-        let angle = sheet.found(("θ_a", n), "deg", balance::marked_angle_found(trim.arg()), "Its angle from the mark");
+        let angle = sheet.found(
+            ("θ_a", n),
+            "deg",
+            balance::marked_angle_found(trim.arg()),
+            "Its angle from the mark",
+        );
         sheet.answer(("trim", n), "Weight to add with the trial weights left on, plane", mass);
         sheet.answer(("trim_angle", n), "Angle of the weight to add, plane", angle);
     }

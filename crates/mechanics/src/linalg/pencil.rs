@@ -98,7 +98,10 @@ fn eigen(a: &DMatrix<f64>, values: &mut [f64], vectors: Option<MatMut<'_, f64>>)
     let settings = <_>::default();
     let mut memory = MemBuffer::new(self_adjoint_evd_scratch::<f64>(n, wanted, par, settings));
     let values = DiagMut::from_slice_mut(values);
-    #[expect(clippy::disallowed_methods, reason = "finite and scaled, and held to its equation by the callers")]
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "finite and scaled, and held to its equation by the callers"
+    )]
     self_adjoint_evd(view(a), values, vectors, par, MemStack::new(&mut memory), settings)
         .map_err(|_| LinalgError::NotConverged)
 }

@@ -57,7 +57,9 @@ fn coefficients(alpha: &DMatrix<Complex<f64>>, unit: &'static str) -> TableExhib
 
 fn readings(first: &[Complex<f64>], left: &[Complex<f64>], unit: &'static str) -> TableExhibit {
     let row = |(n, (before, after)): (usize, (&Complex<f64>, &Complex<f64>))| {
-        let angle = |v: &Complex<f64>| if v.norm() > 0.0 { balance::marked_angle_found(v.arg()).into() } else { Cell::Empty };
+        let angle = |v: &Complex<f64>| {
+            if v.norm() > 0.0 { balance::marked_angle_found(v.arg()).into() } else { Cell::Empty }
+        };
         vec![
             Cell::Text(Text::new(n.to_string())),
             before.norm().into(),

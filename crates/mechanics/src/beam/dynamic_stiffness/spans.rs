@@ -305,8 +305,7 @@ impl SpanShape {
             place += self.beam.spans.get(n).map_or(0.0, |span| span.length);
         }
         let sampled: Vec<(f64, f64)> = self.along(8).into_iter().filter(|(_, w)| w.abs() > 1e-9).collect();
-        let free =
-            |pair: &&[(f64, f64)]| !held.iter().any(|at| pair[0].0 <= *at && *at <= pair[1].0);
+        let free = |pair: &&[(f64, f64)]| !held.iter().any(|at| pair[0].0 <= *at && *at <= pair[1].0);
         let crossing = |pair| roots::crossing(pair, |x| self.deflection(x));
         sampled.windows(2).filter(free).filter_map(crossing).collect()
     }
