@@ -35,11 +35,25 @@ pub(crate) fn output(command: &mut Command) -> Result<String> {
     String::from_utf8(output.stdout).with_context(|| format!("{} does not print UTF-8", shown(command)))
 }
 
-/// The program, built without optimisation, with these arguments.
-pub(crate) fn dalembert(root: &Path, arguments: &[&str]) -> Command {
-    let mut command = cargo(root);
-    command.args(["run", "--quiet", "--package", "dalembert", "--"]).args(arguments);
-    command
+/// The program, built without optimisation.
+pub(crate) struct Program(PathBuf);
+
+impl Program {
+    /// Builds the program of the tree in `folder`, among what is built for `root`.
+    pub(crate) fn built(folder: &Path, root: &Path) -> Result<Self> {
+        let target = target(root);
+        run(cargo(folder)
+            .args(["build", "--quiet", "--package", "dalembert"])
+            .env("CARGO_TARGET_DIR", &target))?;
+        Ok(Self(target.join("debug").join(format!("dalembert{}", env::consts::EXE_SUFFIX))))
+    }
+
+    /// To be run with these arguments. Words are English whatever the language of the machine.
+    pub(crate) fn with(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(&self.0);
+        command.args(["--lang", "en"]).args(arguments);
+        command
+    }
 }
 
 /// Formats a source, whose lines a long name may have filled. Without the formatter it stays as it is.

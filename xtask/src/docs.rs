@@ -6,7 +6,7 @@ use anyhow::{Context, Result, bail};
 use serde_json::Value as Json;
 
 use crate::{
-    cargo::{self, dalembert},
+    cargo::{self, Program},
     names::title,
     new_analysis::write as write_file,
 };
@@ -39,15 +39,16 @@ pub fn check(root: &Path) -> Result<()> {
 
 /// The generated files: path and text.
 fn generated(root: &Path) -> Result<Vec<(String, String)>> {
-    let listed = json(root, &["list", "--json"])?;
-    let verdicts = verdicts(&json(root, &["verify", "--json"])?);
+    let program = Program::built(root, root)?;
+    let listed = json(&program, &["list", "--json"])?;
+    let verdicts = verdicts(&json(&program, &["verify", "--json"])?);
     let mut families: BTreeMap<String, Vec<Json>> = BTreeMap::new();
     for analysis in array(&listed) {
         let id = text(analysis, "id");
         families
             .entry(text(analysis, "family").to_owned())
             .or_default()
-            .push(json(root, &["show", id, "--json"])?);
+            .push(json(&program, &["show", id, "--json"])?);
     }
     let mut reference = format!("{BEGIN}# Every analysis\n");
     for (family, analyses) in &families {
@@ -61,7 +62,7 @@ fn generated(root: &Path) -> Result<Vec<(String, String)>> {
         reference += &format!("\n# {}\n", title(family));
         for analysis in analyses {
             // A case may be a refusal; the first one is what the form opens with, so it has an answer.
-            let solved = json(root, &["solve", text(analysis, "id"), "--case", "1", "--format", "json"])?;
+            let solved = json(&program, &["solve", text(analysis, "id"), "--case", "1", "--format", "json"])?;
             reference += &described(analysis, &solved, &verdicts);
         }
     }
@@ -134,11 +135,12 @@ fn verdicts(verified: &Json) -> BTreeMap<(String, String), Counts> {
     counts
 }
 
-/// What the program prints with these arguments. Words are English whatever the language of the machine.
-pub(crate) fn json(root: &Path, arguments: &[&str]) -> Result<Json> {
-    let mut command = dalembert(root, &[&["--lang", "en"], arguments].concat());
+/// What the program prints with these arguments.
+pub(crate) fn json(program: &Program, arguments: &[&str]) -> Result<Json> {
+    let mut command = program.with(arguments);
     // The status says what was found; the text is complete in any case.
-    let output = command.stderr(std::process::Stdio::inherit()).output().context("cargo cannot be run")?;
+    let output =
+        command.stderr(std::process::Stdio::inherit()).output().context("the program cannot be run")?;
     serde_json::from_slice(&output.stdout)
         .with_context(|| format!("`dalembert {}` printed no JSON", arguments.join(" ")))
 }

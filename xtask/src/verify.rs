@@ -11,7 +11,7 @@ use anyhow::{Context, Result, ensure};
 use serde_json::Value as Json;
 
 use crate::{
-    cargo::{cargo, dalembert, output, run as run_command, target},
+    cargo::{Program, cargo, output, run as run_command, target},
     docs, new_analysis, tidy,
 };
 
@@ -128,9 +128,9 @@ fn tests(root: &Path) -> Found {
 
 /// Every published answer beside ours.
 fn catalogue(root: &Path) -> Found {
-    let mut table = dalembert(root, &["--lang", "en", "verify"]);
-    let shown = table.status().context("cargo cannot be run")?;
-    let counts = docs::json(root, &["verify", "--json"])?;
+    let program = Program::built(root, root)?;
+    let shown = program.with(&["verify"]).status().context("the program cannot be run")?;
+    let counts = docs::json(&program, &["verify", "--json"])?;
     let count =
         |name: &str| counts[name].as_u64().with_context(|| format!("`verify --json` counts no {name}"));
     let (agreed, disputed, differing) = (count("agreed")?, count("disputed")?, count("differing")?);
@@ -161,7 +161,7 @@ const OF_THE_LABORATORY: &str = "laboratory/torsional-pendulum";
 
 /// A laboratory's own program has its own analysis beside ours. What it shares with ours is built once.
 fn out_of_tree(root: &Path) -> Found {
-    let ours = ids(&docs::json(root, &["list", "--json"])?);
+    let ours = ids(&docs::json(&Program::built(root, root)?, &["list", "--json"])?);
     let theirs = |arguments: &[&str]| {
         let mut command = cargo(&root.join(OUT_OF_TREE));
         command
@@ -185,28 +185,26 @@ fn template(root: &Path) -> Found {
     let id = format!("vibration/{NAME}");
     let copy = Copy::of(root)?;
     new_analysis::run(&copy.0, "vibration", NAME)?;
-    let here = |mut command: Command| {
-        command.env("CARGO_TARGET_DIR", target(root)).env("INSTA_UPDATE", "unseen");
-        command
-    };
-    let listed = output(&mut here(dalembert(&copy.0, &["list", "--json"])))?;
-    ensure!(ids(&serde_json::from_str(&listed)?).contains(&id), "{id} is not listed");
-    let solved: Json =
-        serde_json::from_str(&output(&mut here(dalembert(&copy.0, &["solve", &id, "--format", "json"])))?)?;
+    let program = Program::built(&copy.0, root)?;
+    ensure!(ids(&docs::json(&program, &["list", "--json"])?).contains(&id), "{id} is not listed");
+    let solved = docs::json(&program, &["solve", &id, "--format", "json"])?;
     let frequency = solved["answers"]["natural_frequency"]["si"].as_f64();
     ensure!(frequency == Some(20.0), "{id} answers {frequency:?} and not 20 rad/s");
     let mut tests = cargo(&copy.0);
-    // The other analyses were held to what holds for every problem by the tests of the tree itself.
-    tests.args(["test", "--package", "dalembert-tests"]).env("DALEMBERT_ONLY", &id);
+    // All packages are selected, as for the tests of the tree itself, so that they rest on the same dependencies.
+    tests.args(["test", "--workspace"]);
     for of_every_analysis in ["catalogue", "invariance", "languages", "tidy"] {
         tests.args(["--test", of_every_analysis]);
     }
-    run_command(&mut here(tests))?;
+    // The other analyses were held to what holds for every problem by the tests of the tree itself.
+    tests.env("CARGO_TARGET_DIR", target(root)).env("INSTA_UPDATE", "unseen").env("DALEMBERT_ONLY", &id);
+    run_command(&mut tests)?;
     run_command(cargo(&copy.0).args(["fmt", "--all", "--", "--check", "--files-with-diff"]))?;
     Ok(String::new())
 }
 
-const VERSION_OF_COPIES: &str = "1000.0.0";
+/// The crates that a new analysis of vibration changes, and those that know where their tree stands.
+const CHANGED: [&str; 5] = ["plugins/vibration", "plugins/bundle", "crates/dalembert", "tests", "xtask"];
 
 /// A copy of the tree, removed in the end.
 struct Copy(PathBuf);
@@ -216,15 +214,15 @@ impl Copy {
         let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_nanos());
         let copy = Self(env::temp_dir().join(format!("dalembert-template-{}-{now}", std::process::id())));
         copy_folder(root, &copy.0)?;
-        // Another version makes the crates of the copy others than ours, so that they can be built beside ours in one
-        // folder, and all that both depend on is built once.
-        let manifest = copy.0.join("Cargo.toml");
-        let text = new_analysis::read(&manifest)?;
-        let (before, after) =
-            text.split_once("[workspace.package]\nversion = \"").context("Cargo.toml names no version")?;
-        let (_, after) = after.split_once('"').context("the version in Cargo.toml has no end")?;
-        let changed = format!("{before}[workspace.package]\nversion = \"{VERSION_OF_COPIES}\"{after}");
-        new_analysis::write(&manifest, &changed)?;
+        // In a workspace cargo tells crates by their place in it, their version and the dates of their sources. What
+        // the new analysis changes gets another version, so that it is built beside ours; the rest is ours, built.
+        for folder in CHANGED {
+            let manifest = copy.0.join(folder).join("Cargo.toml");
+            let text = new_analysis::read(&manifest)?;
+            let own = "version.workspace = true\n";
+            ensure!(text.contains(own), "{folder} has not the version of the workspace");
+            new_analysis::write(&manifest, &text.replacen(own, "version = \"1000.0.0\"\n", 1))?;
+        }
         Ok(copy)
     }
 }
@@ -247,10 +245,17 @@ fn copy_folder(from: &Path, to: &Path) -> Result<()> {
         if entry.file_type()?.is_dir() {
             copy_folder(&path, &to.join(name))?;
         } else {
-            fs::copy(&path, to.join(name)).with_context(|| format!("{} cannot be copied", path.display()))?;
+            copy_file(&path, &to.join(name))
+                .with_context(|| format!("{} cannot be copied", path.display()))?;
         }
     }
     Ok(())
+}
+
+/// A file with its date.
+fn copy_file(from: &Path, to: &Path) -> std::io::Result<()> {
+    fs::copy(from, to)?;
+    fs::File::options().append(true).open(to)?.set_modified(fs::metadata(from)?.modified()?)
 }
 
 /// The ids of what `list --json` prints.
