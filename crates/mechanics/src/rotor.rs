@@ -20,6 +20,7 @@ pub mod mesh;
 pub mod modes;
 pub mod overhung;
 pub mod response;
+pub mod stiffness_map;
 
 mod assembled;
 mod basis;

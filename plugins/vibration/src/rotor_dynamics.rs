@@ -19,6 +19,8 @@ use dalembert_mechanics::{
 
 mod parts;
 mod pictures;
+mod stiffness_map;
+mod tables;
 
 pub use parts::{
     Bearing, BearingGiven, DiscSize, DiscSizeGiven, InternalDamping, InternalDampingGiven, RotorDisc,
@@ -150,8 +152,8 @@ impl Analysis for RotorDynamics {
             if let Some(made) = diagram.get() {
                 return Ok(made);
             }
-            let speeds: Vec<f64> =
-                (0..=SPEEDS).map(|n| self.highest_speed * n as f64 / SPEEDS as f64).collect();
+            let (lowest, range) = (self.lowest_speed(), self.highest_speed - self.lowest_speed());
+            let speeds: Vec<f64> = (0..=SPEEDS).map(|n| lowest + range * n as f64 / SPEEDS as f64).collect();
             let made = campbell(&reduced, &speeds).map_err(refusal)?;
             Ok(diagram.get_or_init(|| made))
         };
@@ -223,16 +225,7 @@ impl RotorDynamics {
                 ));
             }
         }
-        for support in &self.supports {
-            if let Bearing::Table { rows } = &support.bearing
-                && (rows.is_empty() || rows.windows(2).any(|pair| pair[0].speed >= pair[1].speed))
-            {
-                return Err(Refusal::because(
-                    "the speeds of a bearing table must rise from row to row, and there must be one row at least",
-                ));
-            }
-        }
-        Ok(())
+        self.refuse_what_lies_beyond_a_table()
     }
 
     /// The rotor with so many elements in every stretch.
@@ -452,9 +445,17 @@ impl RotorDynamics {
             });
             return Ok(());
         };
-        if speed == 0.0 {
+        if speed == self.lowest_speed() {
             sheet.warn(|| {
-                Text::new("a mode grows even at rest: the rotor is unstable at every speed from rest on")
+                if speed == 0.0 {
+                    Text::new("a mode grows even at rest: the rotor is unstable at every speed from rest on")
+                } else {
+                    Text::new(
+                        "a mode grows even at the lowest speed of the bearing tables, {speed}: the threshold of \
+                         stability lies below it",
+                    )
+                    .with_quantity("speed", speed, "rpm")
+                }
             });
             return Ok(());
         }
@@ -608,19 +609,6 @@ impl RotorDynamics {
                     "a bearing has only one of k_xy and k_yx: is its partner missing? an elastic support has both alike, a \
                      fluid film has both with opposite signs",
                 )
-            });
-        }
-        let beyond = self.supports.iter().any(|support| match &support.bearing {
-            Bearing::Table { rows } => {
-                let ends =
-                    (rows.first().map_or(0.0, |row| row.speed), rows.last().map_or(0.0, |row| row.speed));
-                rows.len() > 1 && (self.speed < ends.0 || self.speed.max(self.highest_speed) > ends.1)
-            }
-            _ => false,
-        });
-        if beyond {
-            sheet.warn(|| {
-                Text::new("some speeds lie outside a bearing table: its first or last row is taken there")
             });
         }
         if matches!(self.material.damping, InternalDamping::Hysteretic { loss_factor } if loss_factor > 0.0) {

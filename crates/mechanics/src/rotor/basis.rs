@@ -204,7 +204,8 @@ fn parts(of: &[Node]) -> [DVector<f64>; 4] {
     [part(0, |x| x.re), part(0, |x| x.im), part(1, |x| x.re), part(1, |x| x.im)]
 }
 
-fn project(plane: &Plane, vectors: &DMatrix<f64>) -> DMatrix<f64> {
+/// A matrix of one plane in the coordinates of some shapes.
+pub(super) fn project(plane: &Plane, vectors: &DMatrix<f64>) -> DMatrix<f64> {
     let columns: Vec<DVector<f64>> =
         vectors.column_iter().map(|column| plane.times(&column.into_owned())).collect();
     vectors.tr_mul(&DMatrix::from_columns(&columns))

@@ -286,6 +286,11 @@ impl<'a> Reduced<'a> {
         (stiffness, damping)
     }
 
+    /// The shapes, orthonormal in the mass of one plane.
+    pub(super) fn shapes_of_one_plane(&self) -> impl Iterator<Item = DVector<f64>> {
+        self.basis.vectors.column_iter().map(|column| column.into_owned())
+    }
+
     /// Polar inertia between the planes, in the coordinates of the shapes.
     pub(super) fn gyroscopic(&self) -> &DMatrix<f64> {
         &self.basis.gyroscopic

@@ -359,3 +359,28 @@ fn the_response_at_an_undamped_critical_speed_is_refused() {
     let response = at(forward.speed * 1.001).unwrap();
     assert!(response::residual(&rotor, &unbalance, forward.speed * 1.001, &response).unwrap() < 1e-9);
 }
+
+/// From bearings as soft as a hand to bearings like rock.
+#[test]
+fn critical_speeds_over_the_stiffness_of_the_bearings_are_those_found_for_each() {
+    let rotor = two_discs(12, Coefficients::isotropic(1e6, 0.0));
+    let map = stiffness_map::StiffnessMap::new(&rotor, &[1.0, 0.5], 3, 1e3).unwrap();
+    for stiffness in [1e2, 1e5, 1e6, 3e7, 1e9, 1e13] {
+        let mut rotor = rotor.clone();
+        for (support, share) in rotor.supports.iter_mut().zip([1.0, 0.5]) {
+            *support = Support::bearing(support.node, Coefficients::isotropic(share * stiffness, 0.0));
+        }
+        let all = Assembled::new(&rotor).unwrap();
+        let reduced = Reduced::new(&all, 6, &[0.0, 1000.0]).unwrap();
+        let exact = critical::direct(&reduced, 1.0, 1e4).unwrap();
+        let ours = map.at(stiffness, 1.0).unwrap();
+        for (direction, ours) in [(Direction::Forward, ours.forward), (Direction::Backward, ours.backward)] {
+            let theirs = exact.iter().filter(|critical| critical.mode.direction() == direction);
+            let theirs: Vec<f64> = theirs.map(|critical| critical.speed).take(2).collect();
+            assert!(!theirs.is_empty());
+            for (ours, theirs) in ours.iter().zip(theirs) {
+                close(*ours, theirs, 1e-5, &format!("{direction:?} at {stiffness:e} N/m"));
+            }
+        }
+    }
+}

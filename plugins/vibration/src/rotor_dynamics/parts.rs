@@ -177,7 +177,7 @@ pub enum Bearing {
     /// Table of coefficients over speed
     Table {
         /// Rows of the table.
-        /// By rising speed; linear between rows, constant beyond the last ones.
+        /// By rising speed, linear between rows; all speeds asked for must lie within. A single row holds at all.
         #[input(table)]
         rows: Vec<SpeedRow>,
     },

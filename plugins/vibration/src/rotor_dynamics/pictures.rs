@@ -13,7 +13,7 @@ use dalembert_mechanics::rotor::{
     response::{Orbit, unbalance_response},
 };
 
-use super::{RotorDynamics, Stations, in_words};
+use super::{RotorDynamics, Stations, in_words, stiffness_map};
 
 /// What there is to be shown.
 pub(super) struct Shown<'a> {
@@ -47,6 +47,11 @@ pub(super) fn show<'a, W: Worksheet>(
     if diagram().is_some() {
         sheet.show(|| Exhibit::Plot(shown.campbell(diagram())));
     }
+    sheet.verify(|| {
+        if let Some(map) = stiffness_map::plot(shown.problem, shown.rotor) {
+            sheet.show(|| Exhibit::Plot(map));
+        }
+    });
     if shown.stations.response.is_some() && !shown.problem.unbalances.is_empty() {
         let sweep = OnceCell::new();
         sheet.show(|| Exhibit::Plot(response(sweep.get_or_init(|| shown.sweep()))));
@@ -135,9 +140,10 @@ impl Shown<'_> {
     fn sweep(&self) -> Vec<Sample> {
         let unbalances = self.problem.unbalance_at(self.stations);
         let node = self.stations.response.unwrap_or(0);
+        let lowest = self.problem.lowest_speed();
         (1..=POINTS)
             .map(|n| {
-                let speed = self.problem.highest_speed * f64::from(n) / f64::from(POINTS);
+                let speed = lowest + (self.problem.highest_speed - lowest) * f64::from(n) / f64::from(POINTS);
                 let response = unbalance_response(self.all, &unbalances, speed).ok();
                 (speed, response.map(|response| [response[node][0], response[node][2]]))
             })
