@@ -21,6 +21,11 @@ rust-version.workspace = true
 license.workspace = true
 publish.workspace = true
 
+# Tested from outside, so that it is compiled once.
+[lib]
+test = false
+doctest = false
+
 [lints]
 workspace = true
 

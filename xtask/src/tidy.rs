@@ -37,6 +37,7 @@ pub fn faults(tree: &Tree) -> Vec<String> {
     let rules = [
         analyses::an_analysis_is_one_file,
         analyses::every_plugin_is_in_the_bundle,
+        analyses::a_plugin_is_tested_from_outside,
         layers::a_plugin_is_named_only_by_the_bundle,
         layers::a_crate_depends_only_on_what_lies_below,
         layers::pure_crates_do_no_input_or_output,

@@ -56,6 +56,20 @@ pub(super) fn an_analysis_is_one_file(tree: &Tree) -> Vec<String> {
     faults
 }
 
+/// With tests inside, a plugin would be compiled a second time for them; its manifest turns them off.
+pub(super) fn a_plugin_is_tested_from_outside(tree: &Tree) -> Vec<String> {
+    let mut faults = Vec::new();
+    let of_plugins =
+        tree.sources().filter(|(path, _)| path.starts_with("plugins/") && path.contains("/src/"));
+    for (path, text) in of_plugins {
+        if let Some((n, _)) = lines(text).find(|(_, line)| line.trim() == "#[test]") {
+            let (plugin, _) = path.split_once("/src/").unwrap_or_default();
+            faults.push(format!("{path}:{n}: is not run here; write the test in {plugin}/tests"));
+        }
+    }
+    faults
+}
+
 pub(super) fn every_plugin_is_in_the_bundle(tree: &Tree) -> Vec<String> {
     let manifest = tree.text("plugins/bundle/Cargo.toml").unwrap_or_default();
     let library = tree.text("plugins/bundle/src/lib.rs").unwrap_or_default();

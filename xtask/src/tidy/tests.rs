@@ -79,6 +79,13 @@ fn an_analysis_has_one_name() {
 }
 
 #[test]
+fn a_plugin_is_tested_from_outside() {
+    let source = "plugins/balancing/src/planes.rs";
+    finds(&[(source, "#[test]\nfn sums() {}\n")], "planes.rs:1: is not run here; write the test in");
+    assert_eq!(faults(&tree(&[("plugins/balancing/tests/planes.rs", "#[test]\nfn sums() {}\n")])), [""; 0]);
+}
+
+#[test]
 fn a_plugin_is_in_the_bundle_and_nowhere_else() {
     finds(&[("plugins/bundle/src/lib.rs", "//! None.\n")], "`use dalembert_balancing as _;` is missing");
     let empty = "[lints]\nworkspace = true\n";

@@ -379,7 +379,7 @@ fn critical_speeds_over_the_stiffness_of_the_bearings_are_those_found_for_each()
             let theirs: Vec<f64> = theirs.map(|critical| critical.speed).take(2).collect();
             assert!(!theirs.is_empty());
             for (ours, theirs) in ours.iter().zip(theirs) {
-                close(*ours, theirs, 1e-5, &format!("{direction:?} at {stiffness:e} N/m"));
+                close(*ours, theirs, 1e-4, &format!("{direction:?} at {stiffness:e} N/m"));
             }
         }
     }

@@ -131,17 +131,3 @@ fn places(order: &str) -> Result<Vec<usize>, Refusal> {
     }
     Ok(places)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_firing_order_is_a_permutation() {
-        assert_eq!(places("1-5-3-6-2-4").unwrap(), [0, 4, 2, 5, 1, 3]);
-        assert_eq!(places("1, 2").unwrap(), [0, 1]);
-        for wrong in ["", "1-1", "1-3", "0-1", "99999999999999999999999-1"] {
-            assert!(places(wrong).is_err(), "{wrong}");
-        }
-    }
-}
