@@ -7,6 +7,7 @@ use super::{
     band::{Factors, SymmetricBand},
     finite, not_above, power_of_two_below, symmetric_eigen,
 };
+use crate::lanes::widest;
 
 /// The most numbers that the vectors of the iteration may take.
 const MOST_NUMBERS: usize = 24_000_000;
@@ -350,35 +351,54 @@ impl<'a> Lanczos<'a> {
 
     /// The Rayleigh quotients of the first vectors of the basis; zero where only rounding is left.
     fn quotients(&self, k: &SymmetricBand, count: usize) -> Vec<f64> {
+        let mut momentum = vec![0.0; self.m.size()];
         self.basis[..count]
             .iter()
             .map(|x| {
                 let (potential, size) = k.energy(x);
                 if potential.abs() <= 4.0 * f64::EPSILON * size {
-                    0.0
-                } else {
-                    potential / self.m.energy(x).0
+                    return 0.0;
                 }
+                // Nothing cancels in the kinetic energy.
+                self.m.multiply(x, &mut momentum);
+                potential / dot(x, &momentum)
             })
             .collect()
     }
 }
 
-/// `x·y` in eight sums, which the compiler keeps side by side.
+/// `x·y` in sixteen sums, which the compiler keeps side by side.
 fn dot(x: &[f64], y: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
-    let ((x, x_rest), (y, y_rest)) = (x.as_chunks::<8>(), y.as_chunks::<8>());
-    for (x, y) in x.iter().zip(y) {
-        for ((sum, x), y) in sums.iter_mut().zip(x).zip(y) {
-            *sum += x * y;
-        }
-    }
-    sums.iter().sum::<f64>() + x_rest.iter().zip(y_rest).map(|(x, y)| x * y).sum::<f64>()
+    widest(
+        #[inline(always)]
+        || {
+            let mut sums = [0.0; 16];
+            let ((x, x_rest), (y, y_rest)) = (x.as_chunks::<16>(), y.as_chunks::<16>());
+            for (x, y) in x.iter().zip(y) {
+                for lane in 0..16 {
+                    sums[lane] += x[lane] * y[lane];
+                }
+            }
+            let mut sum = 0.0;
+            for lane in sums {
+                sum += lane;
+            }
+            for (x, y) in x_rest.iter().zip(y_rest) {
+                sum += x * y;
+            }
+            sum
+        },
+    )
 }
 
 /// `y + a x`
 fn add(y: &mut [f64], a: f64, x: &[f64]) {
-    for (y, x) in y.iter_mut().zip(x) {
-        *y += a * x;
-    }
+    widest(
+        #[inline(always)]
+        || {
+            for (y, x) in y.iter_mut().zip(x) {
+                *y += a * x;
+            }
+        },
+    );
 }

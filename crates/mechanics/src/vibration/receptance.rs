@@ -1,5 +1,7 @@
 //! Frequency response of many degrees of freedom: directly, and as sums over modes or poles.
 
+use std::thread;
+
 use faer::{Accum, MatMut, MatRef, Par, linalg::matmul::matmul};
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -10,6 +12,9 @@ use crate::{
 
 /// So many frequencies are worked at a time: they stay in the nearest cache.
 const BLOCK: usize = 256;
+
+/// From so many products on, several threads take less time than one.
+const WORTH_THREADS: usize = 20_000_000;
 
 /// `(K − ω² M + i ω C) X = F`: the complex amplitudes under a harmonic force.
 ///
@@ -90,33 +95,31 @@ pub fn column_of_modes(
         "a column for each frequency"
     );
     let residues: Vec<f64> = shapes.row(driven).iter().copied().collect();
-    let (mut re, mut im) = (vec![0.0; modes * BLOCK], vec![0.0; modes * BLOCK]);
     let shapes = MatRef::from_column_major_slice(shapes.as_slice(), n, modes);
-    let blocks =
-        real.as_mut_slice().chunks_mut(n * BLOCK).zip(imaginary.as_mut_slice().chunks_mut(n * BLOCK));
-    for ((real, imaginary), frequencies) in blocks.zip(frequencies.chunks(BLOCK)) {
-        let here = frequencies.len();
-        widest(
-            #[inline(always)]
-            || {
-                let lines = re.chunks_exact_mut(modes).zip(im.chunks_exact_mut(modes));
-                for ((re, im), w) in lines.zip(frequencies) {
-                    let terms = re.iter_mut().zip(im.iter_mut()).zip(&residues).zip(squares).zip(decays);
-                    for ((((re, im), residue), square), decay) in terms {
-                        let (u, v) = (square - w * w, decay * w);
-                        let s = residue / (u * u + v * v);
-                        *re = u * s;
-                        *im = -v * s;
+    share_out(n * modes, frequencies, real, imaginary, |frequencies, real, imaginary| {
+        let (mut re, mut im) = (vec![0.0; modes * BLOCK], vec![0.0; modes * BLOCK]);
+        let blocks = real.chunks_mut(n * BLOCK).zip(imaginary.chunks_mut(n * BLOCK));
+        for ((real, imaginary), frequencies) in blocks.zip(frequencies.chunks(BLOCK)) {
+            widest(
+                #[inline(always)]
+                || {
+                    let lines = re.chunks_exact_mut(modes).zip(im.chunks_exact_mut(modes));
+                    for ((re, im), w) in lines.zip(frequencies) {
+                        let terms = re.iter_mut().zip(im.iter_mut()).zip(&residues).zip(squares).zip(decays);
+                        for ((((re, im), residue), square), decay) in terms {
+                            let (u, v) = (square - w * w, decay * w);
+                            let s = residue / (u * u + v * v);
+                            *re = u * s;
+                            *im = -v * s;
+                        }
                     }
-                }
-            },
-        );
-        for (whole, parts) in [(real, &re), (imaginary, &im)] {
-            let whole = MatMut::from_column_major_slice_mut(whole, n, here);
-            let parts = MatRef::from_column_major_slice(&parts[..modes * here], modes, here);
-            matmul(whole, Accum::Replace, shapes, parts, 1.0, Par::Seq);
+                },
+            );
+            for (whole, parts) in [(real, &re), (imaginary, &im)] {
+                multiply(shapes, &parts[..modes * frequencies.len()], whole);
+            }
         }
-    }
+    });
 }
 
 /// Real and imaginary parts of `Σ rᵣ/(iω − λᵣ)` over all roots, each at each frequency; for damping of any kind.
@@ -184,35 +187,67 @@ pub fn column_of_poles(
         term.weights(shapes[(row, term.at)] * inputs[term.at])[column / count]
     });
     let weights = MatRef::from_column_major_slice(weights.as_slice(), n, 2 * count);
-    let (mut re, mut im) = (vec![0.0; 2 * count * BLOCK], vec![0.0; 2 * count * BLOCK]);
-    let blocks =
-        real.as_mut_slice().chunks_mut(n * BLOCK).zip(imaginary.as_mut_slice().chunks_mut(n * BLOCK));
-    for ((real, imaginary), frequencies) in blocks.zip(frequencies.chunks(BLOCK)) {
-        let here = frequencies.len();
-        widest(
-            #[inline(always)]
-            || {
-                let lines = re.chunks_exact_mut(2 * count).zip(im.chunks_exact_mut(2 * count));
-                for ((re, im), w) in lines.zip(frequencies) {
-                    let ((re_even, re_odd), (im_even, im_odd)) =
-                        (re.split_at_mut(count), im.split_at_mut(count));
-                    let places = re_even.iter_mut().zip(re_odd).zip(im_even).zip(im_odd);
-                    for ((((re_even, re_odd), im_even), im_odd), term) in places.zip(&terms) {
-                        let [p, q, r, s] = term.at(*w);
-                        *re_even = p;
-                        *re_odd = -s;
-                        *im_even = q;
-                        *im_odd = r;
+    share_out(n * 2 * count, frequencies, real, imaginary, |frequencies, real, imaginary| {
+        let (mut re, mut im) = (vec![0.0; 2 * count * BLOCK], vec![0.0; 2 * count * BLOCK]);
+        let blocks = real.chunks_mut(n * BLOCK).zip(imaginary.chunks_mut(n * BLOCK));
+        for ((real, imaginary), frequencies) in blocks.zip(frequencies.chunks(BLOCK)) {
+            widest(
+                #[inline(always)]
+                || {
+                    let lines = re.chunks_exact_mut(2 * count).zip(im.chunks_exact_mut(2 * count));
+                    for ((re, im), w) in lines.zip(frequencies) {
+                        let ((re_even, re_odd), (im_even, im_odd)) =
+                            (re.split_at_mut(count), im.split_at_mut(count));
+                        let places = re_even.iter_mut().zip(re_odd).zip(im_even).zip(im_odd);
+                        for ((((re_even, re_odd), im_even), im_odd), term) in places.zip(&terms) {
+                            let [p, q, r, s] = term.at(*w);
+                            *re_even = p;
+                            *re_odd = -s;
+                            *im_even = q;
+                            *im_odd = r;
+                        }
                     }
-                }
-            },
-        );
-        for (whole, parts) in [(real, &re), (imaginary, &im)] {
-            let whole = MatMut::from_column_major_slice_mut(whole, n, here);
-            let parts = MatRef::from_column_major_slice(&parts[..2 * count * here], 2 * count, here);
-            matmul(whole, Accum::Replace, weights, parts, 1.0, Par::Seq);
+                },
+            );
+            for (whole, parts) in [(real, &re), (imaginary, &im)] {
+                multiply(weights, &parts[..2 * count * frequencies.len()], whole);
+            }
         }
+    });
+}
+
+/// Fills the columns of two matrices, one for each frequency, by whole blocks: each thread its share, if the products
+/// of all frequencies are worth it. The same to the last bit on any number of threads.
+fn share_out(
+    products: usize,
+    frequencies: &[f64],
+    real: &mut DMatrix<f64>,
+    imaginary: &mut DMatrix<f64>,
+    fill: impl Fn(&[f64], &mut [f64], &mut [f64]) + Sync,
+) {
+    let rows = real.nrows();
+    let (real, imaginary) = (real.as_mut_slice(), imaginary.as_mut_slice());
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    if threads == 1 || products * frequencies.len() < WORTH_THREADS {
+        return fill(frequencies, real, imaginary);
     }
+    let share = frequencies.len().div_ceil(threads).next_multiple_of(BLOCK);
+    let parts = real.chunks_mut(rows * share).zip(imaginary.chunks_mut(rows * share));
+    thread::scope(|scope| {
+        for ((real, imaginary), frequencies) in parts.zip(frequencies.chunks(share)) {
+            let fill = &fill;
+            scope.spawn(move || fill(frequencies, real, imaginary));
+        }
+    });
+}
+
+/// `whole = weights parts`, as many columns as there are parts for.
+fn multiply(weights: MatRef<'_, f64>, parts: &[f64], whole: &mut [f64]) {
+    let (rows, terms) = weights.shape();
+    let columns = parts.len() / terms;
+    let whole = MatMut::from_column_major_slice_mut(whole, rows, columns);
+    let parts = MatRef::from_column_major_slice(parts, terms, columns);
+    matmul(whole, Accum::Replace, weights, parts, 1.0, Par::Seq);
 }
 
 /// A root, or a pair of conjugate ones, as the part `(even + i odd·m)(g)` of a response, with
