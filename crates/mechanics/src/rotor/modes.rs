@@ -288,7 +288,7 @@ impl<'a> Reduced<'a> {
 
     /// The shapes, orthonormal in the mass of one plane.
     pub(super) fn shapes_of_one_plane(&self) -> impl Iterator<Item = DVector<f64>> {
-        self.basis.vectors.column_iter().map(|column| column.into_owned())
+        self.basis.vectors.column_iter().map(nalgebra::Matrix::into_owned)
     }
 
     /// Polar inertia between the planes, in the coordinates of the shapes.
