@@ -518,6 +518,72 @@ vertical-force-at-a = Força vertical em A
 horizontal-force-at-b = Força horizontal em B
 the-bar-in-its-guides = A barra em suas guias
 
+# virtual-work/hanging-chain
+hanging-chain-of-bars = Cadeia suspensa de barras
+angles-of-a-chain-of-hinged-bars-that-is-pulled-at-its-free-end-with-the-stability-of-every-freedom = Ângulos de uma cadeia de barras articuladas puxada na extremidade livre, com a estabilidade de cada grau de liberdade, ou a força para um ângulo.
+bars-from-the-pin-to-the-free-end = Barras, da articulação fixa à extremidade livre
+vertical-force-at-the-free-end-downwards = Força vertical na extremidade livre, para baixo
+weight = Peso
+uniform-it-acts-in-the-middle = Uniforme: atua no meio.
+angles-under-a-horizontal-force = Ângulos sob uma força horizontal
+horizontal-force-at-the-free-end = Força horizontal na extremidade livre
+horizontal-force-for-the-angle-of-a-bar = Força horizontal para o ângulo de uma barra
+bar-counted-from-the-pin = Barra, contada a partir da articulação fixa
+its-angle-from-the-vertical = Seu ângulo com a vertical
+the-chain-has-more-than-30-bars-write-fewer = a cadeia tem mais de 30 barras: escreva menos
+downward-pull-on-the-bar-half-its-own-weight-and-all-below-it-over-it-does-g-l-sin = Tração para baixo na barra, metade do próprio peso e tudo abaixo dela: em δθ realiza −G l sen θ δθ
+there-is-no-bar-bar-the-chain-has-bars = não há barra { $bar }: a cadeia tem { $bars }
+horizontal-force-over-of-this-bar-f-l-cos-g-l-sin-0 = Força horizontal: no δθ desta barra F l cos θ − G l sen θ = 0
+nothing-pulls-at-bar-bar-every-angle-is-an-equilibrium = nada puxa a barra { $bar }: todo ângulo é de equilíbrio
+angle-from-the-vertical-u-f-l-cos-g-l-sin-0-for-the-freedom-of-this-bar-alone-tan-f-g = Ângulo com a vertical: δU = (F l cos θ − G l sen θ) δθ = 0 para o grau de liberdade só desta barra, tan θ = F/G
+angle-of-bar-from-the-vertical = Ângulo com a vertical da barra
+v-v-is-a-sum-with-one-angle-in-each-term-so-the-hessian-is-diagonal-positive-for-a-stable-equilibrium = ∂²V/∂θ²: V é uma soma com um só ângulo em cada termo, e a Hessiana é diagonal; positiva para um equilíbrio estável
+curvature-of-the-potential-energy-for-bar = Curvatura da energia potencial para a barra
+distance-of-the-free-end-from-the-vertical-through-the-pin = Distância da extremidade livre à vertical pela articulação fixa
+depth-of-the-free-end-below-the-pin = Profundidade da extremidade livre abaixo da articulação fixa
+upward-reaction-of-the-pin-all-weights-and-the-vertical-force = Reação da articulação para cima: todos os pesos e a força vertical
+upward-reaction-of-the-pin = Reação da articulação para cima
+nothing-is-needed-to-hold-the-bar-there-by-newton-and-euler-for-every-body = nada é preciso para manter a barra ali, por Newton e Euler em cada corpo
+the-upward-reaction-of-the-pin-by-newton-and-euler = a reação da articulação para cima por Newton e Euler
+the-bars-and-their-lower-ends = As barras e suas extremidades inferiores
+bar = barra
+depth = Profundidade
+horizontal-distance = Distância horizontal
+the-chain-in-equilibrium = A cadeia em equilíbrio
+
+# virtual-work/lazy-tongs
+lazy-tongs = Tesoura articulada
+reactions-at-the-two-supports-of-a-row-of-crossed-bars-under-vertical-loads-each-by-letting-its = Reações nos dois apoios de uma fileira de barras cruzadas sob cargas verticais, cada uma pela liberação do seu apoio.
+squares = Quadrados
+side-of-a-square = Lado de um quadrado
+angle-of-the-bars-from-the-line-ab = Ângulo das barras com a linha AB
+square-counted-from-a = Quadrado, contado a partir de A
+hinge = Articulação
+load-downwards = Carga, para baixo
+upper = Superior
+lower = Inferior
+there-is-no-square-square-there-are-squares = não há quadrado { $square }: há { $squares }
+b-let-go-along-the-line-virtual-rise-of-the-upper-hinges-over-from-y-l-sin-the-lower-ones-fall-by-as = B liberado ao longo da linha: subida virtual das articulações superiores em δθ, de y = l sen θ; as inferiores descem o mesmo tanto
+virtual-approach-of-b-to-a-over-from-x-b-2-n-l-cos = Aproximação virtual de B a A em δθ, de x_B = 2 n l cos θ
+virtual-work-against-the-load-over = Trabalho virtual contra a carga em δθ
+reaction-of-b-towards-a-its-virtual-work-and-those-of-the-loads-sum-to-zero = Reação de B em direção a A: a soma do seu trabalho virtual com os das cargas é nula
+distance-of-the-supports = Distância entre os apoios
+b-let-go-upwards-virtual-work-against-the-load-as-all-turns-about-a-by = B liberado para cima: trabalho virtual contra a carga quando tudo gira δφ em torno de A
+reaction-of-b-upwards-y-b-x-b-and-the-works-of-the-loads-sum-to-zero = Reação de B para cima: a soma de Y_B x_B δφ com os trabalhos das cargas é nula
+reaction-of-a-upwards-both-supports-carry-all-loads = Reação de A para cima: os dois apoios sustentam todas as cargas
+reaction-of-a-towards-b-equal-and-opposite-to-that-of-b = Reação de A em direção a B, igual e oposta à de B
+reaction-of-b-towards-a = Reação de B em direção a A
+reaction-of-b-upwards = Reação de B para cima
+reaction-of-a-upwards = Reação de A para cima
+reaction-of-a-towards-b = Reação de A em direção a B
+the-reaction-of-b-along-the-line-by-newton-and-euler-for-every-bar = a reação de B ao longo da linha por Newton e Euler em cada barra
+the-reaction-of-b-upwards-by-newton-and-euler-for-every-bar = a reação de B para cima por Newton e Euler em cada barra
+the-tongs-are-nearly-stretched-out-the-supports-are-pressed-apart-without-bound-as-they-are = a tesoura está quase esticada: a reação nos apoios cresce sem limite quando ela se estica
+reaction-along-the-line-against-the-angle-of-the-bars = Reação ao longo da linha em função do ângulo das barras
+angle-of-the-bars = ângulo das barras
+reaction-towards-the-other-support = reação em direção ao outro apoio
+the-tongs-between-their-supports = A tesoura entre os apoios
+
 # virtual-work/mechanism
 plane-mechanism = Mecanismo plano
 motion-driving-efforts-by-virtual-power-and-reactions-of-a-plane-mechanism-of-any-shape-bodies-joints = Movimento, esforços motores por potência virtual e reações de um mecanismo plano de qualquer forma: corpos, juntas, acionamentos e cargas.
@@ -683,6 +749,32 @@ load-has-a-number-it-cannot-have-or-is-friction-in-a-joint-without-sliding = { $
 no-equilibrium-was-found-near-the-drawn-position-draw-the-bodies-at-other-angles = nenhum equilíbrio foi encontrado perto da posição desenhada; desenhe os corpos em outros ângulos
 a-length-or-a-result-is-too-large-or-too-small-for-the-mechanism-to-be-computed = um comprimento ou resultado é grande ou pequeno demais para o cálculo do mecanismo
 
+# virtual-work/rack-press
+rack-press = Prensa de cremalheira
+force-of-the-ram-of-a-rack-press-from-the-force-on-its-handle-or-the-other-way-round-with-the-stroke = Força do êmbolo de uma prensa de cremalheira a partir da força na alavanca, ou o inverso, com o curso por volta.
+length-of-the-handle = Comprimento da alavanca
+pinion = Pinhão
+by-its-pitch-radius = Pelo raio primitivo
+pitch-radius = Raio primitivo
+by-module-and-teeth = Pelo módulo e número de dentes
+module = Módulo
+number-of-teeth = Número de dentes
+turns-of-the-handle-for-one-of-the-pinion = Voltas da alavanca para uma do pinhão
+efficiency = Rendimento
+force-of-the-ram = Força do êmbolo
+force-on-the-handle = Força na alavanca
+force-on-the-handle-square-to-it = Força na alavanca, perpendicular a ela
+pitch-radius-of-the-pinion = Raio primitivo do pinhão
+virtual-way-of-the-hand-for-a-unit-turn-of-the-handle = Deslocamento virtual da mão para um giro unitário δψ da alavanca
+virtual-way-of-the-ram-which-rolls-off-the-pinion-over = Deslocamento virtual do êmbolo, que rola sobre o pinhão, em δψ
+ideal-ratio-of-the-forces-ways-of-hand-and-ram-one-over-the-other = Razão ideal das forças: deslocamento da mão sobre o do êmbolo
+the-virtual-work-of-the-hand-less-the-losses-and-that-of-the-ram-sum-to-zero-f-s-q-x = A soma do trabalho virtual da mão, descontadas as perdas, com o do êmbolo é nula: η F δs = Q δx
+mechanical-advantage-force-of-the-ram-over-that-on-the-handle = Vantagem mecânica: força do êmbolo sobre a da alavanca
+way-of-the-ram-for-a-turn-of-the-handle = Curso do êmbolo por volta da alavanca
+torque-on-the-pinion = Torque no pinhão
+the-torque-of-the-hand-less-the-losses-by-newton-and-euler-for-handle-pinion-and-rack = o torque da mão, descontadas as perdas, por Newton e Euler na alavanca, no pinhão e na cremalheira
+the-press = A prensa
+
 # virtual-work/rhombus
 rhombus-with-a-spring = Losango com mola
 equilibria-and-stability-of-a-hanging-rhombus-of-four-bars-with-a-spring-across-or-the-load-or = Equilíbrio e estabilidade de um losango suspenso de quatro barras com uma mola na diagonal, ou a carga ou rigidez para um ângulo dado.
@@ -722,6 +814,115 @@ pull-of-the-left-stem-on-the-beams = Tração da haste esquerda nas barras
 pull-of-the-right-stem-on-the-beams = Tração da haste direita nas barras
 the-couple-on-the-beams-by-newton-and-euler-with-the-masses-at-their-offsets = o conjugado nas barras por Newton e Euler, com as massas em seus afastamentos
 the-balance = A balança
+
+# virtual-work/scissor-lift
+scissor-lift = Plataforma pantográfica
+force-of-the-cylinder-of-a-scissor-lift-of-any-number-of-stages-or-the-load-that-it-lifts-with = Força do cilindro de uma plataforma pantográfica de qualquer número de estágios, ou a carga que ela levanta, com a velocidade de subida e as forças nos pinos.
+stages = Estágios
+angle-of-the-bars-from-the-horizontal = Ângulo das barras com a horizontal
+frames-side-by-side-each-with-a-cylinder = Quadros lado a lado, cada um com um cilindro
+they-share-the-load-evenly = Dividem a carga igualmente.
+lower-end-of-the-cylinder = Extremidade inferior do cilindro
+upper-end-of-the-cylinder = Extremidade superior do cilindro
+speed-at-which-the-cylinder-grows = Velocidade com que o cilindro se alonga
+where-it-is-given-the-speed-of-the-table-is-answered-too = Se dada, a velocidade da mesa também é respondida.
+on-the-ground = No solo
+distance-to-the-right-of-the-fixed-foot = Distância à direita do pé fixo
+height-over-the-fixed-foot = Altura sobre o pé fixo
+on-the-table = Na mesa
+distance-to-the-right-of-the-left-joint = Distância à direita da articulação esquerda
+height-over-the-joints = Altura sobre as articulações
+on-a-bar-that-rises-to-the-right = Em uma barra que sobe para a direita
+on-a-bar-that-rises-to-the-left = Em uma barra que sobe para a esquerda
+stage-counted-from-below = Estágio, contado de baixo
+distance-from-its-lower-end = Distância à sua extremidade inferior
+force-of-the-cylinder = Força do cilindro
+load-on-the-table = Carga na mesa
+force-of-each-cylinder = Força de cada cilindro
+the-cylinder-is-fixed-to-a-stage-that-the-lift-does-not-have-write-a-smaller-stage-or-more-stages = o cilindro está preso a um estágio que a plataforma não tem: escreva um estágio menor ou mais estágios
+horizontal-distance-of-the-ends-of-the-cylinder = Distância horizontal entre as extremidades do cilindro
+vertical-distance-of-the-ends-of-the-cylinder = Distância vertical entre as extremidades do cilindro
+both-ends-of-the-cylinder-are-at-the-same-point-it-has-no-length = as duas extremidades do cilindro estão no mesmo ponto: ele não tem comprimento
+length-of-the-cylinder = Comprimento do cilindro
+its-virtual-change-over = Sua variação virtual em δθ
+in-this-position-the-length-of-the-cylinder-does-not-change-with-the-height-of-the-table-a-dead = nesta posição o comprimento do cilindro não muda com a altura da mesa: um ponto morto, nenhuma força a levanta
+virtual-growth-of-the-cylinder-over-2-c-c-2-x-x-2-y-y = Alongamento virtual do cilindro em δθ: 2 c δc = 2 Δx δΔx + 2 Δy δΔy
+virtual-rise-of-the-table-over-from-h-n-l-sin = Subida virtual da mesa em δθ, de h = n L sen θ
+virtual-work-against-the-weights-of-the-2-n-bars-of-a-frame-which-rise-by-half-as-much-as-the-table = Trabalho virtual contra os pesos das 2 n barras de um quadro, que em média sobem a metade do que sobe a mesa
+the-virtual-works-of-cylinder-load-and-weights-of-a-frame-sum-to-zero = A soma dos trabalhos virtuais do cilindro, da carga e dos pesos de um quadro é nula
+the-cylinder-pulls-it-becomes-shorter-as-the-table-rises = o cilindro puxa: fica mais curto quando a mesa sobe
+height-of-the-table = Altura da mesa
+way-of-the-table-over-way-of-the-cylinder = Deslocamento da mesa sobre o do cilindro
+speed-of-the-table = Velocidade da mesa
+the-force-of-the-cylinder-by-newton-and-euler-for-every-bar = a força do cilindro por Newton e Euler em cada barra
+fixed-foot = Pé fixo
+sliding-foot = Pé deslizante
+crossing-of-stage-stage = Cruzamento do estágio { $stage }
+left-joint-over-stage-stage = Articulação esquerda sobre o estágio { $stage }
+right-joint-over-stage-stage = Articulação direita sobre o estágio { $stage }
+left-joint-of-the-table = Articulação esquerda da mesa
+right-joint-of-the-table = Articulação direita da mesa
+forces-in-the-pins-of-a-frame-the-load-in-the-middle = Forças nos pinos de um quadro, com a carga no meio
+size = Tamanho
+force-of-the-cylinder-against-the-angle-of-the-bars = Força do cilindro em função do ângulo das barras
+the-lift = A plataforma
+
+# virtual-work/screw-jack
+screw-jack = Macaco de parafuso
+axial-force-and-torque-of-a-screw-jack-a-rhombus-jack-or-a-scissor-jack-with-friction-efficiency-and = Força axial e torque de um macaco de parafuso, de losango ou de tesoura, com atrito, rendimento e autotravamento.
+frame = Suporte
+screw = Parafuso
+left-out-only-the-axial-force-is-answered = Em branco, só a força axial é respondida.
+the-load-stands-on-the-screw = A carga apoia-se no parafuso
+rhombus-with-the-screw-across = Losango com o parafuso na diagonal
+length-of-each-link = Comprimento de cada barra
+angle-of-the-links-from-the-horizontal = Ângulo das barras com a horizontal
+scissors-with-the-screw-between-the-feet = Tesoura com o parafuso entre os pés
+mean-diameter-of-the-thread = Diâmetro médio da rosca
+lead = Avanço
+way-of-a-nut-for-one-turn = Deslocamento de uma porca por volta.
+coefficient-of-friction-in-the-thread = Coeficiente de atrito na rosca
+half-the-angle-of-the-thread = Metade do ângulo da rosca
+zero-for-a-square-thread-15-for-a-trapezoidal-one = Zero para rosca quadrada, 15° para trapezoidal.
+threads = Roscas
+mean-diameter-of-the-collar = Diâmetro médio do colar
+coefficient-of-friction-in-the-collar = Coeficiente de atrito no colar
+one-nut = Uma porca
+two-nuts-on-a-right-hand-and-a-left-hand-thread = Duas porcas, em rosca direita e rosca esquerda
+force-and-torque-for-a-load = Força e torque para uma carga
+load-that-a-torque-raises = Carga que um torque levanta
+torque-on-the-screw = Torque no parafuso
+load-that-an-axial-force-holds = Carga que uma força axial sustenta
+axial-force-in-the-screw = Força axial no parafuso
+axial-force-in-the-screw-p-y-and-t-x-sum-to-zero = Força axial no parafuso: a soma de P δy e T δx é nula
+a-torque-needs-a-screw-write-its-diameter-and-lead = um torque precisa de um parafuso: escreva seu diâmetro e avanço
+axial-force-that-the-torque-overcomes = Força axial que o torque vence
+the-axial-force-by-newton-and-euler-for-every-link = a força axial por Newton e Euler em cada barra
+the-links-lie-nearly-flat-the-axial-force-grows-without-bound-as-they-do = as barras estão quase na horizontal: a força axial cresce sem limite quando se deitam
+virtual-rise-of-the-load-over-from-y-2-l-sin = Subida virtual da carga em δθ, de y = 2 L sen θ
+virtual-rise-of-the-load-over-from-y-n-l-sin = Subida virtual da carga em δθ, de y = n L sen θ
+virtual-approach-of-the-nuts-over-from-x-2-l-cos = Aproximação virtual das porcas em δθ, de x = 2 L cos θ
+virtual-approach-of-the-feet-over-from-x-l-cos = Aproximação virtual dos pés em δθ, de x = L cos θ
+height-of-the-load = Altura da carga
+axial-force-over-load-ways-of-load-and-screw-one-over-the-other = Força axial sobre carga: deslocamento da carga sobre o do parafuso
+axial-force-over-load = Força axial sobre carga
+load-p-y-and-t-x-sum-to-zero = Carga: a soma de P δy e T δx é nula
+slope-of-the-thread = Ângulo da hélice
+friction-of-the-inclined-flanks-of-the-thread = Atrito dos flancos inclinados da rosca
+angle-of-friction = Ângulo de atrito
+slope-of-the-thread-and-angle-of-friction-together-reach-90-the-thread-jams-and-no-torque-raises-the = o ângulo da hélice e o de atrito somam 90°: a rosca trava e nenhum torque levanta a carga
+torque-for-a-unit-of-axial-force-raising = Torque por unidade de força axial, ao levantar
+torque-for-a-unit-of-axial-force-lowering-negative-where-the-load-drives-the-screw = Torque por unidade de força axial, ao baixar; negativo onde a carga gira o parafuso
+torque-for-a-unit-of-axial-force-without-friction-m-t-2-for-each-nut = Torque por unidade de força axial sem atrito: M δψ = T ℓ δψ/2π para cada porca
+torque-that-raises-the-load = Torque que levanta a carga
+torque-that-lowers-the-load = Torque que baixa a carga
+efficiency-torque-without-friction-over-torque-with-it = Rendimento: torque sem atrito sobre torque com atrito
+the-screw-does-not-lock-itself-let-go-it-turns-back-under-the-load = o parafuso não é autotravante: solto, gira de volta sob a carga
+the-raising-torque-from-t-d-2-d-d = o torque de levantamento por T d/2 (ℓ + π μ′ d)/(π d − μ′ ℓ)
+axial-force-against-the-angle-of-the-links = Força axial em função do ângulo das barras
+angle-of-the-links = ângulo das barras
+axial-force = Força axial
+the-jack = O macaco
 
 # virtual-work/spring-lever
 arm-with-a-spring = Braço com mola
