@@ -1387,3 +1387,225 @@ virtual-displacement-of-the-end-of-the-lever-across-it = Deslocamento virtual da
 virtual-turn-of-the-lever-it-goes-with-the-crank-pin-across-its-slot = Giro virtual da alavanca: acompanha o pino da manivela transversalmente à ranhura
 virtual-work-of-the-force-on-the-output = Trabalho virtual da força na saída
 what-the-lever-drives = O que a alavanca aciona
+
+# scotch-yoke
+acceleration-of-the-yoke = Aceleração do garfo
+amplitude-of-the-torque-of-the-force = Amplitude do torque da força
+force-of-the-yoke-on-the-crank-pin-along-x = Força do garfo sobre o pino da manivela, ao longo de x
+force-of-the-yoke-on-the-crank-pin-along-x-by-the-same-equations = Força do garfo sobre o pino da manivela, ao longo de x, pelas mesmas equações
+force-on-the-yoke = Força no garfo
+largest-torque-of-a-turn-in-size = Maior torque de uma volta, em módulo
+position-of-the-yoke = Posição do garfo
+position-of-the-yoke-that-of-the-crank-pin-along-x = Posição do garfo: a do pino da manivela ao longo de x
+scotch-yoke = Garfo escocês
+the-crank-lies-along-the-line-of-the-yoke-a-dead-centre-no-force-on-the-yoke-can-balance-a-torque = a manivela está na linha do garfo, ponto morto: nenhuma força no garfo equilibra um torque; gire um pouco a manivela
+the-scotch-yoke = O garfo escocês
+torque-on-the-crank-or-force-on-the-yoke-of-a-scotch-yoke-at-rest-or-in-motion-by-virtual-work = Torque na manivela ou força no garfo de um garfo escocês, em repouso ou em movimento, por trabalho virtual; movimento harmônico e reações.
+twice-the-amplitude-of-the-torque-of-the-inertia-force = O dobro da amplitude do torque da força de inércia
+velocity-of-the-yoke = Velocidade do garfo
+virtual-displacement-of-the-yoke-for-2-1-x-r-sin-2-2 = Deslocamento virtual do garfo para δθ_2 = 1: δx = −r sen θ_2 δθ_2
+virtual-work-of-the-force-on-the-yoke = Trabalho virtual da força no garfo
+where-sin-a-b-cos-is-largest-2b-cos-a-cos-b-0-in-size-of-the-cosine = Onde sen θ (A + B cos θ) é máximo: 2B cos² θ + A cos θ − B = 0, em módulo do cosseno
+from-the-line-of-the-yoke-counter-clockwise = A partir da linha do garfo, no sentido anti-horário.
+mass-of-the-yoke = Massa do garfo
+along-x = Ao longo de x.
+yoke = garfo
+
+# rolling-disc
+acceleration-of-the-centre = Aceleração do centro
+acceleration-of-the-centre-of-the-disc = Aceleração do centro do disco
+angle-of-the-rod-r-sin-2-l-sin-3-0 = Ângulo da biela: r sen θ_2 + l sen θ_3 = 0
+crank-and-rod-are-in-one-line-a-dead-centre-no-force-on-the-disc-can-balance-a-torque-turn-the-crank = manivela e biela estão alinhadas, ponto morto: nenhuma força no disco equilibra um torque; gire um pouco a manivela
+disc-rolled-by-a-crank = Disco rolado por uma manivela
+force-on-the-centre-of-the-disc = Força no centro do disco
+friction-at-the-floor-turns-the-disc-r-f-i-with-a-r-positive-along-x = O atrito no piso gira o disco: R f = I α com α = −a/R, positivo ao longo de x
+friction-force-of-the-floor = Força de atrito do piso
+least-coefficient-of-friction-without-slip = Menor coeficiente de atrito sem escorregamento
+length-of-the-spring = Comprimento da mola
+moment-of-inertia-of-a-thin-ring = Momento de inércia de um anel fino
+moment-of-inertia-of-a-uniform-disc = Momento de inércia de um disco uniforme
+normal-force-of-the-floor = Força normal do piso
+normal-force-of-the-floor-upwards-by-the-same-equations = Força normal do piso, para cima, pelas mesmas equações
+position-of-the-centre = Posição do centro
+position-of-the-centre-of-the-disc = Posição do centro do disco
+the-centre-of-the-disc-is-not-on-the-far-side-of-the-wall-move-the-wall-away-from-the-disc = o centro do disco não está do outro lado da parede: afaste a parede do disco
+the-friction-is-the-effort-that-keeps-the-disc-from-slipping = o atrito é o esforço que impede o disco de escorregar
+the-rod-lifts-the-disc-off-the-floor-it-cannot-roll-here = a biela levanta o disco do piso: aqui ele não pode rolar
+the-rolling-disc = O disco que rola
+torque-on-a-crank-that-rolls-a-disc-without-slip-against-spring-and-damper-by-virtual-work-friction = Torque numa manivela que faz rolar um disco sem escorregar contra mola e amortecedor, por trabalho virtual; atrito no piso e o coeficiente necessário.
+velocity-of-the-centre = Velocidade do centro
+velocity-of-the-centre-of-the-disc = Velocidade do centro do disco
+virtual-displacement-of-the-centre-for-2-1 = Deslocamento virtual do centro para δθ_2 = 1
+virtual-work-of-the-damper-c-v-u = Trabalho virtual do amortecedor, −c v u
+virtual-work-of-the-force-on-the-centre-of-the-disc = Trabalho virtual da força no centro do disco
+virtual-work-of-the-inertia-couple-the-disc-turns-by-u-r-a-r = Trabalho virtual do conjugado de inércia: o disco gira de −u/R, α = −a/R
+virtual-work-of-the-spring-k-s-l-0-u = Trabalho virtual da mola, −k (s − L_0) u
+
+# six-bar
+a-force-along-the-line-of-a-slider-or-a-torque-on-a-second-rocker = Uma força ao longo da linha de um cursor, ou um torque em um segundo balancim.
+a-point-of-its-line = Um ponto da sua linha
+a-second-rocker = Um segundo balancim
+a-slider = Um cursor
+angle-of-link-5 = Ângulo da peça 5
+angle-of-the-second-rocker = Ângulo do segundo balancim
+angular-acceleration-of-the-second-rocker = Aceleração angular do segundo balancim
+angular-velocity-of-the-second-rocker = Velocidade angular do segundo balancim
+angular-velocity-of-the-second-rocker-over-that-of-the-crank = Velocidade angular do segundo balancim sobre a da manivela
+direction-of-its-line = Direção da sua linha
+displacement-of-the-slider-for-a-unit-turn-of-the-crank = Deslocamento do cursor por giro unitário da manivela
+distance-from-the-fixed-pin-along-the-rocker = Distância ao pino fixo, ao longo do balancim
+distance-from-the-line-of-its-pins-to-its-left = Distância à linha dos seus pinos, para a esquerda dela
+force-along-its-line = Força ao longo da sua linha
+force-in-the-pin-that-the-second-pair-hangs-on = Força no pino em que o segundo par se apoia
+from-the-first-pin-of-its-link-to-d = Do primeiro pino da sua peça até D
+from-the-x-axis-counter-clockwise-the-way-that-is-positive-for-the-slider = A partir do eixo x, no sentido anti-horário; o sentido positivo do cursor.
+its-fixed-pin = Seu pino fixo
+its-length = Seu comprimento
+length-of-link-5 = Comprimento da peça 5
+link-5 = peça 5
+load-on-the-output = Carga na saída
+load-with-it-the-sum-of-the-virtual-works-is-zero = Carga: com ela a soma dos trabalhos virtuais é nula
+mass-of-link-5 = Massa da peça 5
+mass-of-the-second-rocker = Massa do segundo balancim
+on-the-coupler-stephenson = No acoplador: Stephenson
+on-the-rocker-watt = No balancim: Watt
+open-the-pin-of-links-5-and-6-is-to-the-left-of-the-way-from-d-to-e = Aberta: o pino das peças 5 e 6 está à esquerda do caminho de D a E.
+output = saída
+point-d-from-the-origin = Ponto D, a partir da origem
+second-rocker = segundo balancim
+seen-from-the-point-that-the-pair-hangs-on-along-the-line = Visto do ponto em que o par se apoia, ao longo da linha.
+six-bar-linkage = Mecanismo de seis barras
+swing-of-the-second-rocker = Oscilação do segundo balancim
+the-output-is-a-rocker-give-its-load-as-a-torque-on-the-second-rocker = a saída é um balancim: dê a sua carga como torque no segundo balancim
+the-output-is-a-slider-give-its-load-as-a-force-on-the-slider = a saída é um cursor: dê a sua carga como força no cursor
+the-output-turns-back-here-a-dead-centre-no-load-on-it-can-balance-a-torque-on-the-crank-turn-the = a saída inverte aqui o movimento, ponto morto: nenhuma carga nela equilibra um torque na manivela; gire um pouco a manivela
+the-six-bar-linkage = O mecanismo de seis barras
+torque-on-the-second-rocker = Torque no segundo balancim
+torque-or-load-of-watt-and-stephenson-six-bars-with-a-slider-or-a-second-rocker-at-rest-or-in-motion = Torque ou carga de mecanismos de seis barras de Watt e Stephenson com cursor ou segundo balancim, em repouso ou em movimento com massas, por trabalho virtual.
+torque-positive-counter-clockwise = Torque, positivo no sentido anti-horário
+unit-vector-along-the-line-of-the-slider = Vetor unitário ao longo da linha do cursor
+unknown-with-a-given-torque-on-the-crank = Incógnita, com torque dado na manivela
+virtual-work-of-the-load-on-the-output = Trabalho virtual da carga na saída
+way-of-the-slider = Curso do cursor
+what-link-5-drives = O que a peça 5 aciona
+where-the-second-pair-hangs = Onde o segundo par se apoia
+
+# rolling-disc, inputs
+along-x-from-the-bearing-of-the-crank-on-the-far-side-from-the-disc-s-way = Ao longo de x, a partir do mancal da manivela; do lado oposto ao percurso do disco.
+damper-along-the-floor = Amortecedor ao longo do piso
+free-length = Comprimento livre
+from-the-line-of-the-disc-s-centre-counter-clockwise = A partir da linha do centro do disco, no sentido anti-horário.
+moment-of-inertia-of-the-disc = Momento de inércia do disco
+position-of-the-wall = Posição da parede
+spring-from-a-wall-to-the-centre = Mola de uma parede ao centro
+thin-ring = Anel fino
+uniform-disc = Disco uniforme
+
+# five-bar
+angle-of-the-first-crank = Ângulo da primeira manivela
+angle-of-the-first-rod = Ângulo da primeira biela
+angle-of-the-second-crank = Ângulo da segunda manivela
+each-by-itself-two-freedoms = Cada uma por si: dois graus de liberdade
+geared-together-one-freedom = Engrenadas entre si: um grau de liberdade
+length-of-the-first-crank = Comprimento da primeira manivela
+length-of-the-first-rod = Comprimento da primeira biela
+length-of-the-second-crank = Comprimento da segunda manivela
+length-of-the-second-rod = Comprimento da segunda biela
+mesh = Engrenamento
+outside-teeth-opposite-senses = Dentes externos: sentidos opostos
+path = trajetória
+side-on-which-the-rods-meet = Lado em que as bielas se encontram
+teeth-of-the-gear-on-the-first-crank = Dentes da engrenagem da primeira manivela
+teeth-of-the-gear-on-the-second-crank = Dentes da engrenagem da segunda manivela
+through-an-idler-or-inside-teeth-the-same-sense = Por roda intermediária ou dentes internos: o mesmo sentido
+to-the-left-of-the-way-from-a-to-b = À esquerda do caminho de A a B
+to-the-right-of-the-way-from-a-to-b = À direita do caminho de A a B
+torques-on-the-cranks = Torques nas manivelas
+angle-of-the-second-rod = Ângulo da segunda biela
+b-from-the-origin = B, a partir da origem
+both-cranks-move-the-point-p-along-the-same-line-the-torques-do-not-tell-the-force-across-it-turn-a = as duas manivelas movem o ponto P na mesma linha: os torques não determinam a força transversal a ela; gire um pouco uma manivela
+determinant-of-the-two-displacements-of-p = Determinante dos dois deslocamentos de P
+displacement-of-p-for-2-1-with-the-first-crank-and-with-the-second-by-the-gears = Deslocamento de P para δθ_2 = 1: com a primeira manivela e, pelas engrenagens, com a segunda
+first-crank = primeira manivela
+first-crank-from-o-to-a = Primeira manivela, de O a A
+first-rod = primeira biela
+five-bar-linkage = Mecanismo de cinco barras
+force-in-the-fixed-pin-of-the-first-crank = Força no pino fixo da primeira manivela
+force-in-the-fixed-pin-of-the-second-crank = Força no pino fixo da segunda manivela
+force-where-the-rods-meet = Força no encontro das bielas
+force-where-the-rods-meet-along-x = Força no encontro das bielas, ao longo de x
+force-where-the-rods-meet-along-y = Força no encontro das bielas, ao longo de y
+holding-torques-of-a-five-bar-linkage-with-two-driven-cranks-or-geared-to-one-freedom-for-a-force = Torques que sustentam um mecanismo de cinco barras com duas manivelas acionadas, ou engrenado com um grau de liberdade, para uma força no encontro das bielas, por trabalho virtual; ou a força pelos torques.
+path-of-the-point-where-the-rods-meet = Trajetória do ponto de encontro das bielas
+second-crank = segunda manivela
+second-crank-from-c-to-b = Segunda manivela, de C a B
+second-rod = segunda biela
+t-2-f-u-p2-0-and-t-5-f-u-p5-0-solved-for-the-force-along-x = T_2 + F · u_P2 = 0 e T_5 + F · u_P5 = 0, resolvidas para a força ao longo de x
+teeth-as-given = Dentes, como dados
+the-five-bar-linkage = O mecanismo de cinco barras
+the-gears-leave-one-freedom-one-torque-cannot-tell-both-components-of-the-force-give-the-force-and = as engrenagens deixam um grau de liberdade: um torque não determina as duas componentes da força; dê a força e peça o torque
+the-other-rod-moves-the-common-pin-alike = a outra biela move o pino comum da mesma forma
+the-same-two-equations-solved-for-the-force-along-y = As mesmas duas equações, resolvidas para a força ao longo de y
+torque-on-the-first-crank = Torque na primeira manivela
+torque-on-the-first-crank-t-2-2-f-u-p-0 = Torque na primeira manivela: T_2 δθ_2 + F · u_P = 0
+torque-on-the-first-crank-the-second-held-t-2-2-f-u-p2-0 = Torque na primeira manivela, com a segunda parada: T_2 δθ_2 + F · u_P2 = 0
+torque-on-the-second-crank = Torque na segunda manivela
+torque-on-the-second-crank-the-first-held-t-5-5-f-u-p5-0 = Torque na segunda manivela, com a primeira parada: T_5 δθ_5 + F · u_P5 = 0
+torques-over-the-turn-of-the-first-crank = Torques ao longo da volta da primeira manivela
+virtual-turn-of-the-second-crank-for-2-1-by-the-gears = Giro virtual da segunda manivela para δθ_2 = 1, pelas engrenagens
+
+# epicyclic-train
+a-ring-of-ring-teeth-has-no-room-for-the-planets-on-a-sun-of-sun-teeth-give-the-ring-more = uma coroa de { $ring } dentes não tem lugar para os satélites num sol de { $sun } dentes: dê mais dentes à coroa
+both-suns-turn-alike-against-the-arm-so-the-arm-cannot-move-while-one-is-fixed-change-a-number-of = os dois sóis giram igual em relação ao braço, e o braço não se move com um deles fixo: mude um número de dentes
+driving-member = Membro motor
+epicyclic-gear-train = Trem epicicloidal
+fixed-member = Membro fixo
+it-meshes-with-outside-teeth-of-the-driving-member-and-turns-about-a-fixed-axis = Engrena com dentes externos do membro motor e gira em torno de um eixo fixo.
+known-torque = Torque conhecido
+load-on-the-driven-member = Carga no membro movido
+no-member-is-left-to-be-driven = não resta membro a ser movido
+outside-teeth-of-the-driving-member = Dentes externos do membro motor
+pinion-that-drives-the-driving-member = Pinhão que aciona o membro motor
+power-of-the-driving-shaft = Potência do eixo motor
+ratio-of-the-speeds-from-the-meshes-of-the-gears = razão das velocidades pelos engrenamentos
+ratio-with-the-arm-held-ring-or-second-sun-over-sun-each-outside-mesh-turns-the-sense = Razão com o braço parado: coroa (ou segundo sol) sobre sol; cada engrenamento externo inverte o sentido
+ring-or-second-sun = Coroa, ou segundo sol
+speed-of-the-driven-member = Velocidade do membro movido
+speed-of-the-driven-member-over-that-of-the-driving-shaft = Velocidade do membro movido sobre a do eixo motor
+speed-of-the-driven-member-over-that-of-the-pinion = Velocidade do membro movido sobre a do pinhão
+speed-of-the-driving-shaft = Velocidade do eixo motor
+speed-of-the-planet-against-the-arm = Velocidade do satélite em relação ao braço
+speed-of-the-planet-against-the-arm-it-meshes-with-the-sun = Velocidade do satélite em relação ao braço: engrena com o sol
+speed-of-the-planet-against-the-arm-it-rolls-on-the-fixed-sun = Velocidade do satélite em relação ao braço: rola sobre o sol fixo
+speeds-of-all-members-of-an-epicyclic-train-by-willis-s-formula-and-driving-load-and-holding-torques = Velocidades de todos os membros de um trem epicicloidal pela fórmula de Willis, e torques motor, de carga e de retenção por potência virtual.
+sun = Sol
+sun-compound-planets-ring-with-inside-teeth = Sol, satélites compostos, coroa de dentes internos
+sun-planets-ring-with-inside-teeth = Sol, satélites, coroa de dentes internos
+teeth-as-given-or-as-the-distance-of-the-axes-demands = Dentes, como dados ou como a distância dos eixos exige
+teeth-of-the-first-sun = Dentes do primeiro sol
+teeth-of-the-pinion = Dentes do pinhão
+teeth-of-the-planet-on-the-first-sun = Dentes do satélite no primeiro sol
+teeth-of-the-planet-on-the-ring = Dentes do satélite na coroa
+teeth-of-the-planet-on-the-second-sun = Dentes do satélite no segundo sol
+teeth-of-the-planet-on-the-sun = Dentes do satélite no sol
+teeth-of-the-ring = Dentes da coroa
+teeth-of-the-second-sun = Dentes do segundo sol
+teeth-of-the-sun = Dentes do sol
+that-of-the-pinion-if-there-is-one = A do pinhão, se houver.
+the-epicyclic-train = O trem epicicloidal
+the-fixed-member-cannot-drive-choose-two-different-members-of-sun-ring-and-arm = o membro fixo não pode ser motor: escolha dois membros diferentes entre sol, coroa e braço
+the-load-by-the-equations-of-newton-and-euler-of-every-gear = a carga pelas equações de Newton e Euler de cada engrenagem
+the-pinion-turns-the-driving-member-the-other-way = O pinhão gira o membro motor no sentido oposto
+the-second-sun-with-outside-teeth-stands-in-the-place-of-the-ring = O segundo sol, de dentes externos, fica no lugar da coroa.
+the-three-torques-on-sun-ring-and-arm-are-in-balance-torque-that-holds-the-fixed-member = Os três torques em sol, coroa e braço equilibram-se: torque que retém o membro fixo
+torque-of-the-load-on-the-driven-member = Torque da carga no membro movido
+torque-of-the-pinion-on-the-driving-member-the-same-virtual-power = Torque do pinhão no membro motor: a mesma potência virtual
+torque-on-the-driving-member = Torque no membro motor
+torque-on-the-driving-shaft = Torque no eixo motor
+torque-that-holds-the-fixed-member = Torque que retém o membro fixo
+two-suns-compound-planets = Dois sóis, satélites compostos
+virtual-power-t-in-in-t-out-out-0-torque-of-the-load-on-the-driven-member = Potência virtual, T_in ω_in + T_out ω_out = 0: torque da carga no membro movido
+virtual-power-t-in-in-t-out-out-0-torque-on-the-driving-shaft = Potência virtual, T_in ω_in + T_out ω_out = 0: torque no eixo motor
+willis-r-a-e-s-a-with-the-arm-fixed-driven-over-driver = Willis, ω_R − ω_A = e (ω_S − ω_A), com o braço fixo: movido sobre motor
+willis-r-a-e-s-a-with-the-ring-fixed-driven-over-driver = Willis, ω_R − ω_A = e (ω_S − ω_A), com a coroa fixa: movido sobre motor
+willis-r-a-e-s-a-with-the-sun-fixed-driven-over-driver = Willis, ω_R − ω_A = e (ω_S − ω_A), com o sol fixo: movido sobre motor

@@ -158,25 +158,6 @@ impl Solved {
         [of(0), of(1)]
     }
 
-    /// Where a point of a link is, and its velocity and acceleration.
-    pub(crate) fn motion_of(&self, at: Point) -> [[f64; 2]; 3] {
-        let Some(body) = at.on else { return [at.at, [0.0; 2], [0.0; 2]] };
-        let ([x, y, angle], [vx, vy, w], [ax, ay, alpha]) =
-            (self.state.positions[body], self.state.velocities[body], self.state.accelerations[body]);
-        let [rx, ry] = turned(at.at, angle);
-        [
-            [x + rx, y + ry],
-            [vx - w * ry, vy + w * rx],
-            [ax - alpha * ry - w * w * rx, ay + alpha * rx - w * w * ry],
-        ]
-    }
-
-    /// Angle, angular velocity and angular acceleration of a link.
-    pub(crate) fn turning_of(&self, link: Link) -> [f64; 3] {
-        let State { positions, velocities, accelerations } = &self.state;
-        [positions[link.body][2], velocities[link.body][2], accelerations[link.body][2]]
-    }
-
     /// The virtual work of every load for a unit of a driver's measure, and its power.
     pub(crate) fn works(&self, driver: usize) -> Exhibit {
         let name = |of: Acting| match of {

@@ -2,9 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dalembert_core::{
-    About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
-};
+use dalembert_core::{About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Worksheet, register};
 use dalembert_mechanics::{
     Real, Vector,
     planar::{Joint, Load, Measure, PlanarError, Point},
@@ -447,12 +445,22 @@ impl QuickReturn {
         let range = Range::about(self.angle, |angle| self.reached(angle));
         let angle = || Axis::linear("Crank angle", "deg");
         let cycle = Cycle::new(range, at);
-        if let Unknown::Torque { .. } = self.unknown {
-            sheet.show(|| {
+        match self.unknown {
+            Unknown::Torque { .. } => sheet.show(|| {
                 let series = Series::line("torque", cycle.curve(|found| found.torque));
                 let axis = Axis::linear("Torque on the crank", "N*m");
                 Exhibit::Plot(Plot::new("Torque over the turn", angle(), axis, vec![series]))
-            });
+            }),
+            Unknown::Force { .. } => sheet.show(|| {
+                // Near the dead centres the force grows without bound.
+                let force = cycle.curve(|found| {
+                    let near = found.shift.abs() <= 0.1 * self.crank;
+                    if near { f64::INFINITY } else { found.force }
+                });
+                let axis = Axis::linear("Force on the output", "N");
+                let series = Series::line("force", force);
+                Exhibit::Plot(Plot::new("Force over the turn", angle(), axis, vec![series]))
+            }),
         }
         sheet.show(|| {
             let series = Series::line("lever", cycle.curve(|found| found.lever.ratio));

@@ -3,8 +3,6 @@
 //! Links carry the numbers of the field: 1 the frame, 2 the crank, 3 the rod or coupler, 4 what follows. For the
 //! coordinate θ₂ and a virtual turn δθ₂ = 1 a point moves by `u` and a link turns by `h`, so that `δW = F·u + T h`.
 
-use std::f64::consts::TAU;
-
 use dalembert_core::{Cite, Inputs, Symbol, Text, Worksheet};
 use dalembert_mechanics::{Real, Vector};
 use nalgebra::Vector3;
@@ -279,10 +277,4 @@ pub(crate) fn check_balance<W: Worksheet>(forces: &[[f64; 2]], demanded: [f64; 2
         let size = forces.iter().chain([&demanded]).fold(0.0f64, |most, f| most.max(f[0].hypot(f[1])));
         sheet.check_zero(what, (sum - demanded[axis]).into(), size);
     }
-}
-
-/// An angle brought into (−π, π].
-pub(crate) fn wrapped(angle: f64) -> f64 {
-    let turned = angle.rem_euclid(TAU);
-    if turned > TAU / 2.0 { turned - TAU } else { turned }
 }
