@@ -8,6 +8,7 @@ mod dyad;
 pub mod engine;
 pub mod epicyclic_train;
 mod equilibria;
+pub mod equilibrium;
 pub mod equivalent_rod;
 pub mod five_bar;
 pub mod flywheel;

@@ -1,6 +1,6 @@
 //! The parts that a mechanism is described with, and the mechanism that they make.
 
-use dalembert_core::{Inputs, Reference, Refusal, Text};
+use dalembert_core::{DrawnShape, Ink, Inputs, Reference, Refusal, Text};
 use dalembert_mechanics::planar::{self, Measure, PlanarError, Profile, System};
 use nalgebra::Vector3;
 
@@ -605,6 +605,39 @@ impl Parts<'_> {
         let system = System::new(&mechanism, &drawn).map_err(refuse)?;
         let positions = system.assemble(&drawn).map_err(refuse)?;
         Ok((system, rows, positions))
+    }
+
+    /// The bodies as lines through their points, and springs and rods between theirs.
+    pub(crate) fn outline(&self, positions: &[[f64; 3]], ink: Ink) -> Vec<DrawnShape> {
+        let at = |reference: Reference| {
+            let point = self.point(reference);
+            let [x, y] = point.on.map_or(point.at, |body| planar::Pose::new(positions[body]).point(point.at));
+            (x, y)
+        };
+        let own = |body: usize| {
+            let carried =
+                self.points.iter().enumerate().filter(move |(_, spot)| spot.on.frame() == Some(body));
+            let mut corners: Vec<(f64, f64)> = carried.map(|(row, _)| at(Reference(row))).collect();
+            if corners.len() > 2 {
+                corners.push(corners[0]);
+            }
+            corners
+        };
+        let bodies = (0..self.bodies.len()).map(own).filter(|corners| corners.len() > 1);
+        let bodies = bodies.map(|corners| DrawnShape::Polyline(corners, ink));
+        let springs = self.loads.iter().filter_map(|load| match &load.load {
+            Load::Spring { from, to, .. } => Some(DrawnShape::Spring(at(*from), at(*to))),
+            _ => None,
+        });
+        let lines = self.joints.iter().flat_map(|connection| match &connection.joint {
+            Joint::Rod { from, to, .. } => vec![DrawnShape::Polyline(vec![at(*from), at(*to)], ink)],
+            Joint::Cord { runs, .. } => runs
+                .iter()
+                .map(|run| DrawnShape::Polyline(vec![at(run.from), at(run.to)], Ink::Faint))
+                .collect(),
+            _ => Vec::new(),
+        });
+        bodies.chain(lines).chain(springs).collect()
     }
 
     /// What is wrong, in the names of the form.

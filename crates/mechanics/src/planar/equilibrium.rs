@@ -2,7 +2,10 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{PlanarError, System};
+use super::{
+    Load, PlanarError, State, System,
+    system::{bias, poses, project, slope},
+};
 use crate::{linalg, roots};
 
 /// A position in which the drivers need no effort.
@@ -69,26 +72,61 @@ impl System {
             .collect()
     }
 
-    /// `∂²V/∂m_i ∂m_j` from the holding efforts on both sides, with the error of the step taken out (Richardson).
+    /// How the holding efforts grow with the drivers, `∂²V/∂m_i ∂m_j`; its symmetric part where a load has no
+    /// potential.
+    ///
+    /// Along a motion at unit velocity and without acceleration of the drivers the virtual power of an effort Q along
+    /// a measure m changes as `Q′ ṁ² + Q m̈`, that of a force at a point as `F · a`.
     ///
     /// # Errors
-    /// As for [`follow`](System::follow).
+    /// As for [`motion`](System::motion).
     pub fn stiffness(&self, positions: &[[f64; 3]]) -> Result<DMatrix<f64>, PlanarError> {
-        let drivers = &self.mechanism.drivers;
-        let values: Vec<f64> = drivers.iter().map(|driver| self.value(&driver.measure, positions)).collect();
-        let mut stiffness = DMatrix::zeros(drivers.len(), drivers.len());
-        for (column, driver) in drivers.iter().enumerate() {
-            let step = 1e-3 * if driver.measure.is_angle() { 1.0 } else { self.length };
-            let at = |steps: f64| -> Result<DVector<f64>, PlanarError> {
-                let mut there = values.clone();
-                there[column] += steps * step;
-                Ok(DVector::from_vec(self.holding(&self.follow(positions, &there)?.positions)?))
-            };
-            let near = (at(1.0)? - at(-1.0)?) / (2.0 * step);
-            let far = (at(2.0)? - at(-2.0)?) / (4.0 * step);
-            stiffness.set_column(column, &((near * 4.0 - far) / 3.0));
+        let elimination = self.factored(positions)?;
+        let drivers = self.mechanism.drivers.len();
+        let along = |moved: &[usize]| -> Result<f64, PlanarError> {
+            let mut rates = vec![0.0; drivers];
+            for &driver in moved {
+                rates[driver] = 1.0;
+            }
+            let state = self.motion_with(&elimination, positions, &rates, &vec![0.0; drivers])?;
+            Ok(-self.change_of_power(&state))
+        };
+        let own: Vec<f64> = (0..drivers).map(|driver| along(&[driver])).collect::<Result<_, _>>()?;
+        let mut stiffness = DMatrix::from_diagonal(&DVector::from_vec(own));
+        for row in 0..drivers {
+            for column in 0..row {
+                let both = along(&[row, column])?;
+                let mixed = (both - stiffness[(row, row)] - stiffness[(column, column)]) / 2.0;
+                (stiffness[(row, column)], stiffness[(column, row)]) = (mixed, mixed);
+            }
         }
-        Ok((&stiffness + stiffness.transpose()) / 2.0)
+        Ok(stiffness)
+    }
+
+    /// How the power of loads and weights changes along a motion, as if they were slow.
+    fn change_of_power(&self, state: &State) -> f64 {
+        let poses = poses(&state.positions);
+        let [gx, gy] = self.mechanism.gravity;
+        let bodies = self.mechanism.bodies.iter().zip(&state.accelerations);
+        let weights: f64 = bodies.map(|(body, a)| body.mass * (gx * a[0] + gy * a[1])).sum();
+        let of_load = |load: &Load| match load {
+            Load::Force { at, force, turns_with } => {
+                let [_, v, a] = self.point(*at, state);
+                let [fx, fy] = turns_with.map_or(*force, |body| poses[body].turned(*force));
+                let turning = turns_with.map_or(0.0, |body| state.velocities[body][2]);
+                fx * a[0] + fy * a[1] + turning * (fx * v[1] - fy * v[0])
+            }
+            Load::Effort { measure, effort } => {
+                let slope = slope(measure, &poses);
+                let rate = project(measure, &slope, &state.velocities);
+                let acceleration =
+                    project(measure, &slope, &state.accelerations) + bias(measure, &poses, &state.velocities);
+                let [growth, _] = effort.slope(slope.value);
+                growth * rate * rate + effort.at(slope.value, 0.0) * acceleration
+            }
+            Load::Friction { .. } => 0.0,
+        };
+        weights + self.mechanism.loads.iter().map(of_load).sum::<f64>()
     }
 
     /// The mechanism in equal steps of its first driver from one value to another; the others are held. It ends
@@ -188,7 +226,7 @@ impl System {
                 return self.judged(next, here, largest);
             }
         }
-        // Rounding of the stiffness may keep the last steps above the strictest measure.
+        // Rounding may keep the last steps above the strictest measure.
         let efforts = self.holding(&here)?;
         if efforts.iter().all(|effort| effort.abs() <= 1e-9 * largest) {
             let values = drivers.iter().map(|driver| self.value(&driver.measure, &here)).collect();
@@ -211,12 +249,12 @@ impl System {
             stiffness[(row, column)] / (scale[row] * scale[column])
         });
         let lowest = linalg::symmetric_eigen(&scaled)?.values[0];
-        // Noise of the differences against the efforts that occur.
+        // What is rounding of the efforts that occur.
         let noise = |k: usize| {
             let step = if self.mechanism.drivers[k].measure.is_angle() { 1.0 } else { self.length };
-            stiffness[(k, k)].abs() <= 1e-8 * largest / step
+            stiffness[(k, k)].abs() <= 1e-10 * largest / step
         };
-        let stability = if lowest.abs() < 1e-7 || (0..values.len()).any(noise) {
+        let stability = if lowest.abs() < 1e-9 || (0..values.len()).any(noise) {
             Stability::Neutral
         } else if lowest > 0.0 {
             Stability::Stable

@@ -123,6 +123,11 @@ impl System {
         Ok(drawn)
     }
 
+    /// The size of the mechanism, m: its longest arm, rod or reach.
+    pub fn size(&self) -> f64 {
+        self.length
+    }
+
     /// The mechanism.
     pub fn mechanism(&self) -> &Mechanism {
         &self.mechanism
@@ -414,7 +419,7 @@ pub(super) fn slope(measure: &Measure, poses: &[Pose<f64>]) -> Slope<f64> {
     measure.slope([&from, &to])
 }
 
-fn bias(measure: &Measure, poses: &[Pose<f64>], velocities: &[[f64; 3]]) -> f64 {
+pub(super) fn bias(measure: &Measure, poses: &[Pose<f64>], velocities: &[[f64; 3]]) -> f64 {
     let [from, to] = measure.bodies().map(|frame| pose(frame, poses));
     let [from_velocity, to_velocity] =
         measure.bodies().map(|frame| frame.map_or([0.0; 3], |body| velocities[body]));

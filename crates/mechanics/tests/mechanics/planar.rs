@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_mechanics::planar::{
-    Body, Driver, Effort, Joint, Load, Measure, Mechanism, PlanarError, Point, State, System,
+    Body, Driver, Effort, Joint, Load, Measure, Mechanism, PlanarError, Point, Stability, State, System,
 };
 use dalembert_mechanics::slider_crank::{Branch, CrankMotion, SliderCrank};
 use proptest::prelude::*;
@@ -381,4 +381,70 @@ fn velocities_and_accelerations_are_derivatives_of_the_positions() {
             assert!((bend - now.accelerations[body][part]).abs() < 1e-8, "{bend}");
         }
     }
+}
+
+/// n bars of 1 m hung in a chain from (0, 0), drawn at these angles.
+fn chain(angles: &[f64], loads: Vec<Load>) -> (Mechanism, Vec<[f64; 3]>) {
+    let mut mechanism = Mechanism { gravity: [0.0, -9.81], loads, ..Mechanism::default() };
+    let (mut drawn, mut end, mut last) = (Vec::new(), [0.0, 0.0], Point::ground([0.0, 0.0]));
+    for (body, &angle) in angles.iter().enumerate() {
+        let [a, b] = ends(body, 1.0, 0.5);
+        mechanism.bodies.push(Body { mass: 3.0, inertia: 0.25 });
+        mechanism.joints.push(Joint::Pin { a: last, b: a });
+        mechanism.drivers.push(turning(body, angle, 0.0, 0.0));
+        drawn.push([end[0] + 0.5 * angle.cos(), end[1] + 0.5 * angle.sin(), angle]);
+        end = [end[0] + angle.cos(), end[1] + angle.sin()];
+        last = b;
+    }
+    (mechanism, drawn)
+}
+
+#[test]
+fn a_chain_of_bars_hangs_where_its_weights_and_the_pull_let_it() {
+    // tan θ from the vertical is the pull over the weight that hangs below the middle of each bar.
+    let pull = 1.5 * 3.0 * 9.81;
+    let tip = Point::body(2, [0.5, 0.0]);
+    let load = Load::Force { at: tip, force: [pull, 0.0], turns_with: None };
+    let (mechanism, drawn) = chain(&[-1.2, -0.9, -0.2], vec![load]);
+    let system = found(System::new(&mechanism, &drawn));
+    let here = found(system.equilibrium_near(&found(system.assemble(&drawn))));
+    for (value, ratio) in here.values.iter().zip([1.5 / 2.5, 1.5 / 1.5, 1.5 / 0.5f64]) {
+        close(*value, ratio.atan() - FRAC_PI_2, 1e-12);
+    }
+    assert_eq!(here.stability, Stability::Stable);
+    // The stiffness is the second difference of the potential energy.
+    let energy = |row: usize, column: usize, a: f64, b: f64| {
+        let mut values = here.values.clone();
+        values[row] += a;
+        values[column] += b;
+        let there = found(system.follow(&here.positions, &values));
+        system.potential(&there.positions).expect("weights and a force have a potential")
+    };
+    let h = 1e-3;
+    for row in 0..3 {
+        for column in 0..3 {
+            let mixed = (energy(row, column, h, h) - energy(row, column, h, -h) - energy(row, column, -h, h)
+                + energy(row, column, -h, -h))
+                / (4.0 * h * h);
+            assert!((mixed - here.stiffness[(row, column)]).abs() < 1e-4 * here.stiffness[(0, 0)].abs());
+        }
+    }
+}
+
+#[test]
+fn a_pendulum_has_its_two_places_of_rest() {
+    let (mechanism, drawn) = chain(&[0.3], vec![]);
+    let system = found(System::new(&mechanism, &drawn));
+    let positions = found(system.assemble(&drawn));
+    let samples = found(system.through(&positions, [-4.0, 4.0], 100));
+    let places = found(system.equilibria(&samples));
+    let judged: Vec<(f64, Stability)> =
+        places.iter().map(|place| (place.values[0], place.stability)).collect();
+    let mgl = 3.0 * 9.81 * 0.5;
+    assert_eq!(judged.len(), 2);
+    close(judged[0].0, -FRAC_PI_2, 1e-12);
+    close(judged[1].0, FRAC_PI_2, 1e-12);
+    assert_eq!([judged[0].1, judged[1].1], [Stability::Stable, Stability::Unstable]);
+    close(places[0].stiffness[(0, 0)], mgl, ROUNDING);
+    close(places[1].stiffness[(0, 0)], -mgl, ROUNDING);
 }

@@ -256,28 +256,10 @@ impl Solved<'_> {
                         _ => {}
                     }
                 }
-                Joint::Rod { from, to, .. } => {
-                    shapes.push(DrawnShape::Polyline(vec![at(*from), at(*to)], Ink::Body));
-                }
-                Joint::Cord { runs, .. } => {
-                    for run in runs {
-                        shapes.push(DrawnShape::Polyline(vec![at(run.from), at(run.to)], Ink::Faint));
-                    }
-                }
-                Joint::Pin { .. } | Joint::Weld { .. } | Joint::Gears { .. } | Joint::Cam { .. } => {}
+                _ => {}
             }
         }
-        for body in 0..parts.bodies.len() {
-            let own = parts.points.iter().enumerate().filter(|(_, spot)| spot.on.frame() == Some(body));
-            let mut corners: Vec<(f64, f64)> =
-                own.map(|(row, _)| at(dalembert_core::Reference(row))).collect();
-            if corners.len() > 2 {
-                corners.push(corners[0]);
-            }
-            if corners.len() > 1 {
-                shapes.push(DrawnShape::Polyline(corners, Ink::Body));
-            }
-        }
+        shapes.extend(parts.outline(&state.positions, Ink::Body));
         for (row, spot) in parts.points.iter().enumerate() {
             let point = at(dalembert_core::Reference(row));
             match spot.on {
@@ -307,7 +289,6 @@ impl Solved<'_> {
                     shapes.push(DrawnShape::Arrow(tail, tip, Ink::Force));
                     shapes.push(DrawnShape::Label(tail, Text::new("{name}").with("name", &load.name)));
                 }
-                Load::Spring { from, to, .. } => shapes.push(DrawnShape::Spring(at(*from), at(*to))),
                 Load::Damper { from, to, .. } | Load::Gas { from, to, .. } => {
                     shapes.push(DrawnShape::Damper(at(*from), at(*to)));
                 }

@@ -1,0 +1,336 @@
+//! Where a plane mechanism of any shape stays by itself, and whether it returns there.
+
+use dalembert_core::{
+    About, Analysis, Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series,
+    TableExhibit, Text, Worksheet, register,
+};
+use dalembert_mechanics::planar::{Equilibrium as Found, PlanarError, Sample, Stability, System};
+use nalgebra::Vector3;
+
+use crate::{
+    parts::{Connection, Drive, Driven, NamedLoad, Part, Parts, Spot},
+    sources::{BEER, HAUG},
+};
+
+/// A mechanism in the plane that is left to its weights, springs and forces.
+///
+/// The coordinates say how it can move; their values are where the search begins. Loads with losses take no part.
+#[derive(Clone, Debug, Inputs)]
+pub struct Equilibrium {
+    /// Bodies.
+    #[input(min = 1)]
+    pub bodies: Vec<Part>,
+    /// Points.
+    pub points: Vec<Spot>,
+    /// Joints.
+    pub joints: Vec<Connection>,
+    /// Coordinates.
+    /// One for each degree of freedom: what may move by itself.
+    #[input(min = 1)]
+    pub drivers: Vec<Drive>,
+    /// Loads.
+    pub loads: Vec<NamedLoad>,
+    /// Acceleration of gravity.
+    #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
+    pub gravity: Vector3<f64>,
+    /// Where to look.
+    pub search: Search,
+}
+
+/// Where an equilibrium is looked for.
+#[derive(Clone, Debug, Inputs)]
+pub enum Search {
+    /// Between two angles of the only coordinate
+    Angles {
+        /// From.
+        #[input("θ_1", "deg")]
+        from: f64,
+        /// To.
+        #[input("θ_2", "deg")]
+        to: f64,
+    },
+    /// Between two lengths of the only coordinate
+    Lengths {
+        /// From.
+        #[input("s_1", "mm")]
+        from: f64,
+        /// To.
+        #[input("s_2", "mm")]
+        to: f64,
+    },
+    /// Near the values of the coordinates
+    Near,
+}
+
+register!(Equilibrium);
+
+/// Steps of the search over a range.
+const STEPS: usize = 180;
+
+impl Analysis for Equilibrium {
+    const ABOUT: About = About {
+        id: "virtual-work/equilibrium",
+        title: "Equilibrium of a mechanism",
+        summary: "All positions in which a plane mechanism of any shape stays by itself, by the least of the potential energy, with their stability.",
+        keywords: "equilíbrio estabilidade energia potencial virtual work trabalho virtual stable unstable neutral mola peso potential energy springs hessian",
+        sources: &[&BEER, &HAUG],
+        cases: include_str!("../cases/equilibrium.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, _: &EquilibriumGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let parts = self.parts();
+        let (system, rows, positions) = parts.assembled()?;
+        let refuse = |error: PlanarError| parts.refusal(&error, &rows);
+        let turns = matches!(self.drivers[0].what, Driven::Angle { .. });
+        let range = match self.search {
+            Search::Near => None,
+            _ if self.drivers.len() > 1 => {
+                return Err(Refusal::because(
+                    "with several coordinates a range cannot be searched: look near the values of the coordinates",
+                ));
+            }
+            Search::Angles { from, to } if turns => Some([from, to]),
+            Search::Lengths { from, to } if !turns => Some([from, to]),
+            _ => {
+                return Err(Refusal::because(
+                    "the range does not fit the coordinate: an angle wants angles, a length or a distance wants lengths",
+                ));
+            }
+        };
+        let (samples, found) = match range {
+            None => (Vec::new(), vec![system.equilibrium_near(&positions).map_err(refuse)?]),
+            Some(range) => {
+                let samples = system.through(&positions, range, STEPS).map_err(refuse)?;
+                sheet.keep_going()?;
+                let found = system.equilibria(&samples).map_err(refuse)?;
+                (samples, found)
+            }
+        };
+        let short = match (range, samples.last()) {
+            (Some([_, to]), Some(last)) if (last.value - to).abs() > 1e-9 * to.abs().max(1.0) => {
+                Some(last.value)
+            }
+            _ => None,
+        };
+        if let Some(end) = short {
+            sheet.warn(|| {
+                Text::new("the mechanism goes no further than {end}: beyond it nothing was looked for")
+                    .with_quantity("end", end, self.unit(0))
+            });
+        }
+        if found.is_empty() {
+            return Err(Refusal::because(
+                "there is no equilibrium in this range: the effort that holds the mechanism keeps its sign; look in a wider one",
+            ));
+        }
+        for (number, here) in (1..).zip(&found) {
+            sheet.keep_going()?;
+            self.write(&system, here, number, sheet);
+        }
+        sheet.show(|| Exhibit::Table(self.table(&found)));
+        if !samples.is_empty() {
+            self.plots(&samples, &found, sheet);
+        }
+        sheet.show(|| Exhibit::Drawing(self.drawing(&parts, &found)));
+        Ok(())
+    }
+}
+
+impl Equilibrium {
+    fn parts(&self) -> Parts<'_> {
+        Parts {
+            gravity: self.gravity,
+            bodies: &self.bodies,
+            points: &self.points,
+            joints: &self.joints,
+            drivers: &self.drivers,
+            loads: &self.loads,
+        }
+    }
+
+    /// The unit of a coordinate.
+    fn unit(&self, driver: usize) -> &'static str {
+        match self.drivers[driver].what {
+            Driven::Angle { .. } => "deg",
+            Driven::Position { .. } | Driven::Distance { .. } => "mm",
+        }
+    }
+
+    /// The unit of the stiffness of a coordinate.
+    fn of_stiffness(&self, driver: usize) -> &'static str {
+        match self.drivers[driver].what {
+            Driven::Angle { .. } => "N*m/rad",
+            Driven::Position { .. } | Driven::Distance { .. } => "N/m",
+        }
+    }
+
+    fn write<W: Worksheet>(&self, system: &System, here: &Found, number: usize, sheet: W) {
+        for (driver, drive) in self.drivers.iter().enumerate() {
+            // One coordinate has many equilibria, many coordinates have one.
+            let row = if self.drivers.len() > 1 { driver + 1 } else { number };
+            let value = sheet.found(
+                ("q", row),
+                self.unit(driver),
+                here.values[driver],
+                (
+                    Text::new("Value of {name} where the virtual power of all loads is zero, −Σ Q ∂q/∂m = dV/dm = 0")
+                        .with("name", &drive.name),
+                    BEER.at("§10.8"),
+                ),
+            );
+            sheet.answer(("coordinate", row), "Coordinate in equilibrium", value);
+            let stiffness = sheet.found(
+                ("V''", row),
+                self.of_stiffness(driver),
+                here.stiffness[(driver, driver)],
+                (
+                    Text::new("Second derivative of the potential energy by {name}: {stability}")
+                        .with("name", &drive.name)
+                        .with_text("stability", named(here.stability)),
+                    BEER.at("§10.9"),
+                ),
+            );
+            sheet.answer(("stiffness", row), "Second derivative of the potential energy", stiffness);
+        }
+        if self.drivers.len() > 1 {
+            let why = "Lowest eigenvalue of the matrix of second derivatives, scaled to a diagonal of ones: positive in a stable equilibrium";
+            let lowest = sheet.found("λ_1", "1", here.lowest, why);
+            sheet.answer("lowest_eigenvalue", "Lowest eigenvalue of the second derivatives", lowest);
+        }
+        sheet.verify(|| self.check(system, here, sheet));
+    }
+
+    /// The first and second differences of the potential energy itself.
+    fn check<W: Worksheet>(&self, system: &System, here: &Found, sheet: W) {
+        for (driver, drive) in self.drivers.iter().enumerate() {
+            let step = if matches!(drive.what, Driven::Angle { .. }) { 0.02 } else { 0.02 * system.size() };
+            let energy = |steps: f64| {
+                let mut values = here.values.clone();
+                values[driver] += steps * step;
+                system.potential(&system.follow(&here.positions, &values).ok()?.positions)
+            };
+            let energies: Option<Vec<f64>> =
+                [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0].into_iter().map(energy).collect();
+            let Some(e) = energies else { continue };
+            // Central differences of the sixth order.
+            let slope = ((e[6] - e[0]) - 9.0 * (e[5] - e[1]) + 45.0 * (e[4] - e[2])) / (60.0 * step);
+            let bend = (2.0 * (e[6] + e[0]) - 27.0 * (e[5] + e[1]) + 270.0 * (e[4] + e[2]) - 490.0 * e[3])
+                / (180.0 * step * step);
+            let most = e.iter().fold(0.0f64, |most, one| most.max((one - e[3]).abs()).max(1e-7 * one.abs()));
+            // Differences of the sixth order are good to 10⁻⁷ of the energies.
+            let name = |what: &'static str| Text::new(what).with("name", &drive.name);
+            let slack = 100.0;
+            sheet.check_zero(
+                name("the potential energy has no slope by {name}"),
+                slope.into(),
+                slack * most / step,
+            );
+            sheet.check_zero(
+                name("the differences of the potential energy have the second derivative by {name}"),
+                (bend - here.stiffness[(driver, driver)]).into(),
+                slack * most / (step * step),
+            );
+        }
+    }
+
+    fn table(&self, found: &[Found]) -> TableExhibit {
+        let mut columns = vec![Column { heading: "Equilibrium".into(), unit: "" }];
+        for (driver, drive) in self.drivers.iter().enumerate() {
+            columns.push(Column {
+                heading: Text::new("{name}").with("name", &drive.name),
+                unit: self.unit(driver),
+            });
+        }
+        columns.push(Column { heading: "Stability".into(), unit: "" });
+        let row = |(number, here): (usize, &Found)| {
+            let number = Cell::Text(Text::new("{name}").with("name", number));
+            let values = here.values.iter().map(|value| Cell::Number(*value));
+            [number].into_iter().chain(values).chain([Cell::Text(named(here.stability))]).collect()
+        };
+        TableExhibit {
+            title: "Positions of equilibrium".into(),
+            columns,
+            rows: (1..).zip(found).map(row).collect(),
+            foot: Vec::new(),
+        }
+    }
+
+    fn plots<W: Worksheet>(&self, samples: &[Sample], found: &[Found], sheet: W) {
+        let axis = || Axis::linear(Text::new("{name}").with("name", &self.drivers[0].name), self.unit(0));
+        let energies: Option<Vec<(f64, f64)>> =
+            samples.iter().map(|sample| Some((sample.value, sample.potential?))).collect();
+        if let Some(energies) = energies {
+            sheet.show(|| {
+                let at = |value: f64| {
+                    let (x, y) = energies
+                        .iter()
+                        .min_by(|a, b| (a.0 - value).abs().total_cmp(&(b.0 - value).abs()))
+                        .copied()
+                        .unwrap_or_default();
+                    if x == value { y } else { between(&energies, value) }
+                };
+                let marked = found.iter().fold(
+                    Plot::new(
+                        "Potential energy",
+                        axis(),
+                        Axis::linear("Potential energy", "J"),
+                        vec![Series::line("V", energies.clone())],
+                    ),
+                    |plot, here| plot.mark(named(here.stability), (here.values[0], at(here.values[0]))),
+                );
+                Exhibit::Plot(marked)
+            });
+        }
+        sheet.show(|| {
+            let efforts = samples.iter().map(|sample| (sample.value, sample.effort)).collect();
+            let (label, unit) = match self.drivers[0].what {
+                Driven::Angle { .. } => ("Torque", "N*m"),
+                _ => ("Force", "N"),
+            };
+            let plot = Plot::new(
+                "Effort that holds the mechanism",
+                axis(),
+                Axis::linear(label, unit),
+                vec![Series::line("dV/dm", efforts)],
+            )
+            .level("0", 0.0);
+            Exhibit::Plot(
+                found.iter().fold(plot, |plot, here| plot.mark(named(here.stability), (here.values[0], 0.0))),
+            )
+        });
+    }
+
+    /// The bodies where they come to rest, each equilibrium in its ink.
+    fn drawing(&self, parts: &Parts<'_>, found: &[Found]) -> Drawing {
+        let mut shapes = Vec::new();
+        for here in found {
+            let ink = match here.stability {
+                Stability::Stable => Ink::Result,
+                Stability::Unstable => Ink::Danger,
+                Stability::Neutral => Ink::Body,
+            };
+            shapes.extend(parts.outline(&here.positions, ink));
+        }
+        for spot in parts.points.iter().filter(|spot| spot.on.frame().is_none()) {
+            shapes.push(DrawnShape::Pin((spot.at.x, spot.at.y)));
+        }
+        Drawing { title: "Positions of equilibrium".into(), shapes }
+    }
+}
+
+fn named(stability: Stability) -> Text {
+    match stability {
+        Stability::Stable => "stable",
+        Stability::Unstable => "unstable",
+        Stability::Neutral => "neutral",
+    }
+    .into()
+}
+
+/// A value between two neighbouring points.
+fn between(points: &[(f64, f64)], x: f64) -> f64 {
+    points.windows(2).find(|pair| (pair[0].0 - x) * (pair[1].0 - x) <= 0.0).map_or(f64::NAN, |pair| {
+        let [(x0, y0), (x1, y1)] = [pair[0], pair[1]];
+        y0 + (y1 - y0) * (x - x0) / (x1 - x0)
+    })
+}
