@@ -179,7 +179,10 @@ impl System {
                 a.value
             } else if b.effort == 0.0 {
                 // The next pair has it, unless there is none.
-                if at + 2 < samples.len() { continue } else { b.value }
+                if at + 2 < samples.len() {
+                    continue;
+                }
+                b.value
             } else if a.effort.signum() == b.effort.signum() {
                 continue;
             } else {
