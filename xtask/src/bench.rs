@@ -10,7 +10,7 @@ use anyhow::{Result, bail, ensure};
 use crate::cargo::{cargo, output, run as run_command, target};
 
 /// A part that can be measured alone: its name, and the package and target that measure it.
-const PARTS: [(&str, &str, &str); 9] = [
+const PARTS: [(&str, &str, &str); 10] = [
     ("plain", "dalembert-tests", "plain"),
     ("units", "dalembert-units", "read"),
     ("solve", "dalembert-tests", "solve"),
@@ -20,6 +20,7 @@ const PARTS: [(&str, &str, &str); 9] = [
     ("linkages", "dalembert-mechanics", "linkages"),
     ("modal", "dalembert-mechanics", "modal"),
     ("rotor", "dalembert-mechanics", "rotor"),
+    ("mechanism", "dalembert-mechanics", "mechanism"),
 ];
 
 /// Measures the named parts, or all of them, and prints one table.

@@ -12,6 +12,7 @@ pub mod intervals;
 pub mod lanes;
 pub mod linalg;
 pub mod linkage;
+pub mod ode;
 pub mod planar;
 pub mod polynomial;
 pub mod rigid;

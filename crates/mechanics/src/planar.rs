@@ -17,16 +17,22 @@ mod balance;
 mod equation;
 mod equilibrium;
 mod follow;
+mod free;
 mod load;
+mod machine;
 mod measure;
+mod plan;
+mod simulate;
 mod system;
 
 pub use balance::{Acting, Dynamics, LoadPower};
 pub use equation::{Driver, Equation, Joint, Profile, Term};
 pub use equilibrium::{Equilibrium, Sample, Stability};
 pub use follow::{Followed, Passed};
+pub use free::Freed;
 pub use load::{Effort, Load};
 pub use measure::{Frame, Measure, Point, Pose, Slope};
+pub use simulate::{End, Moved, Run, Sample};
 pub use system::{Mobility, State, System};
 
 /// A plane mechanism.
@@ -127,6 +133,29 @@ pub enum PlanarError {
         /// A joint with friction.
         joint: usize,
     },
+    /// A freedom that nothing drives has no inertia: no acceleration balances its loads.
+    #[error(
+        "body {body} can move freely, but nothing that moves with it has a mass; give it one, or drive it"
+    )]
+    Massless {
+        /// The body that moves most.
+        body: usize,
+    },
+    /// A given velocity contradicts the joints or those given before it.
+    #[error("velocity {index} follows from the joints, the drivers and the velocities before it already")]
+    Rate {
+        /// Which.
+        index: usize,
+    },
+    /// A free motion with Coulomb friction would stick and slip.
+    #[error("load {load} is friction, which may stick: a free motion cannot have it")]
+    Sticks {
+        /// Which.
+        load: usize,
+    },
+    /// A motion cannot be followed to its end.
+    #[error(transparent)]
+    Motion(#[from] crate::ode::OdeError),
     /// A number overflowed on the way.
     #[error("a result is not finite")]
     NotFinite,

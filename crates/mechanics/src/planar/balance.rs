@@ -1,7 +1,7 @@
 //! The efforts that move a mechanism, by virtual power and by Newton and Euler.
 
 use super::{
-    Frame, Joint, Load, Measure, Mechanism, PlanarError, State, System,
+    Frame, Joint, Load, Measure, Mechanism, PlanarError, Pose, State, System,
     load::wrench,
     system::{poses, project, slope},
 };
@@ -143,25 +143,21 @@ impl System {
     /// a load has none.
     pub fn potential(&self, positions: &[[f64; 3]]) -> Option<f64> {
         let poses = poses(positions);
+        let loads = &self.mechanism.loads;
+        loads.iter().try_fold(self.height(&poses), |sum, load| Some(sum + stored(load, &poses)?))
+    }
+
+    /// The potential energy of the weights and of those loads that have one, J, from an arbitrary level.
+    pub(super) fn stored(&self, poses: &[Pose<f64>]) -> f64 {
+        let loads = self.mechanism.loads.iter().filter_map(|load| stored(load, poses));
+        self.height(poses) + loads.sum::<f64>()
+    }
+
+    /// The potential energy of the weights.
+    fn height(&self, poses: &[Pose<f64>]) -> f64 {
         let [gx, gy] = self.mechanism.gravity;
-        let weights: f64 = self
-            .mechanism
-            .bodies
-            .iter()
-            .zip(positions)
-            .map(|(body, at)| -body.mass * (gx * at[0] + gy * at[1]))
-            .sum();
-        self.mechanism.loads.iter().try_fold(weights, |sum, load| {
-            let energy = match load {
-                Load::Force { at, force, turns_with: None } => {
-                    let [x, y] = at.on.map_or(at.at, |body| poses[body].point(at.at));
-                    -(force[0] * x + force[1] * y)
-                }
-                Load::Effort { measure, effort } => effort.energy(slope(measure, &poses).value)?,
-                Load::Force { .. } | Load::Friction { .. } => return None,
-            };
-            Some(sum + energy)
-        })
+        let bodies = self.mechanism.bodies.iter().zip(poses);
+        bodies.map(|(body, at)| -body.mass * (gx * at.x + gy * at.y)).sum()
     }
 
     /// Every load but friction, weight and inertia load, with the forces and moments on the bodies.
@@ -215,6 +211,48 @@ impl System {
         acting
     }
 
+    /// The forces and moments of loads and weights on every body, and the power of those loads that have no potential.
+    pub(super) fn forces(
+        &self,
+        poses: &[Pose<f64>],
+        velocities: &[[f64; 3]],
+        forces: &mut [[f64; 3]],
+    ) -> f64 {
+        let Mechanism { bodies, loads, gravity: [gx, gy], .. } = &self.mechanism;
+        for (force, body) in forces.iter_mut().zip(bodies) {
+            *force = [body.mass * gx, body.mass * gy, 0.0];
+        }
+        let mut power = 0.0;
+        let mut apply = |body: usize, part: [f64; 3], stored: bool| {
+            add(&mut forces[body], part);
+            if !stored {
+                power += part.iter().zip(velocities[body]).map(|(f, v)| f * v).sum::<f64>();
+            }
+        };
+        for load in loads {
+            match load {
+                Load::Force { at, force, turns_with } => {
+                    let turned = turns_with.map_or(*force, |body| poses[body].turned(*force));
+                    if let Some(body) = at.on {
+                        apply(body, wrench(&poses[body], at.at, turned), turns_with.is_none());
+                    }
+                }
+                Load::Effort { measure, effort } => {
+                    let slope = slope(measure, poses);
+                    let rate = project(measure, &slope, velocities);
+                    let strength = effort.at(slope.value, rate);
+                    for (frame, part) in measure.bodies().into_iter().zip([slope.from, slope.to]) {
+                        if let Some(body) = frame {
+                            apply(body, part.map(|x| x * strength), effort.is_stored());
+                        }
+                    }
+                }
+                Load::Friction { .. } => {}
+            }
+        }
+        power
+    }
+
     fn frictions(&self, state: &State) -> Vec<Friction> {
         let poses = poses(&state.positions);
         let of_load = |(load, this): (usize, &Load)| {
@@ -256,6 +294,18 @@ impl Friction {
         let first = multipliers[self.equations[0]];
         let carried = if self.pin { first.hypot(multipliers[self.equations[1]]) } else { first.abs() };
         self.unit.iter().map(|(body, unit)| (*body, unit.map(|x| x * carried))).collect()
+    }
+}
+
+/// The energy stored in a load, if it stores any.
+fn stored(load: &Load, poses: &[Pose<f64>]) -> Option<f64> {
+    match load {
+        Load::Force { at, force, turns_with: None } => {
+            let [x, y] = at.on.map_or(at.at, |body| poses[body].point(at.at));
+            Some(-(force[0] * x + force[1] * y))
+        }
+        Load::Effort { measure, effort } => effort.energy(slope(measure, poses).value),
+        Load::Force { .. } | Load::Friction { .. } => None,
     }
 }
 

@@ -96,6 +96,11 @@ impl Effort {
         }
     }
 
+    /// Whether what it takes is given back: it has an [`energy`](Effort::energy).
+    pub fn is_stored(&self) -> bool {
+        !matches!(self, Effort::Damper { .. })
+    }
+
     /// The energy stored in it, J; none for a damper. A gas and a table are measured from their first point.
     pub fn energy(&self, value: f64) -> Option<f64> {
         match self {

@@ -98,6 +98,12 @@ impl<S: Real> Pose<S> {
         Self { x, y, angle, cos: angle.cos(), sin: angle.sin() }
     }
 
+    /// The same body with another angle, of which cosine and sine are known.
+    #[inline]
+    pub(super) fn turn(&mut self, angle: S, [cos, sin]: [S; 2]) {
+        (self.angle, self.cos, self.sin) = (angle, cos, sin);
+    }
+
     /// The ground.
     #[inline]
     pub fn ground() -> Self {

@@ -1,0 +1,109 @@
+//! What the free motion of a mechanism costs: Andrews' squeezing mechanism, and four-bars in a row through their
+//! singular positions.
+//!
+//! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
+
+use std::{hint::black_box, time::Instant};
+
+use dalembert_mechanics::planar::{Measure, Moved, Run, System};
+use models::{andrews, four_bars};
+
+#[path = "../tests/mechanics/models.rs"]
+mod models;
+
+const ROUNDS: usize = 9;
+
+fn main() {
+    squeezer(1e-8, 1e-7, "≤ 0.4 ms");
+    squeezer(1e-11, 1e-10, "≤ 1 ms");
+    for (n, goal) in [(1, "≤ 1 ms"), (10, "≤ 5 ms"), (40, "≤ 15 ms"), (100, "≤ 40 ms")] {
+        let tolerance = 3e-6;
+        let (time, moved, _) = fall(n, tolerance);
+        let error = error(n, &moved);
+        println!(
+            "{n} four-bars in a row, 10 s, error {error:.0e} in {} steps\t{time:.2} ms\t{goal}",
+            moved.steps
+        );
+    }
+    let (time, moved, imbalance) = fall(2, 1e-9);
+    println!(
+        "2 four-bars, 10 s, energy to {imbalance:.0e} J in {} steps\t{time:.2} ms\t≤ 10 ms",
+        moved.steps
+    );
+}
+
+/// Crank angle of Andrews' mechanism at 0.03 s, by extrapolation in 80-bit arithmetic.
+fn squeezer(tolerance: f64, wanted: f64, goal: &str) {
+    const REFERENCE: [f64; 3] = [15.8107711951537, 0.0408222401196465, 1.04808074104194];
+    let (system, drawn) = andrews();
+    let start = system.assemble(&drawn).expect("the mechanism closes");
+    let (time, moved) = measure(|| follow(&system, &start, &[[0.0; 3]; 7], 0.03, tolerance, 2));
+    let last = &moved.samples[1].state.positions;
+    let errors = [0, 2, 6].iter().zip(REFERENCE).map(|(&body, angle)| (last[body][2] - angle).abs());
+    let error = errors.fold(0.0, f64::max);
+    let verdict = if error <= wanted { "" } else { ", too much" };
+    println!(
+        "squeezing mechanism, 0.03 s, error {error:.1e}{verdict} in {} steps\t{time:.2} ms\t{goal}",
+        moved.steps
+    );
+}
+
+fn fall(n: usize, tolerance: f64) -> (f64, Moved, f64) {
+    let (system, drawn) = four_bars(n);
+    let tilting = Measure::Angle { of: Some(0), against: None };
+    let velocities = system.starting(&drawn, &[(tilting, -1.0)]).expect("the rods can tilt");
+    let (time, _) = measure(|| follow(&system, &drawn, &velocities, 10.0, tolerance, 2));
+    let moved = follow(&system, &drawn, &velocities, 10.0, tolerance, 401);
+    let imbalance = moved.imbalance();
+    (time, moved, imbalance)
+}
+
+fn follow(
+    system: &System,
+    positions: &[[f64; 3]],
+    velocities: &[[f64; 3]],
+    duration: f64,
+    tolerance: f64,
+    samples: usize,
+) -> Moved {
+    let run = Run { duration, tolerance, samples, ends: &[], most_steps: 100_000, cancelled: &|| false };
+    system.simulate(positions, velocities, &run).expect("the motion goes on to its end")
+}
+
+/// The largest error of the top of the first rod: with all rods parallel the row is a pendulum of one freedom,
+/// `θ̈ = −c cos θ`, followed here by the method of Runge and Kutta of order 4 with short steps.
+fn error(n: usize, moved: &Moved) -> f64 {
+    let bars = n as f64;
+    let c = 9.81 * ((bars + 1.0) / 2.0 + bars) / ((bars + 1.0) / 3.0 + bars);
+    let (mut angle, mut rate) = (std::f64::consts::FRAC_PI_2, -1.0);
+    let parts = 1000;
+    let mut worst = 0.0f64;
+    for pair in moved.samples.windows(2) {
+        let h = (pair[1].time - pair[0].time) / f64::from(parts);
+        for _ in 0..parts {
+            let slope = |angle: f64| -c * f64::cos(angle);
+            let (k1, l1) = (rate, slope(angle));
+            let (k2, l2) = (rate + h / 2.0 * l1, slope(angle + h / 2.0 * k1));
+            let (k3, l3) = (rate + h / 2.0 * l2, slope(angle + h / 2.0 * k2));
+            let (k4, l4) = (rate + h * l3, slope(angle + h * k3));
+            angle += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+            rate += h / 6.0 * (l1 + 2.0 * l2 + 2.0 * l3 + l4);
+        }
+        let top = pair[1].state.positions[0].map(|x| x * 2.0);
+        worst = worst.max((top[0] - angle.cos()).hypot(top[1] - angle.sin()));
+    }
+    worst
+}
+
+/// The median time of a few rounds, ms, and what they found.
+fn measure<T>(work: impl Fn() -> T) -> (f64, T) {
+    let mut times: Vec<f64> = (0..ROUNDS)
+        .map(|_| {
+            let start = Instant::now();
+            black_box(work());
+            start.elapsed().as_secs_f64() * 1e3
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    (times[ROUNDS / 2], work())
+}

@@ -1,0 +1,464 @@
+//! Motions `ẏ = f(t, y)` from a start, with an error that is held at every step.
+//!
+//! The explicit method of Dormand and Prince of order 8 with estimates of order 5 and 3 and a polynomial of order 7
+//! between the ends of a step: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*,
+//! 2nd ed., §II.4 to §II.6.
+
+mod coefficients;
+
+use std::ops::ControlFlow;
+
+use self::coefficients::{BETWEEN, FIFTH, NODES, STAGES, Sum, THIRD};
+use crate::roots;
+
+/// The stages of a step, its end, and those of the polynomial between.
+const SLOPES: usize = 16;
+/// The slope at the end of a step.
+const END: usize = 12;
+/// A step is shortened or lengthened by at most these factors, and aims below the allowed error by the last.
+const SHORTEN: f64 = 1.0 / 3.0;
+const LENGTHEN: f64 = 6.0;
+const CAUTION: f64 = 0.9;
+/// `h |λ|` beyond which the method is held by its stability, and the steps in a row that tell.
+const STABLE: f64 = 6.1;
+const HELD: u32 = 15;
+/// Parts of a step in which a change of sign is looked for.
+const PARTS: u32 = 6;
+
+/// What is to be integrated.
+pub trait Problem {
+    /// The rates `f(t, y)`. Rates that are not finite say that the motion cannot go on from there: the step is
+    /// shortened.
+    fn rates(&mut self, time: f64, state: &[f64], rates: &mut [f64]);
+
+    /// The error that each part of the state may have in a step between two states; infinite for a part that is
+    /// not looked at. Called once after the rates of each step.
+    fn allowed(&mut self, before: &[f64], after: &[f64], allowed: &mut [f64]);
+
+    /// Brings a state back to what it must satisfy after each step; false if it is too far from it.
+    fn settle(&mut self, _time: f64, _state: &mut [f64]) -> bool {
+        true
+    }
+
+    /// Whether to give up.
+    fn stopped(&self) -> bool {
+        false
+    }
+}
+
+/// A [`Problem`] of a function and two tolerances.
+#[derive(Debug, Clone)]
+pub struct Function<F> {
+    /// `f(t, y)`, written to its last argument.
+    pub rates: F,
+    /// The allowed error in parts of each number.
+    pub relative: f64,
+    /// The allowed error of every number besides.
+    pub absolute: f64,
+}
+
+/// Why a motion ends early.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum OdeError {
+    /// The start, the end or the tolerances are not numbers that make sense.
+    #[error("start, end and tolerances must be finite, the end after the start and the tolerances positive")]
+    Input,
+    /// The rates are not finite, however short the step.
+    #[error("the motion cannot go on from {at}: its rates are not finite")]
+    NotFinite {
+        /// When.
+        at: f64,
+    },
+    /// The allowed error asks for steps below rounding.
+    #[error("the allowed error cannot be held at {at}: steps become too short")]
+    TooShort {
+        /// When.
+        at: f64,
+    },
+    /// The motion asks for too many steps.
+    #[error("{steps} steps do not suffice beyond {at}")]
+    TooManySteps {
+        /// When.
+        at: f64,
+        /// How many were made.
+        steps: usize,
+    },
+    /// Something decays so much faster than the motion lasts that an explicit method must crawl.
+    #[error("the motion is stiff at {at}: something in it decays much faster than the rest moves")]
+    Stiff {
+        /// When.
+        at: f64,
+    },
+    /// Asked to stop.
+    #[error("the motion was stopped")]
+    Stopped,
+}
+
+/// The states at the given times, the first of which is the start.
+///
+/// # Errors
+/// All of [`OdeError`].
+pub fn states<P: Problem>(
+    problem: &mut P,
+    start: &[f64],
+    times: &[f64],
+    most_steps: usize,
+) -> Result<Vec<Vec<f64>>, OdeError> {
+    let (&[first, ..], &[.., last]) = (times, times) else { return Ok(Vec::new()) };
+    let mut integrator = Integrator::new(problem, first, start, last, most_steps)?;
+    let mut states = Vec::with_capacity(times.len());
+    for &time in times {
+        while integrator.time() < time {
+            integrator.advance(problem, last)?;
+        }
+        states.push(integrator.at(problem, time));
+    }
+    Ok(states)
+}
+
+/// A motion on its way.
+#[derive(Debug, Clone)]
+pub struct Integrator {
+    time: f64,
+    state: Vec<f64>,
+    /// Begin of the last step.
+    before: f64,
+    state_before: Vec<f64>,
+    /// The length of the next step.
+    next: f64,
+    /// The slopes of the stages of the last step.
+    slopes: Vec<Vec<f64>>,
+    /// Whether the slope at the present state is that of the end of a step, rather than of a begin.
+    stepped: bool,
+    /// The polynomial over the last step, once asked for.
+    between: Option<[Vec<f64>; 7]>,
+    tried: Vec<f64>,
+    last_stage: Vec<f64>,
+    allowed: Vec<f64>,
+    steps: usize,
+    most_steps: usize,
+    held: u32,
+    free: u32,
+}
+
+impl Integrator {
+    /// Starts a motion that is to last to about `end`.
+    ///
+    /// # Errors
+    /// `Input`, `NotFinite`.
+    pub fn new<P: Problem>(
+        problem: &mut P,
+        start: f64,
+        state: &[f64],
+        end: f64,
+        most_steps: usize,
+    ) -> Result<Self, OdeError> {
+        let good = start.is_finite() && end.is_finite() && end >= start && finite(state);
+        if !good {
+            return Err(OdeError::Input);
+        }
+        let zeros = vec![0.0; state.len()];
+        let mut integrator = Self {
+            time: start,
+            state: state.to_vec(),
+            before: start,
+            state_before: state.to_vec(),
+            next: end - start,
+            slopes: vec![zeros.clone(); SLOPES],
+            stepped: false,
+            between: None,
+            tried: zeros.clone(),
+            last_stage: zeros.clone(),
+            allowed: zeros,
+            steps: 0,
+            most_steps,
+            held: 0,
+            free: 0,
+        };
+        integrator.restart(problem, state)?;
+        integrator.next = integrator.first_step(problem, end - start)?;
+        Ok(integrator)
+    }
+
+    /// When the motion has come to.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Where it has come to.
+    pub fn state(&self) -> &[f64] {
+        &self.state
+    }
+
+    /// When the last step began.
+    pub fn before(&self) -> f64 {
+        self.before
+    }
+
+    /// How many steps were made.
+    pub fn steps(&self) -> usize {
+        self.steps
+    }
+
+    /// Goes on from another state, perhaps with another number of parts, at the present time.
+    ///
+    /// # Errors
+    /// `NotFinite`.
+    pub fn restart<P: Problem>(&mut self, problem: &mut P, state: &[f64]) -> Result<(), OdeError> {
+        let n = state.len();
+        self.state.clear();
+        self.state.extend_from_slice(state);
+        self.before = self.time;
+        self.state_before.clone_from(&self.state);
+        for part in self.slopes.iter_mut().chain([&mut self.tried, &mut self.last_stage, &mut self.allowed]) {
+            part.resize(n, 0.0);
+        }
+        problem.rates(self.time, &self.state, &mut self.slopes[0]);
+        (self.stepped, self.between) = (false, None);
+        if finite(&self.slopes[0]) { Ok(()) } else { Err(OdeError::NotFinite { at: self.time }) }
+    }
+
+    /// Makes one step, not beyond a time.
+    ///
+    /// # Errors
+    /// `NotFinite`, `TooShort`, `TooManySteps`, `Stiff`, `Stopped`; `Input` for an allowed error that is not positive.
+    pub fn advance<P: Problem>(&mut self, problem: &mut P, until: f64) -> Result<(), OdeError> {
+        let left = until - self.time;
+        if !left.is_finite() || left <= 0.0 {
+            return Err(OdeError::Input);
+        }
+        if self.stepped {
+            self.slopes.swap(0, END);
+            self.stepped = false;
+        }
+        self.between = None;
+        self.before = self.time;
+        self.state_before.clone_from(&self.state);
+        let mut step = self.next;
+        let (mut shortened, mut at_all) = (false, true);
+        loop {
+            if problem.stopped() {
+                return Err(OdeError::Stopped);
+            }
+            if self.steps >= self.most_steps {
+                return Err(OdeError::TooManySteps { at: self.time, steps: self.steps });
+            }
+            self.steps += 1;
+            let whole = step * 1.01 >= left;
+            let taken = if whole { left } else { step };
+            if taken <= 4.0 * f64::EPSILON * self.before.abs().max(f64::MIN_POSITIVE) {
+                let at = self.before;
+                return Err(if at_all { OdeError::TooShort { at } } else { OdeError::NotFinite { at } });
+            }
+            let end = if whole { until } else { self.before + taken };
+            let error = if self.try_step(problem, taken) { self.error(problem, taken)? } else { f64::NAN };
+            at_all = !error.is_nan();
+            if at_all && error <= 1.0 && problem.settle(end, &mut self.tried) {
+                problem.rates(end, &self.tried, &mut self.slopes[END]);
+                at_all = finite(&self.slopes[END]);
+                if at_all {
+                    self.watch_stiffness(taken)?;
+                    std::mem::swap(&mut self.state, &mut self.tried);
+                    (self.time, self.stepped) = (end, true);
+                    let factor = (CAUTION * error.powf(-0.125)).clamp(SHORTEN, LENGTHEN);
+                    let next = taken * if shortened { factor.min(1.0) } else { factor };
+                    self.next = if whole { next.max(step) } else { next };
+                    return Ok(());
+                }
+            }
+            shortened = true;
+            step = taken * if error > 1.0 { (CAUTION * error.powf(-0.125)).max(SHORTEN) } else { 0.25 };
+        }
+    }
+
+    /// The state at a time within the last step.
+    pub fn at<P: Problem>(&mut self, problem: &mut P, time: f64) -> Vec<f64> {
+        let step = self.time - self.before;
+        if time >= self.time || step <= 0.0 {
+            return self.state.clone();
+        }
+        if time <= self.before {
+            return self.state_before.clone();
+        }
+        let x = (time - self.before) / step;
+        if self.between.is_none() {
+            self.between = Some(self.polynomial(problem, step));
+        }
+        let parts = self.between.as_ref().expect("the polynomial was just made");
+        let of = |n: usize| {
+            let inner =
+                parts.iter().enumerate().rev().fold(0.0, |sum, (power, part)| {
+                    (sum + part[n]) * if power % 2 == 0 { x } else { 1.0 - x }
+                });
+            self.state_before[n] + inner
+        };
+        (0..self.state.len()).map(of).collect()
+    }
+
+    /// When a number that follows from time and state first changes its sign in the last step; a zero at its begin
+    /// does not count.
+    pub fn first_zero<P: Problem>(
+        &mut self,
+        problem: &mut P,
+        mut number: impl FnMut(&mut P, f64, &[f64]) -> f64,
+    ) -> Option<f64> {
+        let step = self.time - self.before;
+        let mut at = |this: &mut Self, time: f64| {
+            let state = this.at(problem, time);
+            number(problem, time, &state)
+        };
+        let mut from = (self.before, at(self, self.before));
+        for part in 1..=PARTS {
+            let time = if part == PARTS {
+                self.time
+            } else {
+                self.before + step * f64::from(part) / f64::from(PARTS)
+            };
+            let here = (time, at(self, time));
+            if from.1 * here.1 < 0.0 || (from.1 != 0.0 && here.1 == 0.0) {
+                let on = |_| ControlFlow::Continue(());
+                return roots::find(|time| at(self, time), [from.0, here.0], on).ok();
+            }
+            from = here;
+        }
+        None
+    }
+
+    /// The stages and the result of a step; false if some slope is not finite.
+    fn try_step<P: Problem>(&mut self, problem: &mut P, step: f64) -> bool {
+        for stage in 1..=END {
+            self.point(stage, step);
+            if stage == END {
+                return finite(&self.tried);
+            }
+            if stage == END - 1 {
+                self.last_stage.clone_from(&self.tried);
+            }
+            let time = self.before + NODES[stage] * step;
+            problem.rates(time, &self.tried, &mut self.slopes[stage]);
+            if !finite(&self.slopes[stage]) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The state of a stage, to `tried`.
+    fn point(&mut self, stage: usize, step: f64) {
+        self.tried.clone_from(&self.state_before);
+        for &(slope, weight) in STAGES[stage] {
+            let weight = weight * step;
+            for (x, slope) in self.tried.iter_mut().zip(&self.slopes[slope]) {
+                *x += weight * slope;
+            }
+        }
+    }
+
+    /// The error of a step over what is allowed, of the part where it is largest.
+    fn error<P: Problem>(&mut self, problem: &mut P, step: f64) -> Result<f64, OdeError> {
+        problem.allowed(&self.state_before, &self.tried, &mut self.allowed);
+        if self.allowed.iter().any(|allowed| allowed.is_nan() || *allowed <= 0.0) {
+            return Err(OdeError::Input);
+        }
+        let (mut fifth, mut third) = (0.0f64, 0.0f64);
+        for (n, allowed) in self.allowed.iter().enumerate() {
+            fifth = f64::max(fifth, (self.sum(FIFTH, n) / allowed).abs());
+            third = f64::max(third, (self.sum(THIRD, n) / allowed).abs());
+        }
+        let whole = fifth.hypot(0.1 * third);
+        Ok(if whole == 0.0 { 0.0 } else { step * fifth * (fifth / whole) })
+    }
+
+    fn sum(&self, sum: Sum, n: usize) -> f64 {
+        sum.iter().map(|&(slope, weight)| weight * self.slopes[slope][n]).sum()
+    }
+
+    /// The coefficients of the polynomial over the last step.
+    fn polynomial<P: Problem>(&mut self, problem: &mut P, step: f64) -> [Vec<f64>; 7] {
+        for stage in END + 1..SLOPES {
+            self.point(stage, step);
+            let time = self.before + NODES[stage] * step;
+            problem.rates(time, &self.tried, &mut self.slopes[stage]);
+        }
+        let n = self.state.len();
+        let each = |of: &dyn Fn(usize) -> f64| -> Vec<f64> { (0..n).map(of).collect() };
+        let change = |n: usize| self.state[n] - self.state_before[n];
+        let slope = |at: usize, n: usize| step * self.slopes[at][n];
+        let upper = BETWEEN.map(|sum| each(&|n| step * self.sum(sum, n)));
+        let [a, b, c, d] = upper;
+        [
+            each(&change),
+            each(&|n| slope(0, n) - change(n)),
+            each(&|n| 2.0 * change(n) - slope(0, n) - slope(END, n)),
+            a,
+            b,
+            c,
+            d,
+        ]
+    }
+
+    /// Refuses a motion whose steps are held short by stability alone: `|Δf|/|Δy|` between the last stage and the
+    /// end of the step estimates the largest eigenvalue.
+    fn watch_stiffness(&mut self, step: f64) -> Result<(), OdeError> {
+        let (mut slopes, mut states) = (0.0, 0.0);
+        for (n, allowed) in self.allowed.iter().enumerate() {
+            slopes += ((self.slopes[END][n] - self.slopes[END - 1][n]) / allowed).powi(2);
+            states += ((self.tried[n] - self.last_stage[n]) / allowed).powi(2);
+        }
+        if states > 0.0 && step * step * slopes > STABLE * STABLE * states {
+            (self.held, self.free) = (self.held + 1, 0);
+            if self.held >= HELD && self.steps > 1000 {
+                return Err(OdeError::Stiff { at: self.time });
+            }
+        } else {
+            self.free += 1;
+            if self.free == 6 {
+                self.held = 0;
+            }
+        }
+        Ok(())
+    }
+
+    /// A first step whose error is about what is allowed (§II.4, "starting step size").
+    fn first_step<P: Problem>(&mut self, problem: &mut P, whole: f64) -> Result<f64, OdeError> {
+        problem.allowed(&self.state, &self.state, &mut self.allowed);
+        if self.allowed.iter().any(|allowed| allowed.is_nan() || *allowed <= 0.0) {
+            return Err(OdeError::Input);
+        }
+        let size = |x: &[f64], allowed: &[f64]| {
+            x.iter().zip(allowed).map(|(x, allowed)| (x / allowed).powi(2)).sum::<f64>().sqrt()
+        };
+        let (state, slope) = (size(&self.state, &self.allowed), size(&self.slopes[0], &self.allowed));
+        let first = if state > 0.0 && slope > 0.0 { 0.01 * state / slope } else { 1e-6 * whole };
+        let first = first.min(whole);
+        for ((x, at), slope) in self.tried.iter_mut().zip(&self.state).zip(&self.slopes[0]) {
+            *x = at + first * slope;
+        }
+        problem.rates(self.time + first, &self.tried, &mut self.slopes[1]);
+        let change: Vec<f64> = self.slopes[1].iter().zip(&self.slopes[0]).map(|(a, b)| a - b).collect();
+        let bend = size(&change, &self.allowed) / first;
+        let steepest = slope.max(bend);
+        let second = if steepest.is_finite() && steepest > 0.0 {
+            (0.01 / steepest).powf(0.125)
+        } else {
+            100.0 * first
+        };
+        Ok(second.min(100.0 * first).min(whole).max(1e-12 * whole))
+    }
+}
+
+impl<F: FnMut(f64, &[f64], &mut [f64])> Problem for Function<F> {
+    fn rates(&mut self, time: f64, state: &[f64], rates: &mut [f64]) {
+        (self.rates)(time, state, rates);
+    }
+
+    fn allowed(&mut self, before: &[f64], after: &[f64], allowed: &mut [f64]) {
+        for ((allowed, a), b) in allowed.iter_mut().zip(before).zip(after) {
+            *allowed = self.absolute + self.relative * a.abs().max(b.abs());
+        }
+    }
+}
+
+fn finite(x: &[f64]) -> bool {
+    x.iter().all(|x| x.is_finite())
+}

@@ -1,0 +1,177 @@
+//! Free motion: the accelerations under the loads where nothing drives.
+//!
+//! With N a basis of the velocities that joints and drivers leave free (`Φ_q N = 0`) and `q̈ = a + N s̈`, where `a` is
+//! any acceleration that joints and drivers allow, virtual power leaves `(Nᵀ M N) s̈ = Nᵀ (Q − M a)`; the multipliers
+//! follow from `Φ_qᵀ λ = M q̈ − Q` (E. J. Haug, *Computer-Aided Kinematics and Dynamics of Mechanical Systems* (1989),
+//! §6.3 and §7.2).
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{PlanarError, State, System, machine::Machine, measure::Measure, system::poses};
+use crate::linalg::{self, Elimination};
+
+/// A pivot of the reduced masses below this part of the largest is no inertia.
+const MASSLESS: f64 = 1e-13;
+
+/// A mechanism left to its loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Freed {
+    /// Positions and velocities, and the accelerations that the loads give.
+    pub state: State,
+    /// The multiplier of each equation, in the order of [`System::equations`]: the effort that a joint or driver
+    /// exerts along its measure.
+    pub multipliers: Vec<f64>,
+    /// In how many ways it moves freely.
+    pub freedoms: usize,
+}
+
+impl System {
+    /// The accelerations of a mechanism under its loads, and the efforts in its joints and drivers, from positions and
+    /// velocities that satisfy them. What no driver drives moves freely.
+    ///
+    /// # Errors
+    /// `Massless`, `Sticks`, `NotFinite`.
+    pub fn freed(&self, positions: &[[f64; 3]], velocities: &[[f64; 3]]) -> Result<Freed, PlanarError> {
+        self.without_friction()?;
+        let elimination = Elimination::new(&self.gaps(positions).slopes)?;
+        let (masses, loads) = (self.scaled_masses(), self.scaled_forces(positions, velocities));
+        let mut right: Vec<f64> = self.biases(positions, velocities).into_iter().map(|bias| -bias).collect();
+        let first = self.first_driver();
+        for (right, driver) in right[first..].iter_mut().zip(&self.mechanism.drivers) {
+            *right += driver.acceleration;
+        }
+        let held = elimination.solve(&right)?;
+        let motions = elimination.null_space()?;
+        let reduced = reduced_masses(&motions, &masses);
+        let inertia_free: Vec<f64> =
+            loads.iter().zip(&masses).zip(&held).map(|((load, mass), a)| load - mass * a).collect();
+        let driving = DVector::from_iterator(motions.len(), motions.iter().map(|n| dot(n, &inertia_free)));
+        let mut accelerations = held;
+        if !motions.is_empty() {
+            self.with_mass(&reduced, &motions)?;
+            let free = linalg::solve(&reduced, &driving)?.x;
+            for (motion, s) in motions.iter().zip(free.iter()) {
+                for (a, n) in accelerations.iter_mut().zip(motion) {
+                    *a += n * s;
+                }
+            }
+        }
+        let left: Vec<f64> =
+            accelerations.iter().zip(&masses).zip(&loads).map(|((a, mass), load)| mass * a - load).collect();
+        let multipliers = elimination.solve_transposed(&left)?;
+        let accelerations = self.unscaled(&accelerations);
+        let state = State { positions: positions.to_vec(), velocities: velocities.to_vec(), accelerations };
+        Ok(Freed { state, multipliers, freedoms: motions.len() })
+    }
+
+    /// The velocities with which a motion starts: those of the drivers, the given ones of some measures, and of all
+    /// such motions the one of least kinetic energy, as a blow along these measures would give it to a mechanism at
+    /// rest.
+    ///
+    /// # Errors
+    /// `Rate` for one that contradicts; `Massless`, `NotFinite`.
+    pub fn starting(
+        &self,
+        positions: &[[f64; 3]],
+        rates: &[(Measure, f64)],
+    ) -> Result<Vec<[f64; 3]>, PlanarError> {
+        let mut machine = Machine::new(self, positions, 1.0, &|| false);
+        let (driven, motions) = machine.freedoms();
+        let masses = self.scaled_masses();
+        let at_rest = |motion: &[f64]| State {
+            positions: positions.to_vec(),
+            velocities: self.unscaled(motion),
+            accelerations: Vec::new(),
+        };
+        if motions.is_empty() {
+            return if rates.is_empty() {
+                Ok(self.unscaled(&driven))
+            } else {
+                Err(PlanarError::Rate { index: 0 })
+            };
+        }
+        // Of s with B s = r, the one of least (v + N s)ᵀ M (v + N s): H s = −Nᵀ M v + Bᵀ μ, as one set of equations.
+        let (free, given) = (motions.len(), rates.len());
+        let reduced = reduced_masses(&motions, &masses);
+        self.with_mass(&reduced, &motions)?;
+        let moved: Vec<State> = motions.iter().map(|motion| at_rest(motion)).collect();
+        let turns = DMatrix::from_fn(given, free, |row, column| self.rate(&rates[row].0, &moved[column]));
+        if let Some(&index) = Elimination::new(&turns)?.dependent_rows().iter().max() {
+            return Err(PlanarError::Rate { index });
+        }
+        let driven_state = at_rest(&driven);
+        let mut all = DMatrix::zeros(free + given, free + given);
+        all.view_mut((0, 0), (free, free)).copy_from(&reduced);
+        all.view_mut((free, 0), (given, free)).copy_from(&turns);
+        all.view_mut((0, free), (free, given)).copy_from(&turns.transpose());
+        let momentum: Vec<f64> = driven.iter().zip(&masses).map(|(v, mass)| mass * v).collect();
+        let right = DVector::from_fn(free + given, |row, _| {
+            if row < free {
+                -dot(&motions[row], &momentum)
+            } else {
+                let (measure, rate) = &rates[row - free];
+                rate - self.rate(measure, &driven_state)
+            }
+        });
+        let found = linalg::solve(&all, &right)?.x;
+        let mut velocities = driven;
+        for (motion, s) in motions.iter().zip(found.iter()) {
+            for (v, n) in velocities.iter_mut().zip(motion) {
+                *v += n * s;
+            }
+        }
+        Ok(self.unscaled(&velocities))
+    }
+
+    /// Refuses Coulomb friction, which would stick and slip.
+    pub(super) fn without_friction(&self) -> Result<(), PlanarError> {
+        let loads = &self.mechanism.loads;
+        let friction = loads
+            .iter()
+            .position(|load| matches!(load, super::Load::Friction { coefficient, .. } if *coefficient > 0.0));
+        friction.map_or(Ok(()), |load| Err(PlanarError::Sticks { load }))
+    }
+
+    /// The masses of the scaled positions `(x, y, θ · length)`.
+    pub(super) fn scaled_masses(&self) -> Vec<f64> {
+        let of_body = |body: &super::Body| [body.mass, body.mass, body.inertia / (self.length * self.length)];
+        self.mechanism.bodies.iter().flat_map(of_body).collect()
+    }
+
+    fn scaled_forces(&self, positions: &[[f64; 3]], velocities: &[[f64; 3]]) -> Vec<f64> {
+        let mut forces = vec![[0.0; 3]; positions.len()];
+        self.forces(&poses(positions), velocities, &mut forces);
+        forces.iter().flat_map(|[x, y, moment]| [*x, *y, moment / self.length]).collect()
+    }
+
+    /// Refuses a free motion without inertia.
+    fn with_mass(&self, reduced: &DMatrix<f64>, motions: &[Vec<f64>]) -> Result<(), PlanarError> {
+        let elimination = Elimination::new(reduced)?;
+        let weak = if elimination.smallest_pivot() < MASSLESS {
+            elimination.free_columns().first().copied().or(Some(0))
+        } else {
+            elimination.free_columns().first().copied()
+        };
+        match weak {
+            Some(motion) => Err(PlanarError::Massless { body: most_moved(&motions[motion]) }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The body that moves most in a scaled motion.
+pub(super) fn most_moved(motion: &[f64]) -> usize {
+    let size = |body: &[f64]| body.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+    let bodies: Vec<f64> = motion.chunks_exact(3).map(size).collect();
+    (0..bodies.len()).max_by(|&a, &b| bodies[a].total_cmp(&bodies[b])).unwrap_or(0)
+}
+
+fn reduced_masses(motions: &[Vec<f64>], masses: &[f64]) -> DMatrix<f64> {
+    DMatrix::from_fn(motions.len(), motions.len(), |row, column| {
+        motions[row].iter().zip(&motions[column]).zip(masses).map(|((a, b), mass)| a * mass * b).sum()
+    })
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

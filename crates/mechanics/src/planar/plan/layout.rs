@@ -1,0 +1,486 @@
+//! Where the slopes of the equations stand in a flat array, and which coordinates are explicit.
+
+use std::collections::VecDeque;
+
+use super::super::{Equation, Frame, Measure, Point, Pose, System, Term};
+use crate::{
+    Real,
+    lanes::{Lanes, WIDTH, widest},
+};
+
+/// The structure of a mechanism's equations, whatever its position.
+///
+/// Columns are scaled positions: `3 body + (0, 1, 2)` for `(x, y, θ · length)`. Entry 0 of the flat array takes what
+/// belongs nowhere: slopes by the ground and those that are always zero.
+#[derive(Debug, Clone)]
+pub(in super::super) struct Layout {
+    /// Rows of the equations, each with its columns and their places in the flat array.
+    pub(super) rows: Vec<Vec<(usize, usize)>>,
+    /// How many places there are.
+    pub(super) places: usize,
+    /// The equations that give a coordinate, in the order in which they can be used: row, column, slope.
+    pub(super) explicit: Vec<(usize, usize, f64)>,
+    /// The other rows.
+    pub(super) loops: Vec<usize>,
+    /// The columns that are not explicit.
+    pub(in super::super) kept: Vec<usize>,
+    /// The bodies whose angle is kept, and its number among the kept coordinates.
+    turning: Vec<(usize, usize)>,
+    /// The kept coordinates of origins: their number and column.
+    moving: Vec<(usize, usize)>,
+    kernels: Vec<Kernel>,
+    /// How the explicit coordinates are found, in order.
+    settings: Vec<Setting>,
+    bodies: usize,
+    length: f64,
+}
+
+/// The numbers of a position.
+#[derive(Debug, Clone)]
+pub(in super::super) struct Work {
+    /// Positions `(x, y, θ)` of the bodies and, last, the ground.
+    pub(in super::super) poses: Vec<Pose<f64>>,
+    /// How far each equation is from holding.
+    pub(in super::super) gaps: Vec<f64>,
+    /// The constants of the equations.
+    pub(in super::super) sums: Vec<f64>,
+    /// The slopes, in the places of the layout and, behind, those of an order.
+    pub(in super::super) slopes: Vec<f64>,
+    /// The arms of the pins.
+    arms: Vec<[f64; 4]>,
+}
+
+/// One equation, or the two of a pin.
+#[derive(Debug, Clone)]
+enum Kernel {
+    /// `B − A = 0` in both directions: row of the first, and the places of the slopes by θ_A and θ_B of each.
+    Pin { row: usize, points: [Point; 2], bodies: [usize; 2], places: [[usize; 2]; 2], is_loop: bool },
+    /// Anything.
+    General { row: usize, terms: Vec<(Term, [[usize; 3]; 2])> },
+}
+
+#[derive(Debug, Clone)]
+enum Setting {
+    /// The origin of a body, or one coordinate of it, from a pin whose first (0) or second (1) point it carries.
+    Pin { kernel: usize, side: usize, parts: [bool; 2] },
+    /// A coordinate from an equation.
+    General { kernel: usize, column: usize, slope: f64 },
+}
+
+impl Layout {
+    pub(in super::super) fn new(system: &System) -> Self {
+        let bodies = system.mechanism.bodies.len();
+        let length = system.length;
+        let shapes: Vec<Vec<(usize, Option<f64>)>> =
+            system.equations.iter().map(|equation| shape(equation, length)).collect();
+        let mut places = 1;
+        let rows: Vec<Vec<(usize, usize)>> = shapes
+            .iter()
+            .map(|shape| {
+                let place = |&(column, _): &(usize, Option<f64>)| {
+                    places += 1;
+                    (column, places - 1)
+                };
+                shape.iter().map(place).collect()
+            })
+            .collect();
+        let place = |row: usize, frame: Frame, part: usize| {
+            let column = frame.map(|body| 3 * body + part);
+            rows[row].iter().find(|(at, _)| Some(*at) == column).map_or(0, |(_, place)| *place)
+        };
+        let mut kernels = Vec::new();
+        let mut kernel_of = vec![0; rows.len()];
+        let mut row = 0;
+        while row < rows.len() {
+            let kernel = match pin(&system.equations[row..]) {
+                Some(points) => {
+                    let of_row = |row| points.map(|point| place(row, point.on, 2));
+                    let bodies = points.map(|point| point.on.unwrap_or(bodies));
+                    kernel_of[row + 1] = kernels.len();
+                    Kernel::Pin { row, points, bodies, places: [of_row(row), of_row(row + 1)], is_loop: true }
+                }
+                None => {
+                    let of_term = |term: &Term| {
+                        let of = |frame| [0, 1, 2].map(|part| place(row, frame, part));
+                        (term.clone(), term.measure.bodies().map(of))
+                    };
+                    Kernel::General { row, terms: system.equations[row].terms.iter().map(of_term).collect() }
+                }
+            };
+            kernel_of[row] = kernels.len();
+            row += if matches!(kernel, Kernel::Pin { .. }) { 2 } else { 1 };
+            kernels.push(kernel);
+        }
+        let (explicit, kept) = explicit(&shapes, 3 * bodies);
+        let mut is_loop = vec![true; rows.len()];
+        let mut settings: Vec<Setting> = Vec::new();
+        for &(row, column, slope) in &explicit {
+            is_loop[row] = false;
+            let kernel = kernel_of[row];
+            match &kernels[kernel] {
+                Kernel::Pin { bodies, .. } => {
+                    let now = usize::from(bodies[1] == column / 3);
+                    match settings.last_mut() {
+                        Some(Setting::Pin { kernel: last, side, parts })
+                            if *last == kernel && *side == now =>
+                        {
+                            parts[column % 3] = true;
+                        }
+                        _ => {
+                            let parts = [0, 1].map(|part| column % 3 == part);
+                            settings.push(Setting::Pin { kernel, side: now, parts });
+                        }
+                    }
+                }
+                Kernel::General { .. } => settings.push(Setting::General { kernel, column, slope }),
+            }
+        }
+        for kernel in &mut kernels {
+            if let Kernel::Pin { row, is_loop: of_loop, .. } = kernel {
+                *of_loop = is_loop[*row] || is_loop[*row + 1];
+            }
+        }
+        let loops = (0..rows.len()).filter(|&row| is_loop[row]).collect();
+        let numbered = || kept.iter().copied().enumerate();
+        let turning =
+            numbered().filter(|(_, column)| column % 3 == 2).map(|(n, column)| (column / 3, n)).collect();
+        let moving = numbered().filter(|(_, column)| column % 3 < 2).collect();
+        Self { rows, places, explicit, loops, turning, moving, kept, kernels, settings, bodies, length }
+    }
+
+    /// Room for the numbers of a position.
+    pub(in super::super) fn work(&self, system: &System) -> Work {
+        let mut slopes = vec![0.0; self.places];
+        for (row, equation) in system.equations.iter().enumerate() {
+            for (column, slope) in shape(equation, self.length) {
+                let place =
+                    self.rows[row].iter().find(|(at, _)| *at == column).map_or(0, |(_, place)| *place);
+                slopes[place] = slope.unwrap_or(0.0);
+            }
+        }
+        Work {
+            poses: vec![Pose::ground(); self.bodies + 1],
+            gaps: vec![0.0; self.rows.len()],
+            sums: system.equations.iter().map(|equation| equation.sum.unwrap_or(0.0)).collect(),
+            slopes,
+            arms: vec![[0.0; 4]; self.kernels.len()],
+        }
+    }
+
+    /// The position with these kept coordinates: poses, gaps and slopes.
+    pub(in super::super) fn set(&self, kept: &[f64], work: &mut Work) {
+        let per_length = 1.0 / self.length;
+        for bodies in self.turning.chunks(WIDTH) {
+            let angles =
+                Lanes::of(|lane| bodies.get(lane).map_or(0.0, |(_, number)| kept[*number] * per_length));
+            let (cos, sin) = widest(
+                #[inline(always)]
+                || (angles.cos(), angles.sin()),
+            );
+            for (lane, (body, _)) in bodies.iter().enumerate() {
+                work.poses[*body].turn(angles.0[lane], [cos.0[lane], sin.0[lane]]);
+            }
+        }
+        for &(number, column) in &self.moving {
+            self.put(column, kept[number], work);
+        }
+        for setting in &self.settings {
+            match *setting {
+                Setting::Pin { kernel, side, parts } => {
+                    let Kernel::Pin { points: [a, b], bodies, .. } = self.kernels[kernel] else { continue };
+                    let [ax, ay] = work.poses[bodies[0]].turned(a.at);
+                    let [bx, by] = work.poses[bodies[1]].turned(b.at);
+                    work.arms[kernel] = [ax, ay, bx, by];
+                    let other = work.poses[bodies[1 - side]];
+                    let (dx, dy) = if side == 1 { (ax - bx, ay - by) } else { (bx - ax, by - ay) };
+                    let moved = &mut work.poses[bodies[side]];
+                    if parts[0] {
+                        moved.x = other.x + dx;
+                    }
+                    if parts[1] {
+                        moved.y = other.y + dy;
+                    }
+                }
+                Setting::General { kernel, column, slope } => {
+                    let Kernel::General { row, terms } = &self.kernels[kernel] else { continue };
+                    self.put(column, 0.0, work);
+                    let gap: f64 =
+                        terms.iter().map(|(term, _)| value(term, &work.poses)).sum::<f64>() - work.sums[*row];
+                    self.put(column, -gap / slope, work);
+                }
+            }
+        }
+    }
+
+    /// Gaps and slopes of the position that was set.
+    pub(in super::super) fn measure(&self, work: &mut Work) {
+        let per_length = 1.0 / self.length;
+        for (index, kernel) in self.kernels.iter().enumerate() {
+            match kernel {
+                Kernel::Pin { row, points: [a, b], bodies, places: [x, y], is_loop } => {
+                    if *is_loop {
+                        let (pa, pb) = (&work.poses[bodies[0]], &work.poses[bodies[1]]);
+                        let ([ax, ay], [bx, by]) = (pa.turned(a.at), pb.turned(b.at));
+                        work.arms[index] = [ax, ay, bx, by];
+                        work.gaps[*row] = pb.x + bx - pa.x - ax;
+                        work.gaps[row + 1] = pb.y + by - pa.y - ay;
+                    }
+                    let [ax, ay, bx, by] = work.arms[index];
+                    work.slopes[x[0]] = ay * per_length;
+                    work.slopes[x[1]] = -by * per_length;
+                    work.slopes[y[0]] = -ax * per_length;
+                    work.slopes[y[1]] = bx * per_length;
+                }
+                Kernel::General { row, terms } => {
+                    for place in terms.iter().flat_map(|(_, places)| places.iter().flatten()) {
+                        work.slopes[*place] = 0.0;
+                    }
+                    let mut left = 0.0;
+                    for (term, places) in terms {
+                        let slope = self.slope(&term.measure, &work.poses);
+                        let (value, rate) = match &term.profile {
+                            Some(profile) => {
+                                let [value, rate, _] = profile.at(slope.value);
+                                (value, rate)
+                            }
+                            None => (slope.value, 1.0),
+                        };
+                        left += term.weight * value;
+                        let factor = term.weight * rate;
+                        for (places, part) in places.iter().zip([slope.from, slope.to]) {
+                            work.slopes[places[0]] += factor * part[0];
+                            work.slopes[places[1]] += factor * part[1];
+                            work.slopes[places[2]] += factor * part[2] * per_length;
+                        }
+                    }
+                    work.gaps[*row] = left - work.sums[*row];
+                }
+            }
+        }
+    }
+
+    /// The accelerations of the left sides when no body accelerates, with the signs changed.
+    pub(in super::super) fn bend(&self, work: &Work, velocities: &[[f64; 3]], out: &mut [f64]) {
+        for (index, kernel) in self.kernels.iter().enumerate() {
+            match kernel {
+                Kernel::Pin { row, bodies: [a, b], .. } => {
+                    let [ax, ay, bx, by] = work.arms[index];
+                    let (wa, wb) = (velocities[*a][2], velocities[*b][2]);
+                    let (wa, wb) = (wa * wa, wb * wb);
+                    out[*row] = bx * wb - ax * wa;
+                    out[row + 1] = by * wb - ay * wa;
+                }
+                Kernel::General { row, terms } => {
+                    let of_term = |(term, _): &(Term, _)| {
+                        let poses = self.pair(&term.measure, &work.poses);
+                        let frames = term.measure.bodies().map(|frame| frame.unwrap_or(self.bodies));
+                        let pair = frames.map(|body| velocities[body]);
+                        let bias = term.measure.bias(poses, pair);
+                        let Some(profile) = &term.profile else { return term.weight * bias };
+                        let slope = term.measure.slope(poses);
+                        let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+                        let rate = dot(slope.from, pair[0]) + dot(slope.to, pair[1]);
+                        let [_, first, second] = profile.at(slope.value);
+                        term.weight * (first * bias + second * rate * rate)
+                    };
+                    out[*row] = -terms.iter().map(of_term).sum::<f64>();
+                }
+            }
+        }
+    }
+
+    /// The equations that are not explicit.
+    pub(in super::super) fn loops(&self) -> &[usize] {
+        &self.loops
+    }
+
+    /// The largest gap of the equations that are not explicit, each in parts of its largest slope; none if one is not
+    /// finite.
+    pub(in super::super) fn open(&self, work: &Work) -> Option<f64> {
+        let mut open = 0.0f64;
+        for &row in &self.loops {
+            let largest =
+                self.rows[row].iter().fold(0.0f64, |most, (_, place)| most.max(work.slopes[*place].abs()));
+            let gap = work.gaps[row].abs() / largest;
+            if largest > 0.0 {
+                open = open.max(gap);
+            }
+            if gap.is_nan() && work.gaps[row] != 0.0 {
+                return None;
+            }
+        }
+        Some(open)
+    }
+
+    fn put(&self, column: usize, value: f64, work: &mut Work) {
+        let pose = &mut work.poses[column / 3];
+        match column % 3 {
+            0 => pose.x = value,
+            1 => pose.y = value,
+            _ => *pose = Pose::new([pose.x, pose.y, value / self.length]),
+        }
+    }
+
+    fn pair<'a>(&self, measure: &Measure, poses: &'a [Pose<f64>]) -> [&'a Pose<f64>; 2] {
+        measure.bodies().map(|frame| &poses[frame.unwrap_or(self.bodies)])
+    }
+
+    fn slope(&self, measure: &Measure, poses: &[Pose<f64>]) -> super::super::Slope<f64> {
+        measure.slope(self.pair(measure, poses))
+    }
+}
+
+fn value(term: &Term, poses: &[Pose<f64>]) -> f64 {
+    let pair = term.measure.bodies().map(|frame| &poses[frame.unwrap_or(poses.len() - 1)]);
+    let value = term.measure.slope(pair).value;
+    term.weight * term.profile.as_ref().map_or(value, |profile| profile.at(value)[0])
+}
+
+/// The two points of a pin, if these equations begin with those of one.
+fn pin(equations: &[Equation]) -> Option<[Point; 2]> {
+    let component = |equation: &Equation, along: [f64; 2]| match equation.terms[..] {
+        [Term { weight: 1.0, measure: Measure::Component { direction, from, to }, profile: None }]
+            if direction == along && from.on != to.on && equation.sum == Some(0.0) =>
+        {
+            Some([from, to])
+        }
+        _ => None,
+    };
+    let [x, y, ..] = equations else { return None };
+    let points = component(x, [1.0, 0.0])?;
+    (component(y, [0.0, 1.0])? == points).then_some(points)
+}
+
+/// The columns of an equation in ascending order, and their slopes where these never change.
+fn shape(equation: &Equation, length: f64) -> Vec<(usize, Option<f64>)> {
+    let mut shape: Vec<(usize, Option<f64>)> = Vec::new();
+    let mut add = |frame: Frame, part: usize, slope: Option<f64>| {
+        let Some(body) = frame else { return };
+        if slope == Some(0.0) {
+            return;
+        }
+        let column = 3 * body + part;
+        match shape.iter_mut().find(|(at, _)| *at == column) {
+            Some((_, known)) => *known = known.zip(slope).map(|(a, b)| a + b),
+            None => shape.push((column, slope)),
+        }
+    };
+    for Term { weight, measure, profile } in &equation.terms {
+        let constant = |slope: f64| profile.is_none().then_some(weight * slope);
+        let arm = |point: Point| if point.at == [0.0, 0.0] { Some(0.0) } else { None };
+        match *measure {
+            Measure::Angle { of, against } => {
+                add(of, 2, constant(1.0 / length));
+                add(against, 2, constant(-1.0 / length));
+            }
+            Measure::Component { direction: [ux, uy], from, to } => {
+                for (part, u) in [ux, uy].into_iter().enumerate() {
+                    if u != 0.0 {
+                        add(from.on, part, constant(-u));
+                        add(to.on, part, constant(u));
+                    }
+                }
+                add(from.on, 2, arm(from));
+                add(to.on, 2, arm(to));
+            }
+            Measure::Along { direction: [ux, uy], from, to } => {
+                for (part, u) in [ux, uy].into_iter().enumerate() {
+                    let u = if from.on.is_none() { Some(u) } else { None };
+                    if u != Some(0.0) {
+                        add(from.on, part, None);
+                        add(to.on, part, u.and_then(constant));
+                    }
+                }
+                add(from.on, 2, None);
+                add(to.on, 2, if to.on == from.on { None } else { arm(to) });
+            }
+            Measure::Distance { from, to } => {
+                for part in 0..3 {
+                    add(from.on, part, None);
+                    add(to.on, part, None);
+                }
+            }
+        }
+    }
+    shape.sort_unstable_by_key(|(column, _)| *column);
+    shape
+}
+
+/// Equations that give a coordinate each, in an order in which they use only what is known, and the columns that
+/// remain: row, column and slope.
+///
+/// Angles come first. An origin is found from a pin whose other body is known; where nothing leads on, a coordinate of
+/// the equation with fewest unknown ones is kept.
+fn explicit(shapes: &[Vec<(usize, Option<f64>)>], columns: usize) -> (Vec<(usize, usize, f64)>, Vec<usize>) {
+    let mut explicit = Vec::new();
+    let mut used = vec![false; shapes.len()];
+    // A column is settled once it is explicit or an explicit equation needs it.
+    let mut settled = vec![false; columns];
+    for (row, shape) in shapes.iter().enumerate() {
+        let angles = shape.iter().all(|(column, slope)| column % 3 == 2 && slope.is_some());
+        let best = shape
+            .iter()
+            .filter(|(column, slope)| !settled[*column] && slope.is_some_and(|slope| slope != 0.0))
+            .max_by(|a, b| a.1.unwrap_or(0.0).abs().total_cmp(&b.1.unwrap_or(0.0).abs()));
+        if let (true, Some(&(column, Some(slope)))) = (angles, best) {
+            explicit.push((row, column, slope));
+            used[row] = true;
+            for (column, _) in shape {
+                settled[*column] = true;
+            }
+        }
+    }
+    let is_explicit: Vec<usize> = explicit.iter().map(|(_, column, _)| *column).collect();
+    let mut kept: Vec<usize> =
+        (0..columns / 3).map(|body| 3 * body + 2).filter(|column| !is_explicit.contains(column)).collect();
+    let mut known: Vec<bool> = (0..columns).map(|column| column % 3 == 2).collect();
+    // The rows that know each column, and how many unknown ones each row has.
+    let mut rows_of: Vec<Vec<usize>> = vec![Vec::new(); columns];
+    let mut unknown = vec![0; shapes.len()];
+    for (row, shape) in shapes.iter().enumerate() {
+        let constant =
+            shape.iter().all(|&(column, slope)| column % 3 == 2 || slope.is_some_and(|slope| slope != 0.0));
+        if constant && !used[row] {
+            for &(column, _) in shape.iter().filter(|(column, _)| column % 3 < 2) {
+                rows_of[column].push(row);
+                unknown[row] += 1;
+            }
+        }
+    }
+    // First come, first served: so the tree is as flat as it can be.
+    let mut ready: VecDeque<usize> = (0..shapes.len()).filter(|&row| unknown[row] == 1).collect();
+    loop {
+        let next = ready.pop_front().filter(|&row| unknown[row] == 1);
+        let Some(row) = next.or_else(|| {
+            if ready.is_empty() {
+                (0..shapes.len()).filter(|&row| unknown[row] > 0).min_by_key(|&row| unknown[row])
+            } else {
+                None
+            }
+        }) else {
+            if ready.is_empty() { break } else { continue }
+        };
+        let mut left: Vec<(usize, f64)> = shapes[row]
+            .iter()
+            .filter(|(column, _)| !known[*column])
+            .map(|&(column, slope)| (column, slope.unwrap_or(0.0)))
+            .collect();
+        left.sort_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        for &(column, _) in &left {
+            known[column] = true;
+            for &other in &rows_of[column] {
+                unknown[other] -= 1;
+                if unknown[other] == 1 {
+                    ready.push_back(other);
+                }
+            }
+        }
+        if let Some((column, slope)) = left.pop() {
+            kept.extend(left.iter().map(|(column, _)| *column));
+            explicit.push((row, column, slope));
+        }
+    }
+    kept.extend((0..columns).filter(|&column| !known[column]));
+    kept.sort_unstable();
+    (explicit, kept)
+}

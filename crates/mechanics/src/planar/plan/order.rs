@@ -1,0 +1,281 @@
+//! The elimination of a layout's equations in an order chosen once.
+
+use super::Layout;
+
+/// A pivot must have this part of the largest slope of its row when it is chosen …
+const CHOSEN: f64 = 0.3;
+/// … and may fall to this part before another order is looked for.
+const KEPT: f64 = 0.03;
+/// Below this part of what it was when it was chosen, a pivot tells of a singular position nearby.
+const LOW: f64 = 0.05;
+/// A row whose slopes have fallen to this part of what they were follows from the others.
+const FOLLOWS: f64 = 1e-8;
+
+/// An order of elimination, and the numbers of one position.
+#[derive(Debug, Clone)]
+pub(in super::super) struct Order {
+    pivots: Vec<Pivot>,
+    removals: Vec<Removal>,
+    /// Places: what is changed, and by what.
+    updates: Vec<(u32, u32)>,
+    /// What stands to the right of each pivot: place and column.
+    others: Vec<(u32, u32)>,
+    /// The first pivot that is not of an explicit coordinate.
+    first_loop: usize,
+    /// The columns that are left free.
+    pub(in super::super) free: Vec<usize>,
+    /// Rows that follow from the others, with their places.
+    dropped: Vec<(usize, Vec<usize>)>,
+    /// The slopes, overwritten by the elimination.
+    slopes: Vec<f64>,
+    inverses: Vec<f64>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Pivot {
+    row: usize,
+    column: usize,
+    place: usize,
+    /// Its value when it was chosen.
+    chosen: f64,
+    /// Ends of its removals and others; they begin where those of the pivot before end.
+    removals: usize,
+    others: usize,
+}
+
+/// The column of a pivot is taken out of a row.
+#[derive(Debug, Clone, Copy)]
+struct Removal {
+    row: usize,
+    place: usize,
+    /// End of its updates.
+    updates: usize,
+}
+
+/// An entry of a row while the order is made.
+#[derive(Debug, Clone, Copy)]
+struct Entry {
+    column: usize,
+    place: usize,
+    value: f64,
+}
+
+impl Order {
+    /// Chooses an order for the slopes of a position.
+    pub(in super::super) fn new(layout: &Layout, slopes: &[f64], columns: usize) -> Self {
+        let mut rows: Vec<Vec<Entry>> = layout
+            .rows
+            .iter()
+            .map(|row| {
+                row.iter().map(|&(column, place)| Entry { column, place, value: slopes[place] }).collect()
+            })
+            .collect();
+        let mut of_column: Vec<Vec<usize>> = vec![Vec::new(); columns];
+        for (row, entries) in rows.iter().enumerate() {
+            for entry in entries {
+                of_column[entry.column].push(row);
+            }
+        }
+        let sizes: Vec<f64> = rows.iter().map(|row| largest(row)).collect();
+        let mut maker = Maker {
+            order: Self {
+                pivots: Vec::new(),
+                removals: Vec::new(),
+                updates: Vec::new(),
+                others: Vec::new(),
+                first_loop: layout.explicit.len(),
+                free: Vec::new(),
+                dropped: Vec::new(),
+                slopes: Vec::new(),
+                inverses: Vec::new(),
+            },
+            places: layout.places,
+            taken: vec![false; columns],
+        };
+        for &(row, column, _) in layout.explicit.iter().rev() {
+            maker.pivot(&mut rows, &mut of_column, row, column);
+        }
+        let mut left = layout.loops.clone();
+        while !left.is_empty() {
+            let mut best: Option<(usize, usize, usize, f64)> = None;
+            left.retain(|&row| {
+                let most = largest(&rows[row]);
+                if most <= FOLLOWS * sizes[row] {
+                    let places = rows[row].iter().map(|entry| entry.place).collect();
+                    maker.order.dropped.push((row, places));
+                    for entry in &rows[row] {
+                        of_column[entry.column].retain(|other| *other != row);
+                    }
+                    return false;
+                }
+                for entry in &rows[row] {
+                    let part = entry.value.abs() / most;
+                    let cost = (rows[row].len() - 1) * (of_column[entry.column].len() - 1);
+                    let better = best.is_none_or(|(_, _, least, biggest)| {
+                        cost < least || (cost == least && part > biggest)
+                    });
+                    if part >= CHOSEN && better {
+                        best = Some((row, entry.column, cost, part));
+                    }
+                }
+                true
+            });
+            let Some((row, column, ..)) = best else { break };
+            left.retain(|other| *other != row);
+            maker.pivot(&mut rows, &mut of_column, row, column);
+        }
+        let Maker { mut order, places, taken } = maker;
+        order.free = (0..columns).filter(|column| !taken[*column]).collect();
+        order.slopes = vec![0.0; places];
+        order.inverses = vec![0.0; order.pivots.len()];
+        order
+    }
+
+    /// Eliminates the slopes of a position.
+    pub(in super::super) fn eliminate(&mut self, slopes: &[f64]) {
+        let Self { pivots, removals, updates, slopes: w, inverses, .. } = self;
+        let (given, filled) = w.split_at_mut(slopes.len());
+        given.copy_from_slice(slopes);
+        filled.fill(0.0);
+        let (mut removal, mut update) = (0, 0);
+        for (pivot, inverse) in pivots.iter().zip(inverses) {
+            *inverse = 1.0 / w[pivot.place];
+            for one in &removals[removal..pivot.removals] {
+                let factor = w[one.place] * *inverse;
+                w[one.place] = factor;
+                for &(target, source) in &updates[update..one.updates] {
+                    w[target as usize] -= factor * w[source as usize];
+                }
+                update = one.updates;
+            }
+            removal = pivot.removals;
+        }
+    }
+
+    /// Whether another order should be chosen: a pivot has become small in its row, or a row that was dropped says
+    /// something new.
+    pub(in super::super) fn is_weak(&self, layout: &Layout, slopes: &[f64]) -> bool {
+        let small = (self.first_loop..self.pivots.len()).any(|index| {
+            let pivot = self.slopes[self.pivots[index].place].abs();
+            self.others(index).iter().any(|(place, _)| KEPT * self.slopes[*place as usize].abs() > pivot)
+        });
+        small
+            || self.dropped.iter().any(|(row, places)| {
+                let size =
+                    layout.rows[*row].iter().fold(0.0f64, |most, (_, place)| most.max(slopes[*place].abs()));
+                places.iter().any(|place| self.slopes[*place].abs() > 10.0 * FOLLOWS * size)
+            })
+    }
+
+    /// Whether the position is close to one in which an equation follows from the others.
+    pub(in super::super) fn is_nearly_singular(&self) -> bool {
+        let loops = &self.pivots[self.first_loop..];
+        loops.iter().any(|pivot| self.slopes[pivot.place].abs() < LOW * pivot.chosen.abs())
+    }
+
+    /// A solution for the given right sides, with zero in the free columns. The right sides are overwritten.
+    pub(in super::super) fn solve(&self, right: &mut [f64], x: &mut [f64]) {
+        let mut removal = 0;
+        for pivot in &self.pivots {
+            let known = right[pivot.row];
+            for one in &self.removals[removal..pivot.removals] {
+                right[one.row] -= self.slopes[one.place] * known;
+            }
+            removal = pivot.removals;
+        }
+        for &column in &self.free {
+            x[column] = 0.0;
+        }
+        for (index, pivot) in self.pivots.iter().enumerate().rev() {
+            let mut sum = right[pivot.row];
+            for &(place, column) in self.others(index) {
+                sum -= self.slopes[place as usize] * x[column as usize];
+            }
+            x[pivot.column] = sum * self.inverses[index];
+        }
+    }
+
+    /// The velocities that the equations leave, with 1 in one free column.
+    pub(in super::super) fn motion(&self, free: usize, x: &mut [f64]) {
+        for &column in &self.free {
+            x[column] = 0.0;
+        }
+        x[self.free[free]] = 1.0;
+        for (index, pivot) in self.pivots.iter().enumerate().rev() {
+            let mut sum = 0.0;
+            for &(place, column) in self.others(index) {
+                sum -= self.slopes[place as usize] * x[column as usize];
+            }
+            x[pivot.column] = sum * self.inverses[index];
+        }
+    }
+
+    /// The multipliers `y` with `Aᵀ y = g`; zero for rows that follow from others. `g` is overwritten.
+    pub(in super::super) fn multipliers(&self, g: &mut [f64], y: &mut [f64]) {
+        y.fill(0.0);
+        for (index, pivot) in self.pivots.iter().enumerate() {
+            let z = g[pivot.column] * self.inverses[index];
+            y[pivot.row] = z;
+            for &(place, column) in self.others(index) {
+                g[column as usize] -= self.slopes[place as usize] * z;
+            }
+        }
+        for (index, pivot) in self.pivots.iter().enumerate().rev() {
+            let from = if index == 0 { 0 } else { self.pivots[index - 1].removals };
+            for one in &self.removals[from..pivot.removals] {
+                y[pivot.row] -= self.slopes[one.place] * y[one.row];
+            }
+        }
+    }
+
+    fn others(&self, index: usize) -> &[(u32, u32)] {
+        let from = if index == 0 { 0 } else { self.pivots[index - 1].others };
+        &self.others[from..self.pivots[index].others]
+    }
+}
+
+struct Maker {
+    order: Order,
+    places: usize,
+    taken: Vec<bool>,
+}
+
+impl Maker {
+    /// Takes a column out of all rows but one.
+    fn pivot(&mut self, rows: &mut [Vec<Entry>], of_column: &mut [Vec<usize>], row: usize, column: usize) {
+        let order = &mut self.order;
+        self.taken[column] = true;
+        let own = std::mem::take(&mut rows[row]);
+        let Some(&pivot) = own.iter().find(|entry| entry.column == column) else { return };
+        for entry in &own {
+            of_column[entry.column].retain(|other| *other != row);
+        }
+        for other in std::mem::take(&mut of_column[column]) {
+            let Some(at) = rows[other].iter().position(|entry| entry.column == column) else { continue };
+            let removed = rows[other].swap_remove(at);
+            let factor = removed.value / pivot.value;
+            for entry in own.iter().filter(|entry| entry.column != column) {
+                let found = rows[other].iter().position(|target| target.column == entry.column);
+                let at = found.unwrap_or_else(|| {
+                    rows[other].push(Entry { column: entry.column, place: self.places, value: 0.0 });
+                    of_column[entry.column].push(other);
+                    self.places += 1;
+                    rows[other].len() - 1
+                });
+                let target = &mut rows[other][at];
+                target.value -= factor * entry.value;
+                order.updates.push((target.place as u32, entry.place as u32));
+            }
+            order.removals.push(Removal { row: other, place: removed.place, updates: order.updates.len() });
+        }
+        let right = own.iter().filter(|entry| entry.column != column);
+        order.others.extend(right.map(|entry| (entry.place as u32, entry.column as u32)));
+        let (removals, others) = (order.removals.len(), order.others.len());
+        let Entry { place, value: chosen, .. } = pivot;
+        order.pivots.push(Pivot { row, column, place, chosen, removals, others });
+    }
+}
+
+fn largest(row: &[Entry]) -> f64 {
+    row.iter().fold(0.0, |most, entry| most.max(entry.value.abs()))
+}

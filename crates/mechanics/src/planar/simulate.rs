@@ -1,0 +1,142 @@
+//! The motion of a mechanism under its loads, from a start to an end.
+//!
+//! Of the positions those are integrated that no equation gives explicitly, of the velocities as many as there are
+//! freedoms; after each step the positions are brought back onto the joints, so that these never drift apart
+//! (E. J. Haug, *Computer-Aided Kinematics and Dynamics of Mechanical Systems* (1989), §7.3; E. Hairer, G. Wanner,
+//! *Solving Ordinary Differential Equations II*, §VII.2).
+
+use super::{Measure, PlanarError, State, System, machine::Machine};
+use crate::ode::{Integrator, OdeError};
+
+/// What is to be followed.
+#[derive(Clone, Copy)]
+pub struct Run<'a> {
+    /// How long, s.
+    pub duration: f64,
+    /// The error that each step may add, in parts of the size of the mechanism and of its fastest velocity.
+    pub tolerance: f64,
+    /// How many samples are taken at equal times, the start and the end among them.
+    pub samples: usize,
+    /// What ends the motion before.
+    pub ends: &'a [End],
+    /// The most steps.
+    pub most_steps: usize,
+    /// Asked now and then whether to stop.
+    pub cancelled: &'a dyn Fn() -> bool,
+}
+
+/// What ends a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum End {
+    /// A measure reaches a value, m or rad.
+    Reaches(Measure, f64),
+    /// A measure comes to rest.
+    Rests(Measure),
+}
+
+/// A motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Moved {
+    /// From the start to the end.
+    pub samples: Vec<Sample>,
+    /// Which of the ends it came to, if any.
+    pub ended: Option<usize>,
+    /// How many steps were made.
+    pub steps: usize,
+}
+
+/// A moment of a motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// Time, s.
+    pub time: f64,
+    /// Positions, velocities and accelerations.
+    pub state: State,
+    /// Kinetic energy, J.
+    pub kinetic: f64,
+    /// Energy of weights, springs and all other loads that have a potential, J, from an arbitrary level.
+    pub stored: f64,
+    /// Work since the start of the drivers and of the loads without potential, J.
+    pub work: f64,
+}
+
+impl Moved {
+    /// The largest difference of the energy balance `T + V − W` from the start, J: zero for an exact motion.
+    pub fn imbalance(&self) -> f64 {
+        let left = |sample: &Sample| sample.kinetic + sample.stored - sample.work;
+        let first = self.samples.first().map_or(0.0, left);
+        self.samples.iter().map(|sample| (left(sample) - first).abs()).fold(0.0, f64::max)
+    }
+}
+
+impl System {
+    /// Follows the motion from positions and velocities that satisfy joints and drivers. The drivers go on from
+    /// their values with constant acceleration; what no driver drives moves freely.
+    ///
+    /// # Errors
+    /// `Massless`, `Sticks`; `DoesNotClose` if the positions do not satisfy the joints; `Motion` when it ends early or
+    /// is stopped; `NotFinite`.
+    pub fn simulate(
+        &self,
+        positions: &[[f64; 3]],
+        velocities: &[[f64; 3]],
+        run: &Run,
+    ) -> Result<Moved, PlanarError> {
+        self.without_friction()?;
+        let mut machine = Machine::new(self, positions, run.tolerance, run.cancelled);
+        let mut state = machine.state(positions, velocities, 0.0);
+        machine.begin(&state);
+        let mut samples = Vec::with_capacity(run.samples);
+        let first = sample(&mut machine, 0.0, &state);
+        let near = |first: &Sample| {
+            let allowed = 1e-9 * self.reach(positions);
+            let parts = first.state.positions.iter().flatten().zip(positions.iter().flatten());
+            parts.into_iter().all(|(a, b)| (a - b).abs() <= allowed)
+        };
+        if !first.as_ref().is_some_and(near) {
+            self.closed(positions)?;
+        }
+        let Some(first) = first else { return Err(machine.refusal()) };
+        state = machine.state(&first.state.positions, &first.state.velocities, 0.0);
+        samples.push(first);
+        let mut integrator = Integrator::new(&mut machine, 0.0, &state, run.duration, run.most_steps)?;
+        let gaps = run.samples.saturating_sub(1);
+        let time_of = |index: usize| {
+            if index == gaps { run.duration } else { run.duration * index as f64 / gaps as f64 }
+        };
+        let mut ended = None;
+        while integrator.time() < run.duration && ended.is_none() {
+            integrator.advance(&mut machine, run.duration)?;
+            let mut until = integrator.time();
+            for (index, end) in run.ends.iter().enumerate() {
+                let number = |machine: &mut Machine, time: f64, state: &[f64]| match end {
+                    End::Reaches(measure, value) => machine.measured(measure, time, state)[0] - value,
+                    End::Rests(measure) => machine.measured(measure, time, state)[1],
+                };
+                if let Some(time) = integrator.first_zero(&mut machine, number).filter(|time| *time <= until)
+                {
+                    (until, ended) = (time, Some(index));
+                }
+            }
+            let lost = |time: f64| PlanarError::Motion(OdeError::NotFinite { at: time });
+            while samples.len() <= gaps && time_of(samples.len()) <= until {
+                let time = time_of(samples.len());
+                let state = integrator.at(&mut machine, time);
+                samples.push(sample(&mut machine, time, &state).ok_or_else(|| lost(time))?);
+            }
+            if ended.is_some() && samples.last().is_none_or(|last| last.time < until) {
+                let state = integrator.at(&mut machine, until);
+                samples.push(sample(&mut machine, until, &state).ok_or_else(|| lost(until))?);
+            } else if let Some(state) = machine.renewed(integrator.time(), integrator.state()) {
+                integrator.restart(&mut machine, &state)?;
+            }
+        }
+        Ok(Moved { samples, ended, steps: integrator.steps() })
+    }
+}
+
+fn sample(machine: &mut Machine, time: f64, state: &[f64]) -> Option<Sample> {
+    let (state, work) = machine.full(time, state)?;
+    let [kinetic, stored] = machine.energies();
+    Some(Sample { time, state, kinetic, stored, work })
+}

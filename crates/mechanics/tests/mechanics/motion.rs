@@ -1,0 +1,278 @@
+//! Free motions of plane mechanisms against the benchmarks of the field and against closed forms.
+//!
+//! Pendulum (A01), N four-bars (A02) and Andrews' squeezing mechanism (A03) of the IFToMM library of computational
+//! benchmark problems; the last one with the data of E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*,
+//! §VII.7, and of the test set for IVP solvers.
+
+use dalembert_mechanics::planar::{
+    Body, Driver, Effort, End, Joint, Load, Measure, Mechanism, Moved, PlanarError, Point, Run, System,
+};
+
+use crate::close::{close, found};
+use crate::models::{andrews, four_bars};
+
+fn run(duration: f64, tolerance: f64, samples: usize) -> Run<'static> {
+    Run { duration, tolerance, samples, ends: &[], most_steps: 100_000, cancelled: &|| false }
+}
+
+fn angle(body: usize) -> Measure {
+    Measure::Angle { of: Some(body), against: None }
+}
+
+/// A point mass on a massless bar of 1 m.
+fn pendulum(start: f64) -> (System, Vec<[f64; 3]>) {
+    let mechanism = Mechanism {
+        bodies: vec![Body { mass: 1.0, inertia: 0.0 }],
+        joints: vec![Joint::Pin { a: Point::ground([0.0, 0.0]), b: Point::body(0, [-1.0, 0.0]) }],
+        gravity: [0.0, -9.81],
+        ..Mechanism::default()
+    };
+    let drawn = vec![[start.cos(), start.sin(), start]];
+    (found(System::new(&mechanism, &drawn)), drawn)
+}
+
+#[test]
+fn the_pendulum_swings_as_the_elliptic_functions_say() {
+    let (system, drawn) = pendulum(std::f64::consts::PI);
+    let moved = found(system.simulate(&drawn, &[[0.0; 3]], &run(10.0, 1e-13, 11)));
+    let expected = [
+        (1, 0.9862917511318753, -0.1650108531255412),
+        (2, -0.7935661953433217, -0.6084839304437915),
+        (5, -0.9423054350437573, -0.3347543384140006),
+        (10, -0.2750874625761169, -0.9614192050991251),
+    ];
+    for (second, x, y) in expected {
+        let at = moved.samples[second].state.positions[0];
+        assert!((at[0] - x).abs() < 1e-10 && (at[1] - y).abs() < 1e-10, "{at:?} after {second} s");
+    }
+    assert!(moved.imbalance() < 1e-10);
+}
+
+#[test]
+fn a_motion_ends_where_it_is_told_to() {
+    let (system, drawn) = pendulum(std::f64::consts::PI);
+    let through = [End::Reaches(angle(0), 1.5 * std::f64::consts::PI)];
+    let period = 2.36784194757623744925;
+    let moved = found(system.simulate(&drawn, &[[0.0; 3]], &Run { ends: &through, ..run(10.0, 1e-12, 101) }));
+    let last = moved.samples.last().expect("a sample");
+    close(last.time, period / 4.0, 1e-10);
+    close(last.state.velocities[0][2], (2.0f64 * 9.81).sqrt(), 1e-10);
+    assert_eq!(moved.ended, Some(0));
+    let rests = [End::Reaches(angle(0), 0.5), End::Rests(angle(0))];
+    let moved = found(system.simulate(&drawn, &[[0.0; 3]], &Run { ends: &rests, ..run(10.0, 1e-12, 11) }));
+    assert_eq!(moved.ended, Some(1));
+    close(moved.samples.last().expect("a sample").time, period / 2.0, 1e-10);
+}
+
+fn fall(n: usize, tolerance: f64) -> Moved {
+    let (system, drawn) = four_bars(n);
+    let velocities = found(system.starting(&drawn, &[(angle(0), -1.0)]));
+    found(system.simulate(&drawn, &velocities, &run(10.0, tolerance, 2)))
+}
+
+#[test]
+fn four_bars_in_a_row_pass_their_singular_positions() {
+    let expected = [
+        (1, -30.343944970941, -1.966934719434),
+        (2, -30.179800860189, -1.506642180836),
+        (10, -30.050933495986, -1.212262216525),
+        (40, -30.026637417189, -1.167622108749),
+    ];
+    for (n, angle, velocity) in expected {
+        let moved = fall(n, 1e-9);
+        let last = moved.samples.last().expect("a sample");
+        for body in 0..=n {
+            let [.., turned] = last.state.positions[body];
+            assert!((turned - angle).abs() < 1e-5, "{n}: {turned} is not {angle}");
+            assert!((last.state.velocities[body][2] - velocity).abs() < 1e-4, "{n}");
+        }
+        let height = 9.81 * (1.5 * n as f64 + 0.5);
+        assert!(moved.imbalance() < 1e-6 * height, "{n}: {:e} J", moved.imbalance());
+    }
+}
+
+/// β, Θ, γ, Φ, δ, Ω, ε from the angles of the bodies.
+fn relative(q: &[[f64; 3]]) -> [f64; 7] {
+    let t = |body: usize| q[body][2];
+    [t(0), t(1) - t(0), t(2), t(3) - t(4), t(4), t(5) - t(6), t(6)]
+}
+
+#[test]
+fn andrews_mechanism_starts_with_the_published_accelerations_and_multipliers() {
+    let (system, drawn) = andrews();
+    let positions = found(system.assemble(&drawn));
+    let freed = found(system.freed(&positions, &[[0.0; 3]; 7]));
+    assert_eq!(freed.freedoms, 1);
+    let [beta, theta, ..] = relative(&freed.state.accelerations);
+    close(beta, 14222.4439199541138705911625887, 1e-11);
+    close(theta, -10666.8329399655854029433719415, 1e-11);
+    close(freed.multipliers[0], 98.5668703962410896057654982170, 1e-11);
+    close(freed.multipliers[1], -6.12268834425566265503114393122, 1e-10);
+    for multiplier in &freed.multipliers[2..6] {
+        assert!(multiplier.abs() < 1e-9);
+    }
+}
+
+#[test]
+fn andrews_mechanism_comes_to_its_reference() {
+    // Our own values in 80-bit arithmetic; those published for tolerances of 1e-14 agree to 1.4e-9.
+    let positions = [
+        15.8107711951537,
+        -15.7563710584118,
+        0.0408222401196465,
+        -0.534730116342079,
+        0.524409965879954,
+        0.534730116342079,
+        1.04808074104194,
+    ];
+    let velocities = [
+        1139.92030225911,
+        -1424.37929517754,
+        11.0329119106170,
+        19.2933741050293,
+        0.573569914829416,
+        -19.2933741050293,
+        0.323179149249100,
+    ];
+    let (system, drawn) = andrews();
+    let start = found(system.assemble(&drawn));
+    for (tolerance, allowed, energy) in [(1e-12, 1e-10, 1e-11), (1e-7, 2e-6, 1e-6)] {
+        let moved = found(system.simulate(&start, &[[0.0; 3]; 7], &run(0.03, tolerance, 2)));
+        let last = moved.samples.last().expect("a sample");
+        for (ours, expected) in relative(&last.state.positions).iter().zip(positions) {
+            assert!((ours - expected).abs() < allowed, "{ours} is not {expected}: {tolerance:e}");
+        }
+        for (ours, expected) in relative(&last.state.velocities).iter().zip(velocities) {
+            assert!((ours - expected).abs() < 1e4 * allowed, "{ours} is not {expected}: {tolerance:e}");
+        }
+        assert!(moved.imbalance() < energy, "{:e}", moved.imbalance());
+    }
+}
+
+#[test]
+fn the_accelerations_of_a_motion_are_those_of_the_full_equations() {
+    let (system, drawn) = andrews();
+    let start = found(system.assemble(&drawn));
+    let moved = found(system.simulate(&start, &[[0.0; 3]; 7], &run(0.03, 1e-9, 13)));
+    for sample in &moved.samples {
+        let freed = found(system.freed(&sample.state.positions, &sample.state.velocities));
+        let size = freed.state.accelerations.iter().flatten().fold(0.0f64, |most, a| most.max(a.abs()));
+        for (a, b) in
+            freed.state.accelerations.iter().flatten().zip(sample.state.accelerations.iter().flatten())
+        {
+            assert!((a - b).abs() < 1e-10 * size, "{a} and {b} at {}", sample.time);
+        }
+    }
+}
+
+#[test]
+fn drivers_do_the_work_that_a_motion_takes() {
+    // A crank turned at an even speed from rest of the rest: its torque is that of the dynamics at every moment, and
+    // its work closes the balance.
+    let ends = |body: usize, length: f64| {
+        [Point::body(body, [-length / 2.0, 0.0]), Point::body(body, [length / 2.0, 0.0])]
+    };
+    let ([o, p], [q, s]) = (ends(0, 0.1), ends(1, 0.35));
+    let piston = Point::body(2, [0.0, 0.0]);
+    let mechanism = Mechanism {
+        bodies: vec![
+            Body { mass: 1.0, inertia: 0.01 },
+            Body { mass: 2.0, inertia: 0.03 },
+            Body { mass: 3.0, inertia: 0.0 },
+        ],
+        joints: vec![
+            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
+            Joint::Pin { a: p, b: q },
+            Joint::Pin { a: s, b: piston },
+            Joint::Slider { guide: Point::ground([0.0, 0.0]), direction: 0.0, slides: piston, angle: 0.0 },
+        ],
+        drivers: vec![Driver { measure: angle(0), value: 0.7, velocity: 20.0, acceleration: 15.0 }],
+        loads: vec![Load::Effort {
+            measure: Measure::Component {
+                direction: [1.0, 0.0],
+                from: Point::ground([0.0, 0.0]),
+                to: piston,
+            },
+            effort: Effort::Damper { coefficient: 40.0 },
+        }],
+        gravity: [0.0, -9.81],
+    };
+    let drawn = [[0.04, 0.03, 0.7], [0.2, 0.03, -0.2], [0.4, 0.0, 0.0]];
+    let system = found(System::new(&mechanism, &drawn));
+    let start = found(system.assemble(&drawn));
+    let velocities = found(system.starting(&start, &[]));
+    let moved = found(system.simulate(&start, &velocities, &run(0.5, 1e-10, 21)));
+    for sample in &moved.samples {
+        let turned = 0.7 + 20.0 * sample.time + 7.5 * sample.time * sample.time;
+        close(sample.state.positions[0][2], turned, 1e-12);
+        close(sample.state.velocities[0][2], 20.0 + 15.0 * sample.time, 1e-11);
+    }
+    let largest = moved.samples.iter().fold(0.0f64, |most, sample| most.max(sample.kinetic));
+    assert!(moved.imbalance() < 1e-8 * largest, "{:e} of {largest:e}", moved.imbalance());
+    assert!(moved.samples.iter().any(|sample| sample.work.abs() > 0.1 * largest));
+}
+
+#[test]
+fn parallel_bars_beyond_what_is_needed_change_nothing() {
+    // A parallelogram on three equal rockers, one too many: as on two whose mass and inertia are one and a half times.
+    let coupler = |body: usize, x: f64| Point::body(body, [x, 0.0]);
+    let swing = |rockers: &[f64], mass: f64| {
+        let bodies: Vec<Body> = rockers
+            .iter()
+            .map(|_| Body { mass, inertia: mass / 12.0 })
+            .chain([Body { mass: 2.0, inertia: 0.7 }])
+            .collect();
+        let last = rockers.len();
+        let joints = rockers
+            .iter()
+            .enumerate()
+            .flat_map(|(k, &x)| {
+                [
+                    Joint::Pin { a: Point::ground([x, 0.0]), b: Point::body(k, [-0.5, 0.0]) },
+                    Joint::Pin { a: Point::body(k, [0.5, 0.0]), b: coupler(last, x) },
+                ]
+            })
+            .collect();
+        let mechanism = Mechanism { bodies, joints, gravity: [0.0, -9.81], ..Mechanism::default() };
+        let start = 0.3f64;
+        let drawn: Vec<[f64; 3]> = rockers
+            .iter()
+            .map(|x| [x + start.cos() / 2.0, start.sin() / 2.0, start])
+            .chain([[start.cos(), start.sin(), 0.0]])
+            .collect();
+        let system = found(System::new(&mechanism, &drawn));
+        let positions = found(system.assemble(&drawn));
+        let still = vec![[0.0; 3]; drawn.len()];
+        let moved = found(system.simulate(&positions, &still, &run(1.0, 1e-11, 2)));
+        moved.samples[1].state.positions[0][2]
+    };
+    close(swing(&[0.0, 0.4, 1.0], 1.0), swing(&[0.0, 1.0], 1.5), 1e-8);
+}
+
+#[test]
+fn what_cannot_move_freely_is_named() {
+    let (_, drawn) = pendulum(1.0);
+    let mechanism = Mechanism {
+        bodies: vec![Body { mass: 1.0, inertia: 0.0 }, Body::default()],
+        joints: vec![
+            Joint::Pin { a: Point::ground([0.0, 0.0]), b: Point::body(0, [-1.0, 0.0]) },
+            Joint::Pin { a: Point::body(0, [0.0, 0.0]), b: Point::body(1, [0.0, 0.0]) },
+        ],
+        gravity: [0.0, -9.81],
+        ..Mechanism::default()
+    };
+    let drawn = [drawn[0], drawn[0]];
+    let still = [[0.0; 3]; 2];
+    let system = found(System::new(&mechanism, &drawn));
+    assert_eq!(system.simulate(&drawn, &still, &run(1.0, 1e-8, 2)), Err(PlanarError::Massless { body: 1 }));
+    assert_eq!(system.freed(&drawn, &still), Err(PlanarError::Massless { body: 1 }));
+    let rough =
+        Mechanism { loads: vec![Load::Friction { joint: 0, coefficient: 0.2, radius: 0.01 }], ..mechanism };
+    let system = found(System::new(&rough, &drawn));
+    assert_eq!(system.simulate(&drawn, &still, &run(1.0, 1e-8, 2)), Err(PlanarError::Sticks { load: 0 }));
+    let (system, drawn) = pendulum(1.0);
+    let twice = [(angle(0), 1.0), (angle(0), 2.0)];
+    assert_eq!(system.starting(&drawn, &twice), Err(PlanarError::Rate { index: 1 }));
+    let stop = Run { cancelled: &|| true, ..run(1.0, 1e-8, 2) };
+    assert!(matches!(system.simulate(&drawn, &[[0.0; 3]], &stop), Err(PlanarError::Motion(_))));
+}
