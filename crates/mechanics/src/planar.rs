@@ -32,7 +32,7 @@ pub use follow::{Followed, Passed};
 pub use free::Freed;
 pub use load::{Effort, Load};
 pub use measure::{Frame, Measure, Point, Pose, Slope};
-pub use simulate::{End, Moved, Run, Sample};
+pub use simulate::{End, Moved, Run, Snapshot};
 pub use system::{Mobility, State, System};
 
 /// A plane mechanism.

@@ -749,6 +749,14 @@ load-has-a-number-it-cannot-have-or-is-friction-in-a-joint-without-sliding = { $
 no-equilibrium-was-found-near-the-drawn-position-draw-the-bodies-at-other-angles = nenhum equilíbrio foi encontrado perto da posição desenhada; desenhe os corpos em outros ângulos
 a-length-or-a-result-is-too-large-or-too-small-for-the-mechanism-to-be-computed = um comprimento ou resultado é grande ou pequeno demais para o cálculo do mecanismo
 
+# virtual-work/motion
+body-can-move-freely-but-nothing-that-moves-with-it-has-a-mass-give-it-a-mass-or-drive-it = { $body } pode mover-se livremente, mas nada do que se move com ele tem massa; dê-lhe uma massa ou acione-o
+row-row-of-the-start-follows-from-the-joints-the-drivers-and-the-rows-before-it-take-it-out = a linha { $row } da partida já resulta das juntas, dos acionamentos e das linhas anteriores; retire-a
+load-is-friction-which-may-stick-a-free-motion-is-followed-without-it-take-it-out-or-put-a-damper = { $load } é atrito, que pode prender: um movimento livre é calculado sem ele; retire-o ou ponha um amortecedor no lugar
+the-motion-cannot-be-followed-beyond-time-something-in-it-is-much-faster-than-the-rest-take-out-what = o movimento não pode ser seguido além de { $time }: algo nele é muito mais rápido que o resto; retire o que for muito rígido ou muito leve, ou encurte a duração
+the-motion-cannot-be-followed-beyond-time-there-the-mechanism-locks-or-its-joints-no-longer-say-how = o movimento não pode ser seguido além de { $time }: ali o mecanismo trava, ou as juntas já não dizem como ele continua; encurte a duração
+the-duration-must-be-a-positive-number = a duração precisa ser um número positivo
+
 # virtual-work/rack-press
 rack-press = Prensa de cremalheira
 force-of-the-ram-of-a-rack-press-from-the-force-on-its-handle-or-the-other-way-round-with-the-stroke = Força do êmbolo de uma prensa de cremalheira a partir da força na alavanca, ou o inverso, com o curso por volta.

@@ -231,6 +231,10 @@ pub(crate) fn refusal(error: PlanarError) -> Refusal {
         | PlanarError::UnderDriven { .. }
         | PlanarError::TooFar { .. }
         | PlanarError::NoEquilibrium
+        | PlanarError::Massless { .. }
+        | PlanarError::Rate { .. }
+        | PlanarError::Sticks { .. }
+        | PlanarError::Motion(_)
         | PlanarError::NotFinite => {
             "the numbers of this mechanism are too far apart to be computed with".into()
         }

@@ -1,7 +1,12 @@
 //! The parts that a mechanism is described with, and the mechanism that they make.
 
-use dalembert_core::{DrawnShape, Ink, Inputs, Reference, Refusal, Text};
-use dalembert_mechanics::planar::{self, Measure, PlanarError, Profile, System};
+pub(crate) mod drawing;
+
+use dalembert_core::{Inputs, Reference, Refusal, Text};
+use dalembert_mechanics::{
+    ode::OdeError,
+    planar::{self, Measure, PlanarError, Profile, System},
+};
 use nalgebra::Vector3;
 
 /// A rigid body, in axes of its own.
@@ -447,12 +452,12 @@ impl Parts<'_> {
         planar::Point { on, at: [spot.at.x - origin.x, spot.at.y - origin.y] }
     }
 
-    fn along(&self, from: Reference, to: Reference, direction: f64) -> Measure {
+    pub(crate) fn along(&self, from: Reference, to: Reference, direction: f64) -> Measure {
         let direction = [direction.cos(), direction.sin()];
         Measure::Along { direction, from: self.point(from), to: self.point(to) }
     }
 
-    fn distance(&self, from: Reference, to: Reference) -> Measure {
+    pub(crate) fn distance(&self, from: Reference, to: Reference) -> Measure {
         Measure::Distance { from: self.point(from), to: self.point(to) }
     }
 
@@ -607,39 +612,6 @@ impl Parts<'_> {
         Ok((system, rows, positions))
     }
 
-    /// The bodies as lines through their points, and springs and rods between theirs.
-    pub(crate) fn outline(&self, positions: &[[f64; 3]], ink: Ink) -> Vec<DrawnShape> {
-        let at = |reference: Reference| {
-            let point = self.point(reference);
-            let [x, y] = point.on.map_or(point.at, |body| planar::Pose::new(positions[body]).point(point.at));
-            (x, y)
-        };
-        let own = |body: usize| {
-            let carried =
-                self.points.iter().enumerate().filter(move |(_, spot)| spot.on.frame() == Some(body));
-            let mut corners: Vec<(f64, f64)> = carried.map(|(row, _)| at(Reference(row))).collect();
-            if corners.len() > 2 {
-                corners.push(corners[0]);
-            }
-            corners
-        };
-        let bodies = (0..self.bodies.len()).map(own).filter(|corners| corners.len() > 1);
-        let bodies = bodies.map(|corners| DrawnShape::Polyline(corners, ink));
-        let springs = self.loads.iter().filter_map(|load| match &load.load {
-            Load::Spring { from, to, .. } => Some(DrawnShape::Spring(at(*from), at(*to))),
-            _ => None,
-        });
-        let lines = self.joints.iter().flat_map(|connection| match &connection.joint {
-            Joint::Rod { from, to, .. } => vec![DrawnShape::Polyline(vec![at(*from), at(*to)], ink)],
-            Joint::Cord { runs, .. } => runs
-                .iter()
-                .map(|run| DrawnShape::Polyline(vec![at(run.from), at(run.to)], Ink::Faint))
-                .collect(),
-            _ => Vec::new(),
-        });
-        bodies.chain(lines).chain(springs).collect()
-    }
-
     /// What is wrong, in the names of the form.
     pub(crate) fn refusal(&self, error: &PlanarError, rows: &[usize]) -> Refusal {
         let drive = |driver: usize| self.drivers[driver].name.as_str();
@@ -687,6 +659,19 @@ impl Parts<'_> {
                 "{load} has a number it cannot have, or is friction in a joint without sliding",
             )
             .with("load", self.loads[*index].name.as_str()),
+            PlanarError::Massless { body } => Text::new(
+                "{body} can move freely, but nothing that moves with it has a mass; give it a mass, or drive it",
+            )
+            .with("body", &self.bodies[*body].name),
+            PlanarError::Rate { index } => Text::new(
+                "row {row} of the start follows from the joints, the drivers and the rows before it; take it out",
+            )
+            .with("row", (index + 1).to_string()),
+            PlanarError::Sticks { load } => Text::new(
+                "{load} is friction, which may stick: a free motion is followed without it; take it out, or put a damper in its place",
+            )
+            .with("load", self.loads[*load].name.as_str()),
+            PlanarError::Motion(error) => late(error),
             PlanarError::NoEquilibrium => {
                 Text::new("no equilibrium was found near the drawn position; draw the bodies at other angles")
             }
@@ -694,5 +679,22 @@ impl Parts<'_> {
                 Text::new("a length or a result is too large or too small for the mechanism to be computed")
             }
         })
+    }
+}
+
+/// Why a motion cannot be followed to its end.
+fn late(error: &OdeError) -> Text {
+    match *error {
+        OdeError::Stiff { at } | OdeError::TooManySteps { at, .. } => Text::new(
+            "the motion cannot be followed beyond {time}: something in it is much faster than the rest; take out what is very stiff or very light, or shorten the duration",
+        )
+        .with_quantity("time", at, "s"),
+        OdeError::NotFinite { at } | OdeError::TooShort { at } => Text::new(
+            "the motion cannot be followed beyond {time}: there the mechanism locks, or its joints no longer say how it goes on; shorten the duration",
+        )
+        .with_quantity("time", at, "s"),
+        OdeError::Input | OdeError::Stopped => {
+            Text::new("the duration must be a positive number")
+        }
     }
 }

@@ -38,7 +38,7 @@ pub enum End {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Moved {
     /// From the start to the end.
-    pub samples: Vec<Sample>,
+    pub samples: Vec<Snapshot>,
     /// Which of the ends it came to, if any.
     pub ended: Option<usize>,
     /// How many steps were made.
@@ -47,7 +47,7 @@ pub struct Moved {
 
 /// A moment of a motion.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sample {
+pub struct Snapshot {
     /// Time, s.
     pub time: f64,
     /// Positions, velocities and accelerations.
@@ -63,7 +63,7 @@ pub struct Sample {
 impl Moved {
     /// The largest difference of the energy balance `T + V − W` from the start, J: zero for an exact motion.
     pub fn imbalance(&self) -> f64 {
-        let left = |sample: &Sample| sample.kinetic + sample.stored - sample.work;
+        let left = |sample: &Snapshot| sample.kinetic + sample.stored - sample.work;
         let first = self.samples.first().map_or(0.0, left);
         self.samples.iter().map(|sample| (left(sample) - first).abs()).fold(0.0, f64::max)
     }
@@ -88,7 +88,7 @@ impl System {
         machine.begin(&state);
         let mut samples = Vec::with_capacity(run.samples);
         let first = sample(&mut machine, 0.0, &state);
-        let near = |first: &Sample| {
+        let near = |first: &Snapshot| {
             let allowed = 1e-9 * self.reach(positions);
             let parts = first.state.positions.iter().flatten().zip(positions.iter().flatten());
             parts.into_iter().all(|(a, b)| (a - b).abs() <= allowed)
@@ -135,8 +135,8 @@ impl System {
     }
 }
 
-fn sample(machine: &mut Machine, time: f64, state: &[f64]) -> Option<Sample> {
+fn sample(machine: &mut Machine, time: f64, state: &[f64]) -> Option<Snapshot> {
     let (state, work) = machine.full(time, state)?;
     let [kinetic, stored] = machine.energies();
-    Some(Sample { time, state, kinetic, stored, work })
+    Some(Snapshot { time, state, kinetic, stored, work })
 }

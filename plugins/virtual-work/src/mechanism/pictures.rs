@@ -1,7 +1,5 @@
 //! Tables, plots and the film of a mechanism.
 
-use std::f64::consts::FRAC_PI_2;
-
 use dalembert_core::{
     Axis, DrawnShape, Exhibit, Film, Ink, Plot, Series, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
@@ -9,7 +7,7 @@ use dalembert_core::{
 use dalembert_mechanics::planar::{Acting, Point, State};
 
 use super::{Mechanism, Sample, Solved};
-use crate::parts::{Carrier, Driven, Joint, Load};
+use crate::parts::{Driven, drawing::place};
 
 impl Solved<'_> {
     /// Everything there is to look at.
@@ -167,20 +165,20 @@ impl Solved<'_> {
 
     fn film(&self, problem: &Mechanism, samples: &[Sample]) -> Film {
         const FRAMES: usize = 24;
-        let size = self.size();
+        let size = self.parts.size(self.system, self.state);
         let paths: Vec<DrawnShape> = problem
             .watched
             .iter()
             .filter(|_| samples.len() > 1)
             .map(|watched| {
                 let point = self.parts.point(watched.point);
-                let at = |sample: &Sample| place(self, point, &sample.state);
+                let at = |sample: &Sample| place(self.system, point, &sample.state);
                 DrawnShape::Polyline(samples.iter().map(at).collect(), Ink::Faint)
             })
             .collect();
         let frame = |state: &State| {
             let mut shapes = paths.clone();
-            self.draw(state, size, &mut shapes);
+            self.parts.draw(self.system, state, size, &mut shapes);
             shapes
         };
         let mut frames = vec![frame(self.state)];
@@ -203,108 +201,7 @@ impl Solved<'_> {
     fn here(&self) -> f64 {
         self.system.mechanism().drivers.first().map_or(0.0, |driver| driver.value)
     }
-
-    /// The size of the drawing.
-    fn size(&self) -> f64 {
-        let all: Vec<(f64, f64)> = (0..self.parts.points.len())
-            .map(|row| place(self, self.parts.point(dalembert_core::Reference(row)), self.state))
-            .collect();
-        let extent = |of: fn(&(f64, f64)) -> f64| {
-            let (low, high) = all.iter().map(of).fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
-            high - low
-        };
-        if all.is_empty() { 1.0 } else { extent(|p| p.0).max(extent(|p| p.1)).max(f64::MIN_POSITIVE) }
-    }
-
-    fn draw(&self, state: &State, size: f64, shapes: &mut Vec<DrawnShape>) {
-        let parts = self.parts;
-        let at = |reference: dalembert_core::Reference| place(self, parts.point(reference), state);
-        let small = 0.015 * size;
-        for connection in parts.joints {
-            match &connection.joint {
-                Joint::Slider { guide, direction, slides, .. }
-                | Joint::Slot { guide, direction, pin: slides, .. }
-                | Joint::Rolling { guide, direction, centre: slides, .. } => {
-                    let turned =
-                        parts.points[guide.0].on.frame().map_or(0.0, |body| state.positions[body][2]);
-                    let (sin, cos) = (direction + turned).sin_cos();
-                    let ((gx, gy), (px, py)) = (at(*guide), at(*slides));
-                    let way = (px - gx) * cos + (py - gy) * sin;
-                    let (low, high) = (way.min(0.0) - 0.1 * size, way.max(0.0) + 0.1 * size);
-                    let along = |s: f64| (gx + s * cos, gy + s * sin);
-                    let ink = if matches!(parts.points[guide.0].on, Carrier::Ground) {
-                        Ink::Faint
-                    } else {
-                        Ink::Body
-                    };
-                    shapes.push(DrawnShape::Polyline(vec![along(low), along(high)], ink));
-                    match connection.joint {
-                        Joint::Slider { .. } => {
-                            let (w, h) = (2.5 * small, 1.7 * small);
-                            let corner = |x: f64, y: f64| (px + x * cos - y * sin, py + x * sin + y * cos);
-                            let corners = [(-w, -h), (w, -h), (w, h), (-w, h), (-w, -h)];
-                            let corners = corners.map(|(x, y)| corner(x, y));
-                            shapes.push(DrawnShape::Polyline(corners.into(), Ink::Body));
-                        }
-                        Joint::Rolling { radius, .. } => {
-                            let body = parts.points[slides.0].on.frame();
-                            let angle = body.map_or(0.0, |body| state.positions[body][2]) - FRAC_PI_2;
-                            let rim = (px + radius * angle.cos(), py + radius * angle.sin());
-                            shapes.push(DrawnShape::Circle((px, py), radius, Ink::Body));
-                            shapes.push(DrawnShape::Polyline(vec![(px, py), rim], Ink::Faint));
-                        }
-                        _ => {}
-                    }
-                }
-                _ => {}
-            }
-        }
-        shapes.extend(parts.outline(&state.positions, Ink::Body));
-        for (row, spot) in parts.points.iter().enumerate() {
-            let point = at(dalembert_core::Reference(row));
-            match spot.on {
-                Carrier::Ground => shapes.push(DrawnShape::Pin(point)),
-                Carrier::Body { .. } => shapes.push(DrawnShape::Circle(point, 0.5 * small, Ink::Body)),
-            }
-        }
-        self.draw_loads(state, size, shapes);
-    }
-
-    fn draw_loads(&self, state: &State, size: f64, shapes: &mut Vec<DrawnShape>) {
-        let parts = self.parts;
-        let at = |reference: dalembert_core::Reference| place(self, parts.point(reference), state);
-        let largest = parts.loads.iter().fold(0.0f64, |most, load| match &load.load {
-            Load::Force { force, .. } => most.max(force.norm()),
-            _ => most,
-        });
-        for load in parts.loads {
-            match &load.load {
-                Load::Force { at: point, force, axes } if largest > 0.0 => {
-                    let turned = axes.frame().map_or(0.0, |body| state.positions[body][2]);
-                    let (sin, cos) = turned.sin_cos();
-                    let (x, y) = (force.x * cos - force.y * sin, force.x * sin + force.y * cos);
-                    let tip = at(*point);
-                    let scale = 0.25 * size / largest;
-                    let tail = (tip.0 - scale * x, tip.1 - scale * y);
-                    shapes.push(DrawnShape::Arrow(tail, tip, Ink::Force));
-                    shapes.push(DrawnShape::Label(tail, Text::new("{name}").with("name", &load.name)));
-                }
-                Load::Damper { from, to, .. } | Load::Gas { from, to, .. } => {
-                    shapes.push(DrawnShape::Damper(at(*from), at(*to)));
-                }
-                Load::Thrust { from, to, .. } => {
-                    shapes.push(DrawnShape::Arrow(at(*from), at(*to), Ink::Force));
-                }
-                _ => {}
-            }
-        }
-    }
 }
 
 /// A curve: its name, and what it is at a sample.
 type Of<'a> = (&'a str, &'a dyn Fn(&Sample) -> f64);
-
-fn place(solved: &Solved<'_>, point: Point, state: &State) -> (f64, f64) {
-    let [[x, y], ..] = solved.system.point(point, state);
-    (x, y)
-}
