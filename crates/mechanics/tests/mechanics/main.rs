@@ -13,6 +13,7 @@ mod forced;
 mod free_vibration;
 mod identification;
 mod intervals;
+mod jet;
 mod linalg;
 mod many_degrees;
 mod models;

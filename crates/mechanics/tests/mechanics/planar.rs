@@ -4,12 +4,15 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_mechanics::planar::{
-    Body, Driver, Effort, Joint, Load, Measure, Mechanism, PlanarError, Point, Stability, State, System,
+    Body, Driver, Effort, Joint, Load, Measure, Mechanism, PlanarError, Point, Pose, Stability, State, System,
 };
 use dalembert_mechanics::slider_crank::{Branch, CrankMotion, SliderCrank};
 use proptest::prelude::*;
 
-use crate::close::{ROUNDING, close, found, printed};
+use crate::{
+    close::{ROUNDING, close, found, printed},
+    jet::Jet,
+};
 
 /// A driver of the angle of a body.
 fn turning(body: usize, value: f64, velocity: f64, acceleration: f64) -> Driver {
@@ -314,9 +317,14 @@ proptest! {
             .map(|load| load.power).sum();
         let size = largest * speed.abs() + dynamics.energy_rate.abs();
         prop_assert!((applied + dynamics.efforts[0] * speed - dynamics.energy_rate).abs() <= 1e-11 * size);
-        // Joints do no work: their multipliers take no part for any motion that they allow.
-        let loops = found(system.mobility(&there.positions));
-        prop_assert_eq!((loops.free, loops.redundant.len()), (1, 0));
+        // The loops are closed, and what the joints hold does not move: their forces do no work.
+        let joints = system.equations().len() - 1;
+        for (equation, effort) in system.equations()[..joints].iter().zip(&dynamics.multipliers) {
+            let [term] = &equation.terms[..] else { panic!("a pin is two measures") };
+            prop_assert!(system.value(&term.measure, &there.positions).abs() <= 1e-12);
+            let power = effort * system.rate(&term.measure, &state);
+            prop_assert!(power.abs() <= 1e-12 * effort.abs() * speed.abs() * 3.0, "{}", power);
+        }
     }
 
     /// Two turns at any step bring a crank-rocker back where it was, to rounding.
@@ -447,4 +455,38 @@ fn a_pendulum_has_its_two_places_of_rest() {
     assert_eq!([judged[0].1, judged[1].1], [Stability::Stable, Stability::Unstable]);
     close(places[0].stiffness[(0, 0)], mgl, ROUNDING);
     close(places[1].stiffness[(0, 0)], -mgl, ROUNDING);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Every measure along a motion, differentiated by jets, moves as its slope and its bias say.
+    #[test]
+    fn slopes_and_biases_are_those_of_jets(
+        motion in prop::array::uniform2(prop::array::uniform3(prop::array::uniform3(-3.0..3.0f64))),
+        points in prop::array::uniform2(prop::array::uniform2(-2.0..2.0f64)), turn in 0.0..TAU, kind in 0..4usize,
+    ) {
+        let [from, to] = [Point::body(0, points[0]), Point::body(1, points[1])];
+        let direction = [turn.cos(), turn.sin()];
+        let measure = [
+            Measure::Angle { of: Some(1), against: Some(0) },
+            Measure::Component { direction, from, to },
+            Measure::Along { direction, from, to },
+            Measure::Distance { from, to },
+        ][kind];
+        // Each body: x, y, θ, each with velocity and acceleration.
+        let jets = motion.map(|body| Pose::new(body.map(Jet)));
+        let Jet([value, rate, acceleration]) = measure.slope([&jets[0], &jets[1]]).value;
+        prop_assume!(kind != 3 || value > 0.1);
+        let part = |k: usize| motion.map(|body| body.map(|coordinate| coordinate[k]));
+        let poses = part(0).map(Pose::new);
+        let slope = measure.slope([&poses[0], &poses[1]]);
+        let along = |[from, to]: [[f64; 3]; 2]| -> f64 {
+            slope.from.iter().zip(from).chain(slope.to.iter().zip(to)).map(|(a, b)| a * b).sum()
+        };
+        let bias = measure.bias([&poses[0], &poses[1]], part(1));
+        prop_assert!((slope.value - value).abs() <= 1e-13 * (1.0 + value.abs()));
+        prop_assert!((along(part(1)) - rate).abs() <= 1e-12 * (1.0 + rate.abs()));
+        prop_assert!((along(part(2)) + bias - acceleration).abs() <= 1e-11 * (1.0 + acceleration.abs()));
+    }
 }
