@@ -63,19 +63,21 @@ impl Analysis for BarAndCord {
         let lengths = [given.length, given.attachment, given.pulley];
         let parts = [
             Part {
+                name: "weight of the bar",
                 load: Some(bar),
                 rate: ["y′_G", "m", "Virtual rise of the mass centre of the bar over δθ"],
                 symbol: ["W", "N"],
                 answer: ["bar_weight", "Weight of the bar"],
             },
             Part {
+                name: "weight of the hanging mass",
                 load: hanging,
                 rate: ["y′_P", "m", "Virtual rise of the hanging mass over δθ"],
                 symbol: ["P", "N"],
                 answer: ["hanging_weight", "Hanging weight for equilibrium"],
             },
         ];
-        let machine = Machine { shapes: self, lengths: &lengths, parts: &parts };
+        let machine = Machine { shapes: self, lengths: &lengths, parts: &parts, joints: &["Pin of the bar"] };
         let balanced = machine.solve(&given.position, sheet, |loads, at| self.built(loads, at))?;
         if let Some(weight) = balanced.load {
             let mass = sheet.step("m", "kg", weight / given.gravity, "Hanging mass");

@@ -5,7 +5,7 @@ use dalembert_core::{
     exhibit::{Cell, Column, Point as At},
 };
 use dalembert_mechanics::{
-    planar::{Dynamics, Load, Mechanism, Point, System},
+    planar::{Dynamics, Joint, Load, Mechanism, Point, System},
     roots,
 };
 
@@ -202,6 +202,39 @@ pub(crate) fn solved(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Option<Dynami
     let positions = system.assemble(drawn).ok()?;
     let state = system.motion(&positions).ok()?;
     system.dynamics(&state).ok()
+}
+
+/// The forces in the joints of a machine that stands still, each on the second of its parts, by Newton and Euler.
+/// Sliding joints are those of the ground.
+pub(crate) fn reactions(mechanism: &Mechanism, drawn: &[[f64; 3]], names: &[Text]) -> Option<Exhibit> {
+    let effort = solved(mechanism, drawn)?;
+    let mut left = effort.multipliers.iter().copied();
+    let mut rows = Vec::new();
+    for (joint, name) in mechanism.joints.iter().zip(names) {
+        let efforts: Vec<f64> = left.by_ref().take(joint.equations().len()).collect();
+        let [x, y] = match (joint, &efforts[..]) {
+            (Joint::Pin { .. }, &[x, y]) => [x, y],
+            (&Joint::Slot { direction, .. } | &Joint::Slider { direction, .. }, &[across, ..]) => {
+                [-across * direction.sin(), across * direction.cos()]
+            }
+            _ => continue,
+        };
+        let size = x.hypot(y);
+        let tidy = |part: f64| Cell::Number(if part.abs() <= 1e-12 * size { 0.0 } else { part });
+        rows.push(vec![Cell::Text(name.clone()), tidy(x), tidy(y), Cell::Number(size)]);
+    }
+    let column = |heading: &'static str, unit: &'static str| Column { heading: heading.into(), unit };
+    Some(Exhibit::Table(TableExhibit {
+        title: "Forces in the joints".into(),
+        columns: vec![
+            column("Joint", ""),
+            column("Horizontal", "N"),
+            column("Vertical", "N"),
+            column("Size", "N"),
+        ],
+        rows,
+        foot: Vec::new(),
+    }))
 }
 
 /// A downward force.

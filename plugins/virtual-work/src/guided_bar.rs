@@ -109,18 +109,21 @@ impl Analysis for GuidedBar {
         let mut lengths = vec![given.length];
         let mut parts = vec![
             Part {
+                name: "weight of the bar",
                 load: Some(weight),
                 rate: ["y′_G", "m", "Virtual rise of the mass centre over δθ"],
                 symbol: ["W", "N"],
                 answer: ["weight", "Weight of the bar"],
             },
             Part {
+                name: "force at A",
                 load: given.force_a,
                 rate: ["y′_A", "m", "Virtual rise of A over δθ"],
                 symbol: ["P", "N"],
                 answer: ["force_a", "Vertical force at A"],
             },
             Part {
+                name: "force at B",
                 load: given.force_b,
                 rate: ["x′_B", "m", "Virtual way of B over δθ, away from the vertical guide"],
                 symbol: ["F", "N"],
@@ -132,13 +135,15 @@ impl Analysis for GuidedBar {
         {
             lengths.extend([*distance, *free]);
             parts.push(Part {
+                name: "spring",
                 load: *stiffness,
                 rate: ["u′", "m^2", "Stretch of the spring times its virtual change over δθ"],
                 symbol: ["k", "N/m"],
                 answer: ["stiffness", "Stiffness of the spring"],
             });
         }
-        let machine = Machine { shapes: self, lengths: &lengths, parts: &parts };
+        let machine =
+            Machine { shapes: self, lengths: &lengths, parts: &parts, joints: &["Guide of A", "Guide of B"] };
         let balanced = machine.solve(&given.position, sheet, |loads, at| self.built(loads, at))?;
         let at = telling(&balanced.list);
         let [from, to] = balanced.range;

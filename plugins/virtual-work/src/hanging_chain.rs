@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 use std::f64::consts::FRAC_PI_2;
 
 use crate::{
-    equilibria::{down, solved},
+    equilibria::{down, reactions, solved},
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -165,6 +165,11 @@ impl Analysis for HangingChain {
         let (force, weight) = (force.value(), pin.value());
         sheet.verify(|| {
             let (mechanism, drawn) = self.built(force, &plain);
+            let names: Vec<Text> =
+                (1..=plain.len()).map(|bar| Text::new("Upper end of bar {bar}").with("bar", bar)).collect();
+            if let Some(table) = reactions(&mechanism, &drawn, &names) {
+                sheet.show(|| table);
+            }
             if let Some(effort) = solved(&mechanism, &drawn) {
                 for (row, couple) in effort.newton_euler.iter().enumerate() {
                     sheet.check_zero(

@@ -5,7 +5,7 @@ use dalembert_core::{Axis, Exhibit, Inputs, Plot, Refusal, Series, Text, Workshe
 use dalembert_mechanics::{Real, planar::Mechanism};
 
 use crate::{
-    equilibria::{Equilibrium, Stability, answer_equilibria, check_held, solved, spread},
+    equilibria::{Equilibrium, Stability, answer_equilibria, check_held, reactions, solved, spread, telling},
     sources::{BEER, RIUL},
 };
 
@@ -51,6 +51,8 @@ pub(crate) trait Shapes {
 
 /// A load and what is said of it.
 pub(crate) struct Part<N> {
+    /// What it is, in words.
+    pub(crate) name: &'static str,
     /// The load; none where it is sought.
     pub(crate) load: Option<N>,
     /// Symbol, unit and words of `f′`.
@@ -66,6 +68,8 @@ pub(crate) struct Machine<'a, S, N> {
     pub(crate) shapes: &'a S,
     pub(crate) lengths: &'a [N],
     pub(crate) parts: &'a [Part<N>],
+    /// The joints of the mechanism that is built, in their order, as the table of forces names them.
+    pub(crate) joints: &'a [&'static str],
 }
 
 /// What was found: equilibria, or the one position, and all loads.
@@ -125,6 +129,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
                 let scale = size(&plain, &self.shapes.shapes(&lengths, one.at));
                 check_held(sheet, std::slice::from_ref(one), scale, |at| Some(built(&plain, at)));
             }
+            self.show_joints(&built(&plain, telling(&list)), sheet);
         });
         Ok(Balanced { list, load: None, range })
     }
@@ -149,7 +154,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
                     ("U", n + 1),
                     "N*m",
                     -(load * *rate),
-                    Text::new("Virtual work of {load} over δθ").with("load", part.symbol[0]),
+                    Text::new("Virtual work over δθ: {load}").with_text("load", part.name),
                 )
             })
         });
@@ -190,6 +195,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
         sheet.verify(|| {
             let scale = size(&plain, &self.shapes.shapes(&lengths, angle.value()));
             check_held(sheet, std::slice::from_ref(&here), scale, |at| Some(built(&plain, at)));
+            self.show_joints(&built(&plain, angle.value()), sheet);
         });
         let range = around(angle.value());
         sheet.show(|| Exhibit::Plot(self.load_over_angle(sought, &plain, &lengths, angle.value(), range)));
@@ -221,8 +227,9 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
         let lengths: Vec<f64> = self.lengths.iter().map(|length| length.value()).collect();
         let plain: Vec<f64> = loads.iter().map(|load| load.value()).collect();
         sheet.verify(|| {
-            let (mechanism, drawn) = built(&plain, angle.value());
-            if let Some(effort) = solved(&mechanism, &drawn) {
+            let machine = built(&plain, angle.value());
+            self.show_joints(&machine, sheet);
+            if let Some(effort) = solved(&machine.0, &machine.1) {
                 let scale = size(&plain, &self.shapes.shapes(&lengths, angle.value()));
                 sheet.check_zero(
                     "the holding couple by Newton and Euler for every body",
@@ -232,6 +239,13 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
             }
         });
         Ok(Balanced { list: vec![here], load: None, range: around(angle.value()) })
+    }
+
+    fn show_joints<W: Worksheet>(&self, (mechanism, drawn): &(Mechanism, Vec<[f64; 3]>), sheet: W) {
+        let names: Vec<Text> = self.joints.iter().map(|name| Text::from(*name)).collect();
+        if let Some(table) = reactions(mechanism, drawn, &names) {
+            sheet.show(|| table);
+        }
     }
 
     fn load_over_angle(

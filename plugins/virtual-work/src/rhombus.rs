@@ -76,25 +76,39 @@ impl Analysis for Rhombus {
         let lengths = [given.length, given.free];
         let parts = [
             Part {
+                name: "weights of the bars",
                 load: Some(weight),
                 rate: ["y′_G", "m", "Virtual rises of the four mass centres over δθ, together"],
                 symbol: ["W", "N"],
                 answer: ["weight", "Weight of each bar"],
             },
             Part {
+                name: "load at the lower corner",
                 load: given.load,
                 rate: ["y′_D", "m", "Virtual rise of the lower corner over δθ"],
                 symbol: ["Q", "N"],
                 answer: ["load", "Load at the lower corner"],
             },
             Part {
+                name: "spring",
                 load: given.stiffness,
                 rate: ["u′", "m^2", "Stretch of the spring times its virtual change over δθ"],
                 symbol: ["k", "N/m"],
                 answer: ["stiffness", "Stiffness of the spring"],
             },
         ];
-        let machine = Machine { shapes: self, lengths: &lengths, parts: &parts };
+        let machine = Machine {
+            shapes: self,
+            lengths: &lengths,
+            parts: &parts,
+            joints: &[
+                "Upper corner, left bar",
+                "Upper corner, right bar",
+                "Left corner",
+                "Right corner",
+                "Lower corner",
+            ],
+        };
         let balanced = machine.solve(&given.position, sheet, |loads, at| self.built(loads, at))?;
         let at = telling(&balanced.list);
         let [from, to] = balanced.range;

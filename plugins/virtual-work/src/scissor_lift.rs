@@ -236,9 +236,11 @@ impl Analysis for ScissorLift {
                 );
             }
         });
-        if let Some(table) = self.pins(share) {
-            sheet.show(|| Exhibit::Table(table));
-        }
+        sheet.verify(|| {
+            if let Some(table) = self.pins(share) {
+                sheet.show(|| Exhibit::Table(table));
+            }
+        });
         let force = force.value();
         sheet.show(|| Exhibit::Plot(self.force_over_angle(share, force)));
         let range = [(0.4 * self.angle).max(0.08), (1.3 * self.angle).min(1.35)];

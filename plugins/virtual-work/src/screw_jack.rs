@@ -268,24 +268,14 @@ impl ScrewJack {
         let slope = sheet.step(
             "α",
             "deg",
-            (screw.lead / (screw.diameter * PI)).atan2(W::Num::from(1.0)),
+            screw.lead.atan2(screw.diameter * PI),
             ("Slope of the thread", BEER.at("§8.2B")),
         );
-        let coefficient = if screw.flank.value() == 0.0 {
-            screw.friction
-        } else {
-            sheet.step(
-                "μ′",
-                "1",
-                screw.friction / screw.flank.cos(),
-                "Friction of the inclined flanks of the thread",
-            )
-        };
         let friction = sheet.step(
             "φ",
             "deg",
-            coefficient.atan2(W::Num::from(1.0)),
-            ("Angle of friction", BEER.at("§8.2B")),
+            screw.friction.atan2(screw.flank.cos()),
+            ("Angle of friction on the flanks of the thread", BEER.at("§8.2B")),
         );
         if slope.value() + friction.value() >= FRAC_PI_2 * (1.0 - 1e-9) {
             return Err(Refusal::because(

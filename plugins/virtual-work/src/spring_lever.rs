@@ -9,7 +9,7 @@ use dalembert_mechanics::Real;
 pub use crate::one_freedom::Position;
 use crate::one_freedom::PositionGiven;
 use crate::{
-    equilibria::{Equilibrium, Stability, check_held, solved, telling},
+    equilibria::{Equilibrium, Stability, check_held, reactions, solved, telling},
     sources::{BEER, HIBBELER, RIUL},
 };
 use law::{Geometry, Height, Law};
@@ -203,6 +203,10 @@ impl Analysis for SpringLever {
                     check_held(sheet, &list, moment.value().abs(), |at| {
                         Some(self.built(&numbers, k.value(), moment.value(), at))
                     });
+                    let (mechanism, drawn) = self.built(&numbers, k.value(), moment.value(), telling(&list));
+                    if let Some(table) = reactions(&mechanism, &drawn, &["Pivot".into()]) {
+                        sheet.show(|| table);
+                    }
                 });
                 self.show(&numbers, k.value(), Some(moment.value()), range, &list, sheet);
             }
@@ -366,6 +370,9 @@ impl SpringLever {
         let (k, moment) = (k.value(), moment.value());
         sheet.verify(|| {
             let (mechanism, drawn) = self.built(&law.value(), k, moment, angle.value());
+            if let Some(table) = reactions(&mechanism, &drawn, &["Pivot".into()]) {
+                sheet.show(|| table);
+            }
             if let Some(effort) = solved(&mechanism, &drawn) {
                 let [_, first, _] = law.value().potential(k, moment, angle.value());
                 let size = moment.abs().max((k * unit.value()).abs());

@@ -9,7 +9,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    equilibria::{arrow, film, solved, spread},
+    equilibria::{arrow, film, reactions, solved, spread},
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -138,6 +138,10 @@ impl Analysis for TogglePress {
             sheet.check("the thrust from P = Q (tan α + tan β)", knee / (alpha.tan() + beta.tan()), thrust);
             sheet.check("the forces along the line of thrust at the knee", first * alpha.cos(), thrust);
             let (mechanism, drawn) = self.built(beta.value(), knee.value());
+            let names = ["Fixed pin", "Knee", "Guide of the ram"].map(Text::from);
+            if let Some(table) = reactions(&mechanism, &drawn, &names) {
+                sheet.show(|| table);
+            }
             if let Some(effort) = solved(&mechanism, &drawn) {
                 let found = W::Num::from(-effort.newton_euler[0]);
                 sheet.check("the thrust by Newton and Euler for every body", found, thrust);

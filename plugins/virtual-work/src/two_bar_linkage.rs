@@ -91,18 +91,21 @@ impl Analysis for TwoBarLinkage {
         let mut lengths = vec![given.length];
         let mut parts = vec![
             Part {
+                name: "weights of the bars",
                 load: Some(weight),
                 rate: ["y′_G", "m", "Virtual rises of the two mass centres over δθ, together"],
                 symbol: ["W", "N"],
                 answer: ["weight", "Weight of each bar"],
             },
             Part {
+                name: "force at B",
                 load: given.force_b,
                 rate: ["y′_B", "m", "Virtual rise of B over δθ"],
                 symbol: ["Q", "N"],
                 answer: ["force_b", "Vertical force at B"],
             },
             Part {
+                name: "force at C",
                 load: given.force_c,
                 rate: ["x′_C", "m", "Virtual way of C towards A over δθ"],
                 symbol: ["F", "N"],
@@ -112,13 +115,19 @@ impl Analysis for TwoBarLinkage {
         if let SpringGiven::Spring { stiffness, free } = &given.spring {
             lengths.push(*free);
             parts.push(Part {
+                name: "spring",
                 load: *stiffness,
                 rate: ["u′", "m^2", "Stretch of the spring times its virtual change over δθ"],
                 symbol: ["k", "N/m"],
                 answer: ["stiffness", "Stiffness of the spring"],
             });
         }
-        let machine = Machine { shapes: self, lengths: &lengths, parts: &parts };
+        let machine = Machine {
+            shapes: self,
+            lengths: &lengths,
+            parts: &parts,
+            joints: &["Pin A", "Joint B", "Guide of C"],
+        };
         let balanced = machine.solve(&given.position, sheet, |loads, at| self.built(loads, at))?;
         let at = telling(&balanced.list);
         let [from, to] = balanced.range;
