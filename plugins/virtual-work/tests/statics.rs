@@ -81,21 +81,19 @@ fn scissor_lifts_with_cylinders_anywhere_are_those_of_newton_and_euler() {
 #[test]
 fn tongs_and_chains_of_any_length_hold() {
     for n in 1..=12 {
-        let loads: String = (1..=n)
-            .map(|square| {
-                let hinge = if square % 3 == 0 { "lower" } else { "upper" };
-                let force = 100.0 + 17.0 * f64::from(square);
-                format!("[[inputs.loads]]\nsquare = {square}\nhinge = \"{hinge}\"\nforce = \"{force} N\"\n")
-            })
-            .collect();
+        let load = |square: u32| {
+            let hinge = if square % 3 == 0 { "lower" } else { "upper" };
+            let force = 100.0 + 17.0 * f64::from(square);
+            format!("[[inputs.loads]]\nsquare = {square}\nhinge = \"{hinge}\"\nforce = \"{force} N\"")
+        };
+        let loads = (1..=n).map(load).collect::<Vec<_>>().join("\n");
         let head = "analysis = \"virtual-work/lazy-tongs\"\n[inputs]\nside = \"0.4 m\"\nangle = \"35 deg\"";
         solved(&format!("{head}\nsquares = {n}\n{loads}"));
-        let bars: String = (1..=n)
-            .map(|bar| {
-                let (weight, length) = (10.0 + 3.0 * f64::from(bar), 0.5 + 0.1 * f64::from(bar));
-                format!("[[inputs.bars]]\nweight = \"{weight} N\"\nlength = \"{length} m\"\n")
-            })
-            .collect();
+        let bar = |bar: u32| {
+            let (weight, length) = (10.0 + 3.0 * f64::from(bar), 0.5 + 0.1 * f64::from(bar));
+            format!("[[inputs.bars]]\nweight = \"{weight} N\"\nlength = \"{length} m\"")
+        };
+        let bars = (1..=n).map(bar).collect::<Vec<_>>().join("\n");
         let head = "analysis = \"virtual-work/hanging-chain\"\n[inputs]\nvertical = \"-20 N\"";
         let chain = solved(&format!("{head}\nsought.angles.force = \"35 N\"\n{bars}"));
         // The lighter the rest below, the more a bar leans.
@@ -106,7 +104,7 @@ fn tongs_and_chains_of_any_length_hold() {
 
 fn number(solution: &Solution, name: &str) -> f64 {
     let answer = solution.answer(name).unwrap_or_else(|| panic!("no answer {name}"));
-    answer.si().unwrap()
+    answer.si().unwrap_or_else(|| panic!("{name} is no number"))
 }
 
 /// The solution of a problem, all of whose checks hold.
