@@ -1289,7 +1289,6 @@ the-rod-stands-across-the-line-of-the-slider-a-limit-position-the-angle-of-the-c
 the-slider-crank = O cursor-manivela
 torque-on-the-crank-or-force-on-the-slider-of-a-slider-crank-at-rest-or-in-motion-with-masses-by = Torque na manivela ou força no cursor de um cursor-manivela, em repouso ou em movimento com massas, por trabalho virtual; movimento e reações.
 torque-over-the-turn = Torque ao longo da volta
-torque-with-it-the-sum-of-the-virtual-works-is-zero-t-2-w-0 = Torque: com ele a soma dos trabalhos virtuais é nula, T δθ_2 + ΣδW = 0
 velocity-of-the-slider-from-the-closure-of-the-loop = velocidade do cursor pelo fechamento da cadeia
 virtual-displacement-of-the-slider-for-2-1-x-b-r-sin-2-2-l-sin-3-3 = Deslocamento virtual do cursor para δθ_2 = 1: δx_B = −r sen θ_2 δθ_2 − l sen θ_3 δθ_3
 virtual-turn-of-the-rod-for-2-1-r-cos-2-2-l-cos-3-3-0 = Giro virtual da biela para δθ_2 = 1: r cos θ_2 δθ_2 + l cos θ_3 δθ_3 = 0
@@ -1663,3 +1662,37 @@ stability = estabilidade
 positions-of-equilibrium = Posições de equilíbrio
 effort-that-holds-the-mechanism = Esforço que segura o mecanismo
 neutral = indiferente
+
+# oscillating-cylinder
+acceleration-of-the-piston-in-the-cylinder = Aceleração do pistão no cilindro
+angle-of-the-cylinder = Ângulo do cilindro
+angular-acceleration-of-the-cylinder = Aceleração angular do cilindro
+angular-acceleration-of-the-cylinder-less-that-of-coriolis = Aceleração angular do cilindro, descontada a de Coriolis
+angular-velocity-of-the-cylinder = Velocidade angular do cilindro
+crank-and-cylinder-are-in-one-line-a-dead-centre-no-force-of-the-cylinder-can-balance-a-torque-turn = manivela e cilindro estão alinhados, ponto morto: nenhuma força do cilindro equilibra um torque; gire um pouco a manivela
+cylinder = Cilindro
+distance-of-its-mass-centre-from-its-fixed-pin = Distância do seu centro de massa ao pino fixo
+distance-of-its-mass-centre-from-the-crank-pin = Distância do seu centro de massa ao pino da manivela
+fixed-pin-of-the-cylinder = Pino fixo do cilindro
+force-across-the-crank-at-its-pin-t-r-over-the-force-of-the-cylinder-without-masses = Força transversal à manivela no seu pino, T/r, sobre a força do cilindro, sem massas
+force-in-the-fixed-pin-of-the-cylinder = Força no pino fixo do cilindro
+force-of-the-cylinder-pressure-times-area-of-the-bore = Força do cilindro: pressão vezes área do diâmetro interno
+force-of-the-cylinder-with-it-the-sum-of-the-virtual-works-is-zero-f-c-u-s-w-0 = Força do cilindro: com ela a soma dos trabalhos virtuais é nula, F_c u_s + ΣδW = 0
+from-the-fixed-pin-of-the-cylinder-to-the-crank-pin = Do pino fixo do cilindro ao pino da manivela
+inverted-slider-crank = Cursor-manivela invertido
+length-of-the-cylinder-from-pin-to-pin = Comprimento do cilindro de pino a pino
+piston-with-its-rod = Pistão com a sua haste
+positive-when-it-pushes-the-crank-pin-away-from-the-fixed-pin-of-the-cylinder = Positiva quando afasta o pino da manivela do pino fixo do cilindro.
+pressure-above-that-on-the-other-side-of-the-piston = Pressão acima da do outro lado do pistão
+the-crank-pin-is-at-the-fixed-pin-of-the-cylinder-the-cylinder-has-no-direction-turn-the-crank-or = o pino da manivela está no pino fixo do cilindro: o cilindro não tem direção; gire a manivela ou mova o pino
+the-inverted-slider-crank = O cursor-manivela invertido
+torque-of-a-crank-or-lever-moved-by-a-swinging-cylinder-or-the-force-of-the-cylinder-at-rest-or-in = Torque de uma manivela ou alavanca movida por um cilindro oscilante, ou a força do cilindro, em repouso ou em movimento com massas, por trabalho virtual; reações.
+torque-on-the-crank-from-the-force-of-the-cylinder = Torque na manivela, pela força do cilindro
+torque-on-the-crank-from-the-pressure-in-the-cylinder = Torque na manivela, pela pressão no cilindro
+towards-the-crank-pin = Em direção ao pino da manivela.
+towards-the-fixed-pin-of-the-cylinder = Em direção ao pino fixo do cilindro.
+unit-vector-from-the-fixed-pin-to-the-crank-pin = Vetor unitário do pino fixo ao pino da manivela
+velocity-of-the-piston-in-the-cylinder = Velocidade do pistão no cilindro
+virtual-change-of-the-length-for-2-1-s-r-a = Variação virtual do comprimento para δθ_2 = 1: δs = ê · δr_A
+virtual-turn-of-the-cylinder-for-2-1 = Giro virtual do cilindro para δθ_2 = 1
+virtual-work-of-the-force-of-the-cylinder = Trabalho virtual da força do cilindro

@@ -33,6 +33,7 @@ pub(crate) struct Link {
 
 /// The mass of a link, with its centre in the axes of the link; SI.
 #[derive(Clone, Copy, Default)]
+#[expect(clippy::struct_field_names, reason = "a mass is called mass")]
 pub(crate) struct Mass {
     pub(crate) mass: f64,
     pub(crate) centre: [f64; 2],
@@ -55,6 +56,7 @@ impl Link {
     }
 
     /// The link as the body that joints and measures name.
+    #[expect(clippy::unnecessary_wraps, reason = "what they name may be the ground")]
     pub(crate) fn frame(&self) -> Frame {
         Some(self.body)
     }
@@ -215,6 +217,7 @@ impl Solved {
 }
 
 /// Why a mechanism has no answer, in words for a person.
+#[expect(clippy::needless_pass_by_value, reason = "it stands in map_err")]
 pub(crate) fn refusal(error: PlanarError) -> Refusal {
     Refusal::because(match error {
         PlanarError::DoesNotClose { gap, .. } => {

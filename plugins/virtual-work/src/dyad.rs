@@ -206,15 +206,15 @@ pub(crate) struct Line<W: Worksheet> {
     pub(crate) behind: bool,
 }
 
-/// A bar from a moving pin to a slider on a line. `of` is the slider's pin.
+/// A bar from a moving pin to a slider on a line. `of` is the slider's pin; without a
+/// rate of the coordinate nothing is said of velocities.
 pub(crate) fn bar_and_slider<W: Worksheet>(
     of: &'static str,
     number: Number,
     pin: (Support<W>, Moving<W>),
     length: W::Num,
     line: Line<W>,
-    rate: W::Num,
-    moves: bool,
+    rate: Option<W::Num>,
     sheet: W,
 ) -> Result<Slide<W>, Refusal> {
     let (support, moving) = pin;
@@ -232,7 +232,7 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
         ));
     }
     let against_line = (height / length).asin();
-    let against_line = if line.behind { -against_line + PI } else { against_line };
+    let against_line = if line.behind { W::Num::from(PI) - against_line } else { against_line };
     let angle = match line.angle {
         Some(angle) => angle + against_line,
         None => against_line,
@@ -258,10 +258,10 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
     let why = "Virtual displacement of the slider for a unit of the coordinate";
     let shift = sheet.step(symbol("u", of), "mm", shift, (why, SHIGLEY.at("ch. 3")));
     let zero = W::Num::from(0.0);
-    if !moves {
+    let Some(rate) = rate else {
         let bar = Turning { angle, ratio, speed: zero, acceleration: zero };
         return Ok(Slide { bar, position, shift, velocity: zero, acceleration: zero });
-    }
+    };
     let why = Text::new("Angular velocity of link {n}").with("n", number.link);
     let speed = sheet.step(symbol("ω", number.link), "rad/s", ratio * rate, why);
     let velocity = sheet.step(symbol("v", of), "m/s", shift * rate, "Velocity of the slider");

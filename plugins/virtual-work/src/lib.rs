@@ -18,6 +18,7 @@ pub mod hanging_chain;
 pub mod lazy_tongs;
 pub mod mechanism;
 mod one_freedom;
+pub mod oscillating_cylinder;
 pub mod parts;
 pub mod quick_return;
 pub mod rack_press;

@@ -297,8 +297,15 @@ impl Template for QuickReturn {
                     left: plane::<W>(zero, 1.0.into()),
                     behind: *side == Side::Behind,
                 };
-                let slide =
-                    dyad::bar_and_slider("D", FIVE, (support, end), *link, line, given.speed, moves, sheet)?;
+                let slide = dyad::bar_and_slider(
+                    "D",
+                    FIVE,
+                    (support, end),
+                    *link,
+                    line,
+                    moves.then_some(given.speed),
+                    sheet,
+                )?;
                 works.link(FIVE, link_mass.as_ref(), *link, end, slide.bar);
                 let moving = Moving {
                     shift: plane::<W>(slide.shift, zero),
@@ -317,12 +324,7 @@ impl Template for QuickReturn {
         };
         let (torque, force) = match given.unknown {
             UnknownGiven::Torque { force } => {
-                if force.value() != 0.0 {
-                    let why = "Virtual work of the force on the output".into();
-                    works.push(symbol("δW", "F"), force * shift, why, RIUL.at("eq. 1"));
-                }
-                let why = "Torque: with it the sum of the virtual works is zero, T_2 δθ_2 + ΣδW = 0";
-                (sheet.step(symbol("T", "2"), "N*m", -works.sum(), (why, RIUL.at("eq. 5"))), force)
+                (works.balanced("F", force * shift, "Virtual work of the force on the output"), force)
             }
             UnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
@@ -362,7 +364,7 @@ impl QuickReturn {
             (given.frame / given.crank, "The lever stands across the line of the pivots: sin ψ = d/r")
         };
         let half = sheet.step("ψ", "deg", lean.asin(), (why, KHURMI.at("§5.18")));
-        let ratio = (half * 2.0 + PI) / (-(half * 2.0) + PI);
+        let ratio = (W::Num::from(PI) + half * 2.0) / (W::Num::from(PI) - half * 2.0);
         let why = "Time forward over time back, at a steady speed: the crank angles between the ends";
         let ratio = sheet.step("Q", "1", ratio, (why, NORTON.at("ch. 3")));
         sheet.answer("time_ratio", "Time ratio, forward over back", ratio);

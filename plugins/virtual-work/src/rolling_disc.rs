@@ -259,14 +259,10 @@ impl Template for RollingDisc {
             works.push(symbol("δW_I", "4"), work, why, RIUL.at("eq. 5"));
         }
         let (torque, force) = match given.unknown {
-            UnknownGiven::Torque { force } => {
-                if force.value() != 0.0 {
-                    let why = "Virtual work of the force on the centre of the disc".into();
-                    works.push(symbol("δW", "F"), force * shift, why, RIUL.at("eq. 1"));
-                }
-                let why = "Torque: with it the sum of the virtual works is zero, T_2 δθ_2 + ΣδW = 0";
-                (sheet.step(symbol("T", "2"), "N*m", -works.sum(), (why, RIUL.at("eq. 5"))), force)
-            }
+            UnknownGiven::Torque { force } => (
+                works.balanced("F", force * shift, "Virtual work of the force on the centre of the disc"),
+                force,
+            ),
             UnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
                     return Err(Refusal::because(

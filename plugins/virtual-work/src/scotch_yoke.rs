@@ -150,12 +150,7 @@ impl Template for ScotchYoke {
         works.mass(FOUR, given.yoke_mass, yoke);
         let (torque, force) = match given.unknown {
             UnknownGiven::Torque { force } => {
-                if force.value() != 0.0 {
-                    let why = "Virtual work of the force on the yoke".into();
-                    works.push(symbol("δW", "F"), force * shift, why, RIUL.at("eq. 1"));
-                }
-                let why = "Torque: with it the sum of the virtual works is zero, T_2 δθ_2 + ΣδW = 0";
-                (sheet.step(symbol("T", "2"), "N*m", -works.sum(), (why, RIUL.at("eq. 5"))), force)
+                (works.balanced("F", force * shift, "Virtual work of the force on the yoke"), force)
             }
             UnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
@@ -196,7 +191,7 @@ impl ScotchYoke {
         let cosine = ((load.powi(2) + inertia.powi(2) * 8.0).sqrt() - load) / (inertia * 4.0);
         let why = "Where sin θ (A + B cos θ) is largest: 2B cos² θ + A cos θ − B = 0, in size of the cosine";
         let cosine = sheet.step("c", "1", cosine, why);
-        let largest = (-cosine.powi(2) + 1.0).sqrt() * (load + inertia * cosine);
+        let largest = (W::Num::from(1.0) - cosine.powi(2)).sqrt() * (load + inertia * cosine);
         let largest = sheet.step(symbol("T", "max"), "N*m", largest, "Largest torque of a turn, in size");
         sheet.answer("largest_torque", "Largest torque of a turn, in size", largest);
     }

@@ -352,8 +352,15 @@ impl Template for SixBar {
                     behind: *side == Side::Behind,
                 };
                 let pin = (support, driving);
-                let slide =
-                    dyad::bar_and_slider("B", FIVE, pin, given.link, line, given.speed, moves, sheet)?;
+                let slide = dyad::bar_and_slider(
+                    "B",
+                    FIVE,
+                    pin,
+                    given.link,
+                    line,
+                    moves.then_some(given.speed),
+                    sheet,
+                )?;
                 let slider = Moving { shift: along * slide.shift, acceleration: along * slide.acceleration };
                 works.link(FIVE, given.link_mass.as_ref(), given.link, driving, slide.bar);
                 works.mass(SIX, *mass, slider);

@@ -282,13 +282,7 @@ impl Template for SliderCrank {
         works.mass(FOUR, given.slider_mass, slider);
         let (torque, force) = match given.unknown {
             UnknownGiven::Torque { force } => {
-                if force.value() != 0.0 {
-                    let why = "Virtual work of the force on the slider".into();
-                    works.push(symbol("δW", "B"), force * shift, why, RIUL.at("eq. 1"));
-                }
-                let sum = works.sum();
-                let why = "Torque: with it the sum of the virtual works is zero, T δθ_2 + ΣδW = 0";
-                (sheet.step(symbol("T", "2"), "N*m", -sum, (why, RIUL.at("eq. 5"))), force)
+                (works.balanced("B", force * shift, "Virtual work of the force on the slider"), force)
             }
             UnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {

@@ -79,7 +79,7 @@ pub(crate) struct Works<W: Worksheet> {
     sheet: W,
     gravity: Option<W::Vec>,
     moves: bool,
-    works: Vec<W::Num>,
+    done: Vec<W::Num>,
 }
 
 /// A symbol that belongs to a part.
@@ -153,7 +153,7 @@ impl<W: Worksheet> Works<W> {
     /// No works yet. Without gravity no weight is written, without motion no inertia load.
     pub(crate) fn new(gravity: W::Vec, moves: bool, sheet: W) -> Self {
         let gravity = (gravity.value() != Vector3::zeros()).then_some(gravity);
-        Self { sheet, gravity, moves, works: Vec::new() }
+        Self { sheet, gravity, moves, done: Vec::new() }
     }
 
     /// The work of a force whose point moves by `shift`.
@@ -177,7 +177,7 @@ impl<W: Worksheet> Works<W> {
     /// A work that was written elsewhere.
     pub(crate) fn push(&mut self, symbol: Symbol, work: W::Num, why: Text, cite: Cite) {
         let work = self.sheet.step(symbol, "N*m", work, (why, cite));
-        self.works.push(work);
+        self.done.push(work);
     }
 
     /// The works of the weight and of the inertia force of a mass.
@@ -224,25 +224,47 @@ impl<W: Worksheet> Works<W> {
                 (mass, sheet.step_vector(symbol("r", of.centre), "mm", arm, why), inertia)
             }
         };
+        self.body(of, pin, arm, turning, mass, inertia);
+    }
+
+    /// The same of a body whose mass centre is at `arm` from a point of it.
+    pub(crate) fn body(
+        &mut self,
+        of: Number,
+        point: Moving<W>,
+        arm: W::Vec,
+        turning: Turning<W::Num>,
+        mass: W::Num,
+        inertia: W::Num,
+    ) {
         if mass.value() != 0.0 {
-            let centre = moving(of.centre, pin, arm, turning, self.moves, sheet);
+            let centre = moving(of.centre, point, arm, turning, self.moves, self.sheet);
             self.mass(of, mass, centre);
         }
         if self.moves && inertia.value() != 0.0 {
-            let why = Text::new("Virtual work of the inertia couple −I α of link {n}").with("n", n);
+            let why = Text::new("Virtual work of the inertia couple −I α of link {n}").with("n", of.link);
             let couple = -(inertia * turning.acceleration);
             let work = if turning.ratio.value() == 1.0 { couple } else { couple * turning.ratio };
-            self.push(symbol("δW_I", n), work, why, RIUL.at("eq. 5"));
+            self.push(symbol("δW_I", of.link), work, why, RIUL.at("eq. 5"));
         }
+    }
+
+    /// The torque on link 2 that brings the works, with that of the load on the output, to zero.
+    pub(crate) fn balanced(&mut self, of: &'static str, work: W::Num, why: &'static str) -> W::Num {
+        if work.value() != 0.0 {
+            self.push(symbol("δW", of), work, why.into(), RIUL.at("eq. 1"));
+        }
+        let why = "Torque: with it the sum of the virtual works is zero, T_2 δθ_2 + ΣδW = 0";
+        self.sheet.step(symbol("T", "2"), "N*m", -self.sum(), (why, RIUL.at("eq. 5")))
     }
 
     /// The sum of the works.
     pub(crate) fn sum(&self) -> W::Num {
-        match self.works[..] {
+        match self.done[..] {
             [] => self.sheet.found("ΣδW", "N*m", 0.0, "No load does work: nothing is to be balanced"),
             [only] => only,
             _ => {
-                let sum = Real::sum(self.works.iter().copied());
+                let sum = Real::sum(self.done.iter().copied());
                 self.sheet.step("ΣδW", "N*m", sum, ("Virtual work of all known loads", RIUL.at("eq. 1")))
             }
         }
