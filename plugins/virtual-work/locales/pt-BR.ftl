@@ -1281,6 +1281,7 @@ force-over-the-turn = Força ao longo da volta
 force-with-it-the-sum-of-the-virtual-works-is-zero-f-b-u-b-w-0 = Força: com ela a soma dos trabalhos virtuais é nula, F_B u_B + ΣδW = 0
 from-the-bearing-to-the-crank-pin = Do mancal ao pino da manivela
 from-the-slider-s-line-counter-clockwise = A partir da linha do cursor, no sentido anti-horário.
+it-acts-on-the-crank = Atua na manivela.
 mass-of-the-crank = Massa da manivela
 position-of-the-slider = Posição do cursor
 positive-away-from-the-bearing-of-the-crank-along-x = Positiva ao afastar-se do mancal da manivela, ao longo de x.
@@ -1606,6 +1607,7 @@ speed-of-the-planet-against-the-arm = Velocidade do satélite em relação ao br
 speed-of-the-planet-against-the-arm-it-meshes-with-the-sun = Velocidade do satélite em relação ao braço: engrena com o sol
 speed-of-the-planet-against-the-arm-it-rolls-on-the-fixed-sun = Velocidade do satélite em relação ao braço: rola sobre o sol fixo
 speeds-of-all-members-of-an-epicyclic-train-by-willis-s-formula-and-driving-load-and-holding-torques = Velocidades de todos os membros de um trem epicicloidal pela fórmula de Willis, e torques motor, de carga e de retenção por potência virtual.
+ring-and-sun-differ-by-an-odd-number-planets-of-planet-teeth-cannot-be-cut-compound-planets-or = coroa e sol diferem de um número ímpar: satélites de { $planet } dentes não podem ser cortados; são necessários satélites compostos ou perfis deslocados
 sun = Sol
 sun-compound-planets-ring-with-inside-teeth = Sol, satélites compostos, coroa de dentes internos
 sun-planets-ring-with-inside-teeth = Sol, satélites, coroa de dentes internos

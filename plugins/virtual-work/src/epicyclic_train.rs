@@ -153,6 +153,12 @@ impl Analysis for EpicyclicTrain {
             )
         };
         let (zs, zr) = (found("S", sun), found("R", ring));
+        if first.fract() != 0.0 {
+            sheet.warn(|| {
+                Text::new("ring and sun differ by an odd number: planets of {planet} teeth cannot be cut; compound planets or shifted profiles are needed")
+                    .with("planet", first)
+            });
+        }
         let value = if let Gears::Simple { .. } = self.gears {
             -(zs / zr)
         } else {

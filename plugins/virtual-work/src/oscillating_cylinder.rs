@@ -32,6 +32,7 @@ pub struct OscillatingCylinder {
     /// Unknown.
     pub unknown: Unknown,
     /// Force on the crank pin.
+    /// It acts on the crank.
     #[input("F_A", "N", planar, default = "(0; 0) N")]
     pub pin_force: Vector3<f64>,
     /// Angular velocity of the crank.

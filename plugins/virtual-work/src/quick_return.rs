@@ -491,9 +491,12 @@ impl QuickReturn {
                     built::block(pin, 0.5 * size),
                 ];
                 let mut force = (end, built::turned([0.0, found.force], found.lever.angle));
-                if let (Output::Slider { height, .. }, Some((position, ..))) = (&there.output, found.link) {
+                if let (Output::Slider { height, link, side, .. }, Some((position, ..))) =
+                    (&there.output, found.link)
+                {
                     let slider = [position, *height];
-                    shapes.push(built::ground([end[0], height - 0.6 * size], 0.0, there.lever));
+                    let middle = if *side == Side::Ahead { *link } else { -*link };
+                    shapes.push(built::ground([middle, height - 0.6 * size], 0.0, there.lever));
                     shapes.push(built::bar(&[end, slider]));
                     shapes.push(built::block(slider, size));
                     force = (slider, [found.force, 0.0]);

@@ -401,7 +401,7 @@ impl RollingDisc {
                 // A mark on the rim that turns as the disc rolls.
                 let rim = built::away([x, 0.0], radius, -(x - first) / radius);
                 let mut shapes = vec![
-                    built::ground([x, -radius], 0.0, there.crank + radius),
+                    built::ground([there.rod, -radius], 0.0, there.crank + radius),
                     built::pivot([0.0; 2]),
                     built::bar(&[[0.0; 2], there.pin(), [x, 0.0]]),
                     DrawnShape::Circle((x, 0.0), radius, Ink::Body),

@@ -503,6 +503,7 @@ impl SixBar {
             Exhibit::Plot(Plot::new(title, angle(), Axis::linear(label, unit), vec![series]))
         });
         sheet.show(|| {
+            let still = self.plain().map_or([0.0; 2], |found| found.pins[1]);
             built::film("The six-bar linkage", range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
@@ -522,7 +523,7 @@ impl SixBar {
                 match &there.output {
                     Output::Slider { direction, .. } => {
                         let under = built::turned([0.0, -0.6 * size], *direction);
-                        let line = [end[0] + under[0], end[1] + under[1]];
+                        let line = [still[0] + under[0], still[1] + under[1]];
                         shapes.push(built::ground(line, *direction, 2.0 * there.crank));
                         shapes.push(built::block(end, size));
                         let force = built::turned([found.load, 0.0], *direction);
