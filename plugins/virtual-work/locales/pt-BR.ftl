@@ -793,6 +793,7 @@ efficiency = Rendimento
 force-of-the-ram = Força do êmbolo
 force-on-the-handle = Força na alavanca
 force-on-the-handle-square-to-it = Força na alavanca, perpendicular a ela
+a-pinion-has-a-whole-number-of-teeth-at-least-4-write-such-a-number = um pinhão tem um número inteiro de dentes, pelo menos 4: escreva um número assim
 pitch-radius-of-the-pinion = Raio primitivo do pinhão
 virtual-way-of-the-hand-for-a-unit-turn-of-the-handle = Deslocamento virtual da mão para um giro unitário δψ da alavanca
 virtual-way-of-the-ram-which-rolls-off-the-pinion-over = Deslocamento virtual do êmbolo, que rola sobre o pinhão, em δψ

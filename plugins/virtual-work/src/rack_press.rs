@@ -81,6 +81,13 @@ impl Analysis for RackPress {
     };
 
     fn solve<W: Worksheet>(&self, given: &RackPressGiven<W>, sheet: W) -> Result<(), Refusal> {
+        if let Pinion::Teeth { teeth, .. } = self.pinion
+            && (teeth.fract() != 0.0 || teeth < 4.0)
+        {
+            return Err(Refusal::because(
+                "a pinion has a whole number of teeth, at least 4: write such a number",
+            ));
+        }
         let radius = match &given.pinion {
             PinionGiven::Radius { radius } => *radius,
             PinionGiven::Teeth { module, teeth } => {
