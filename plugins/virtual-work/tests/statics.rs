@@ -82,7 +82,7 @@ fn scissor_lifts_with_cylinders_anywhere_are_those_of_newton_and_euler() {
 fn tongs_and_chains_of_any_length_hold() {
     for n in 1..=12 {
         let load = |square: u32| {
-            let hinge = if square % 3 == 0 { "lower" } else { "upper" };
+            let hinge = if square.is_multiple_of(3) { "lower" } else { "upper" };
             let force = 100.0 + 17.0 * f64::from(square);
             format!("[[inputs.loads]]\nsquare = {square}\nhinge = \"{hinge}\"\nforce = \"{force} N\"")
         };
