@@ -771,9 +771,45 @@ no-equilibrium-was-found-near-the-drawn-position-draw-the-bodies-at-other-angles
 a-length-or-a-result-is-too-large-or-too-small-for-the-mechanism-to-be-computed = um comprimento ou resultado é grande ou pequeno demais para o cálculo do mecanismo
 
 # virtual-work/motion
+a-body-comes-to-rest = Um corpo chega ao repouso
+a-body-reaches-an-angle = Um corpo atinge um ângulo
+angle-of-name-at-the-end = Ângulo de { $name } no fim
+angular-acceleration-at-the-start = Aceleração angular no início
+angular-acceleration-of-name-at-the-end = Aceleração angular de { $name } no fim
+angular-acceleration-of-name-at-the-start = Aceleração angular de { $name } no início
+angular-acceleration-of-name-at-the-start-of-all-accelerations-a-n-s-that-the-joints-allow-that-with = Aceleração angular de { $name } no início: de todas as acelerações a + N s̈ que as juntas permitem, aquela com (Nᵀ M N) s̈ = Nᵀ (Q − M a), potência virtual em cada movimento livre N
+angular-velocity-of-name-at-the-end = Velocidade angular de { $name } no fim
+energy = Energia
+energy-gained-by-weights-springs-and-constant-forces-since-the-start = Energia ganha por pesos, molas e forças constantes desde o início
+energy-stored-since-the-start = Energia armazenada desde o início
+force-along-the-line-of-the-joint-at-the-start = Força ao longo da linha da junta no início
+force-in-the-joint-at-the-start = Força na junta no início
+force-that-name-exerts-on-its-second-point-at-the-start = Força que { $name } exerce sobre o seu segundo ponto no início
+force-that-name-exerts-on-its-second-point-at-the-start-from-m-q-q-q = Força que { $name } exerce sobre o seu segundo ponto no início, de M q̈ = Q + Φ_qᵀ λ
+free-motion-of-a-plane-mechanism-of-any-shape-from-a-start-accelerations-by-virtual-power-joint = Movimento livre de um mecanismo plano de qualquer forma a partir de um início: acelerações pela potência virtual, forças nas juntas, energia, um filme.
+kinetic = Cinética
+kinetic-energy-at-the-end = Energia cinética no fim
+kinetic-energy-at-the-end-t-m-v-i-g-2 = Energia cinética no fim, T = Σ (m v² + I_G ω²)/2
+motion-of-a-plane-mechanism-under-its-loads = Movimento de um mecanismo plano sob suas cargas
+positions-and-velocities-to-start-with-without-any-at-rest-where-the-angles-of-the-bodies-say = Posições e velocidades com que o movimento começa; sem elas, em repouso onde dizem os ângulos dos corpos.
+stored = Armazenada
+the-equations-of-motion-are-followed-from-the-start-by-the-method-of-dormand-and-prince-of-order-8 = As equações do movimento são integradas desde o início pelo método de Dormand e Prince de ordem 8, cujo passo controla o erro; depois de cada passo as juntas são fechadas de novo
+time-at-the-end = Tempo no fim
+two-points-reach-a-distance = Dois pontos atingem uma distância
+what-ends-the-motion-before = O que encerra o movimento antes
+what-is-given = O que é dado
+what-they-do-not-hold-moves-freely-their-accelerations-last = O que eles não seguram move-se livremente; suas acelerações são mantidas.
+work-done = Trabalho realizado
+work-done-since-the-start = Trabalho realizado desde o início
+work-of-the-drivers-dampers-and-turning-forces-since-the-start = Trabalho dos acionamentos, amortecedores e forças que giram com um corpo desde o início
+nothing-moves-freely-the-drivers-and-joints-hold-it-all-take-a-driver-out-or-use-the-plane-mechanism = nada se move livremente: os acionamentos e as juntas seguram tudo; retire um acionamento ou use o mecanismo plano
+the-accelerations-at-the-end-by-the-equations-of-all-bodies = as acelerações no fim pelas equações de todos os corpos
+the-energy-balance-t-v-w-over-the-motion = o balanço de energia T + V − W ao longo do movimento
+the-energy-balance-is-held-to-left-alone-of-size-at-a-dead-centre-or-change-point-the-motion-hangs-on = o balanço de energia só fecha a menos de { $left }, de { $size }: num ponto morto ou de mudança o movimento depende do que ali se perde
+the-motion-does-not-come-to-its-end-within-the-duration-make-this-longer = o movimento não chega ao seu fim dentro da duração; aumente-a
+load-is-friction-which-may-stick-a-free-motion-is-followed-without-it-take-it-out-or-put-a-damper-in = { $load } é atrito, que pode prender: um movimento livre é calculado sem ele; retire-o ou ponha um amortecedor no lugar
 body-can-move-freely-but-nothing-that-moves-with-it-has-a-mass-give-it-a-mass-or-drive-it = { $body } pode mover-se livremente, mas nada do que se move com ele tem massa; dê-lhe uma massa ou acione-o
 row-row-of-the-start-follows-from-the-joints-the-drivers-and-the-rows-before-it-take-it-out = a linha { $row } da partida já resulta das juntas, dos acionamentos e das linhas anteriores; retire-a
-load-is-friction-which-may-stick-a-free-motion-is-followed-without-it-take-it-out-or-put-a-damper = { $load } é atrito, que pode prender: um movimento livre é calculado sem ele; retire-o ou ponha um amortecedor no lugar
 the-motion-cannot-be-followed-beyond-time-something-in-it-is-much-faster-than-the-rest-take-out-what = o movimento não pode ser seguido além de { $time }: algo nele é muito mais rápido que o resto; retire o que for muito rígido ou muito leve, ou encurte a duração
 the-motion-cannot-be-followed-beyond-time-there-the-mechanism-locks-or-its-joints-no-longer-say-how = o movimento não pode ser seguido além de { $time }: ali o mecanismo trava, ou as juntas já não dizem como ele continua; encurte a duração
 the-duration-must-be-a-positive-number = a duração precisa ser um número positivo

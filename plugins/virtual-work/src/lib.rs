@@ -17,6 +17,7 @@ pub mod guided_bar;
 pub mod hanging_chain;
 pub mod lazy_tongs;
 pub mod mechanism;
+pub mod motion;
 mod one_freedom;
 pub mod oscillating_cylinder;
 pub mod parts;

@@ -51,3 +51,9 @@ pub(crate) static HIBBELER: Source = Source {
     short: "Hibbeler",
     full: "R. C. Hibbeler, Engineering Mechanics: Statics, 14th ed., Pearson, 2016",
 };
+
+/// E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I.
+pub(crate) static HAIRER: Source = Source {
+    short: "Hairer, Nørsett & Wanner",
+    full: "E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I: Nonstiff Problems, 2nd ed., Springer, 1993",
+};

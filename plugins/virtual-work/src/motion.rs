@@ -1,0 +1,441 @@
+//! The motion of a plane mechanism of any shape under its loads: what nothing drives moves freely.
+
+mod pictures;
+
+use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
+use dalembert_mechanics::planar::{End, Freed, Measure, Moved, PlanarError, Run, State, System};
+use nalgebra::Vector3;
+
+use crate::{
+    parts::{Carrier, Connection, Drive, Driven, NamedLoad, Part, Parts, Spot},
+    sources::{HAIRER, HAUG, NIKRAVESH, RIUL},
+};
+
+/// Error that each step may add, in parts of the size of the mechanism and of its fastest velocity.
+const TOLERANCE: f64 = 1e-11;
+/// Steps before a motion is given up.
+const STEPS: usize = 20_000;
+/// Moments of a motion that are shown.
+const MOMENTS: usize = 241;
+/// An energy balance further off than this part of the energies is warned of.
+const DOUBTFUL: f64 = 1e-9;
+
+/// A mechanism in the plane, drawn in x and y, and left to its loads.
+///
+/// Each body has axes of its own, in which its points are given; joints bring the points together. Angles and
+/// couples are positive counter-clockwise.
+#[derive(Clone, Debug, Inputs)]
+pub struct Motion {
+    /// Bodies.
+    #[input(min = 1)]
+    pub bodies: Vec<Part>,
+    /// Points.
+    pub points: Vec<Spot>,
+    /// Joints.
+    pub joints: Vec<Connection>,
+    /// Drivers.
+    /// What they do not hold moves freely; their accelerations last.
+    pub drivers: Vec<Drive>,
+    /// Loads.
+    pub loads: Vec<NamedLoad>,
+    /// Acceleration of gravity.
+    #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
+    pub gravity: Vector3<f64>,
+    /// Start.
+    /// Positions and velocities to start with; without any, at rest where the angles of the bodies say.
+    pub starts: Vec<Start>,
+    /// Duration.
+    #[input("t_e", "s", positive, default = "1 s")]
+    pub duration: f64,
+    /// What ends the motion before.
+    pub end: Ends,
+    /// Points whose motion is asked for.
+    pub watched: Vec<Followed>,
+}
+
+/// A position and a velocity at the start, by a name.
+#[derive(Clone, Debug, Inputs)]
+pub struct Start {
+    /// Name.
+    pub name: String,
+    /// What is given.
+    pub what: Moving,
+}
+
+/// A measure, its value and its velocity.
+#[derive(Clone, Debug, Inputs)]
+pub enum Moving {
+    /// Angle of a body
+    Angle {
+        /// Body.
+        #[input(rows = "bodies")]
+        body: Reference,
+        /// Part against which it turns.
+        against: Carrier,
+        /// Angle.
+        #[input("θ", "deg")]
+        value: f64,
+        /// Angular velocity.
+        #[input("ω", "rad/s", default = "0 rad/s")]
+        velocity: f64,
+    },
+    /// Position of a point
+    Position {
+        /// Point from which it is measured.
+        #[input(rows = "points")]
+        from: Reference,
+        /// Point.
+        #[input(rows = "points")]
+        to: Reference,
+        /// Direction in which it is measured, in the axes of the part of the first.
+        #[input("φ", "deg", default = "0 deg")]
+        direction: f64,
+        /// Position.
+        #[input("s", "mm")]
+        value: f64,
+        /// Velocity.
+        #[input("v", "m/s", default = "0 m/s")]
+        velocity: f64,
+    },
+}
+
+/// What ends a motion.
+#[derive(Clone, Debug, Inputs)]
+pub enum Ends {
+    /// Nothing
+    Nothing,
+    /// A body reaches an angle
+    Angle {
+        /// Body.
+        #[input(rows = "bodies")]
+        body: Reference,
+        /// Angle.
+        #[input("θ", "deg")]
+        value: f64,
+    },
+    /// A body comes to rest
+    Rest {
+        /// Body.
+        #[input(rows = "bodies")]
+        body: Reference,
+    },
+    /// Two points reach a distance
+    Distance {
+        /// From.
+        #[input(rows = "points")]
+        from: Reference,
+        /// To.
+        #[input(rows = "points")]
+        to: Reference,
+        /// Distance.
+        #[input("s", "mm", positive)]
+        value: f64,
+    },
+}
+
+/// A point whose motion is asked for.
+#[derive(Clone, Debug, Inputs)]
+pub struct Followed {
+    /// Point.
+    #[input(rows = "points")]
+    pub point: Reference,
+}
+
+register!(Motion);
+
+impl Analysis for Motion {
+    const ABOUT: About = About {
+        id: "virtual-work/motion",
+        title: "Motion of a plane mechanism under its loads",
+        summary: "Free motion of a plane mechanism of any shape from a start: accelerations by virtual power, joint forces, energy, a film.",
+        keywords: "movimento mecanismo plano dinâmica direta forward dynamics simulation multibody pendulum pêndulo linkage free motion \
+                   energy andrews squeezer livre",
+        sources: &[&RIUL, &HAUG, &NIKRAVESH, &HAIRER],
+        cases: include_str!("../cases/motion.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, _: &MotionGiven<W>, sheet: W) -> Result<(), Refusal> {
+        // The start is assembled as if it were driven there.
+        let held: Vec<Drive> =
+            self.drivers.iter().cloned().chain(self.starts.iter().map(Start::held)).collect();
+        let (_, rows, positions) = Parts { drivers: &held, ..self.parts() }.assembled()?;
+        let parts = self.parts();
+        let refuse = |error: PlanarError| parts.refusal(&error, &rows);
+        let (mechanism, _) = parts.mechanism()?;
+        let system = System::new(&mechanism, &positions).map_err(refuse)?;
+        let rates: Vec<(Measure, f64)> = self.starts.iter().map(|start| parts.rate(&start.what)).collect();
+        let velocities = system.starting(&positions, &rates).map_err(refuse)?;
+        let freed = system.freed(&positions, &velocities).map_err(refuse)?;
+        if freed.freedoms == 0 {
+            return Err(Refusal::because(
+                "nothing moves freely: the drivers and joints hold it all; take a driver out, or use the plane mechanism",
+            ));
+        }
+        sheet.keep_going()?;
+        let ends: Vec<End> = self.end.end(&parts).into_iter().collect();
+        let cancelled = || sheet.keep_going().is_err();
+        let run = Run {
+            duration: self.duration,
+            tolerance: TOLERANCE,
+            samples: MOMENTS,
+            ends: &ends,
+            most_steps: STEPS,
+            cancelled: &cancelled,
+        };
+        let moved = system.simulate(&positions, &velocities, &run);
+        sheet.keep_going()?;
+        let moved = moved.map_err(refuse)?;
+        let this = Solved { parts: &parts, rows: &rows, system: &system, freed: &freed, moved: &moved };
+        this.start(sheet);
+        this.finish(self, sheet)?;
+        this.show(self, sheet);
+        Ok(())
+    }
+}
+
+/// A motion that was followed.
+struct Solved<'a> {
+    parts: &'a Parts<'a>,
+    /// The row of each joint.
+    rows: &'a [usize],
+    system: &'a System,
+    /// The start.
+    freed: &'a Freed,
+    moved: &'a Moved,
+}
+
+impl Motion {
+    fn parts(&self) -> Parts<'_> {
+        Parts {
+            gravity: self.gravity,
+            bodies: &self.bodies,
+            points: &self.points,
+            joints: &self.joints,
+            drivers: &self.drivers,
+            loads: &self.loads,
+        }
+    }
+}
+
+impl Parts<'_> {
+    fn rate(&self, moving: &Moving) -> (Measure, f64) {
+        match *moving {
+            Moving::Angle { body, ref against, velocity, .. } => {
+                (Measure::Angle { of: Some(body.0), against: against.frame() }, velocity)
+            }
+            Moving::Position { from, to, direction, velocity, .. } => {
+                (self.along(from, to, direction), velocity)
+            }
+        }
+    }
+}
+
+impl Start {
+    /// The driver that would hold the start.
+    fn held(&self) -> Drive {
+        let what = match self.what.clone() {
+            Moving::Angle { body, against, value, velocity } => {
+                Driven::Angle { body, against, value, velocity, acceleration: 0.0 }
+            }
+            Moving::Position { from, to, direction, value, velocity } => {
+                Driven::Position { from, to, direction, value, velocity, acceleration: 0.0 }
+            }
+        };
+        Drive { name: self.name.clone(), what }
+    }
+}
+
+impl Ends {
+    fn end(&self, parts: &Parts<'_>) -> Option<End> {
+        let angle = |body: Reference| Measure::Angle { of: Some(body.0), against: None };
+        match *self {
+            Ends::Nothing => None,
+            Ends::Angle { body, value } => Some(End::Reaches(angle(body), value)),
+            Ends::Rest { body } => Some(End::Rests(angle(body))),
+            Ends::Distance { from, to, value } => Some(End::Reaches(parts.distance(from, to), value)),
+        }
+    }
+}
+
+impl Solved<'_> {
+    /// The accelerations and the forces in the joints with which the motion begins.
+    fn start<W: Worksheet>(&self, sheet: W) {
+        let State { accelerations, .. } = &self.freed.state;
+        let largest = accelerations.iter().fold(0.0f64, |most, a| most.max(a[2].abs()));
+        for (row, part) in (1..).zip(self.parts.bodies) {
+            // The method is told once.
+            let reason = if row == 1 {
+                "Angular acceleration of {name} at the start: of all accelerations a + N s̈ that the joints allow, that with (Nᵀ M N) s̈ = Nᵀ (Q − M a), virtual power in each free motion N"
+            } else {
+                "Angular acceleration of {name} at the start"
+            };
+            let acceleration = sheet.found(
+                ("α0", row),
+                "rad/s^2",
+                without_rounding(accelerations[row - 1][2], largest),
+                (Text::new(reason).with("name", &part.name), HAUG.at("ch. 6")),
+            );
+            sheet.answer(("initial_acceleration", row), "Angular acceleration at the start", acceleration);
+        }
+        for (row, connection) in (1..).zip(self.parts.joints) {
+            let reason = if row == 1 {
+                "Force that {name} exerts on its second point at the start, from M q̈ = Q + Φ_qᵀ λ"
+            } else {
+                "Force that {name} exerts on its second point at the start"
+            };
+            let why = (Text::new(reason).with("name", &connection.name), HAUG.at("ch. 6"));
+            match self.carried(row - 1) {
+                [Some(x), Some(y)] => {
+                    let force = sheet.found_vector(("R", row), "N", Vector3::new(x, y, 0.0), why);
+                    sheet.answer_vector(("joint_force", row), "Force in the joint at the start", force);
+                }
+                [Some(one), None] | [None, Some(one)] => {
+                    let force = sheet.found(("R", row), "N", one, why);
+                    sheet.answer(
+                        ("joint_effort", row),
+                        "Force along the line of the joint at the start",
+                        force,
+                    );
+                }
+                [None, None] => {}
+            }
+        }
+    }
+
+    /// Where the motion comes to.
+    fn finish<W: Worksheet>(&self, problem: &Motion, sheet: W) -> Result<(), Refusal> {
+        let last = self.moved.samples.last().expect("a motion has its start");
+        let time = sheet.found(
+            "t",
+            "s",
+            last.time,
+            (
+                Text::new("The equations of motion are followed from the start by the method of Dormand and Prince of order 8, whose step holds the error; after each step the joints are closed again"),
+                HAIRER.at("§II.5"),
+            ),
+        );
+        sheet.answer("time", "Time at the end", time);
+        if self.moved.ended.is_none() && !matches!(problem.end, Ends::Nothing) {
+            sheet.warn(|| {
+                Text::new("the motion does not come to its end within the duration; make this longer")
+            });
+        }
+        let State { positions, velocities, accelerations } = &last.state;
+        for (row, part) in (1..).zip(self.parts.bodies) {
+            let named = |reason: &'static str| Text::new(reason).with("name", &part.name);
+            let body = row - 1;
+            let angle =
+                sheet.found(("θ", row), "deg", positions[body][2], named("Angle of {name} at the end"));
+            sheet.answer(("angle", row), "Angle of the body", angle);
+            let speed = sheet.found(
+                ("ω", row),
+                "rad/s",
+                velocities[body][2],
+                named("Angular velocity of {name} at the end"),
+            );
+            sheet.answer(("angular_velocity", row), "Angular velocity of the body", speed);
+            let acceleration = sheet.found(
+                ("α", row),
+                "rad/s^2",
+                accelerations[body][2],
+                named("Angular acceleration of {name} at the end"),
+            );
+            sheet.answer(("angular_acceleration", row), "Angular acceleration of the body", acceleration);
+        }
+        for (row, followed) in (1..).zip(&problem.watched) {
+            let name = &self.parts.points[followed.point.0].name;
+            let [position, velocity, acceleration] =
+                self.system.point(self.parts.point(followed.point), &last.state);
+            let vector = |[x, y]: [f64; 2]| Vector3::new(x, y, 0.0);
+            let named = |reason: &'static str| Text::new(reason).with("name", name);
+            let at = sheet.found_vector(("P", row), "mm", vector(position), named("Position of {name}"));
+            sheet.answer_vector(("position", row), "Position of the point", at);
+            let velocity =
+                sheet.found_vector(("V", row), "m/s", vector(velocity), named("Velocity of {name}"));
+            sheet.answer_vector(("velocity", row), "Velocity of the point", velocity);
+            let acceleration = sheet.found_vector(
+                ("A", row),
+                "m/s^2",
+                vector(acceleration),
+                named("Acceleration of {name}"),
+            );
+            sheet.answer_vector(("acceleration", row), "Acceleration of the point", acceleration);
+        }
+        let kinetic =
+            sheet.found("T", "J", last.kinetic, "Kinetic energy at the end, T = Σ (m v² + I_G ω²)/2");
+        sheet.answer("kinetic_energy", "Kinetic energy at the end", kinetic);
+        self.balance(sheet);
+        // A second way to the accelerations at the end: the whole of the equations instead of their plan.
+        let whole = self.system.freed(positions, velocities);
+        let refuse = |error: PlanarError| self.parts.refusal(&error, self.rows);
+        let whole = whole.map_err(refuse)?.state.accelerations;
+        sheet.verify(|| {
+            let size = whole.iter().flatten().fold(0.0f64, |most, a| most.max(a.abs()));
+            for (ours, theirs) in accelerations.iter().zip(&whole) {
+                sheet.check_zero(
+                    "the accelerations at the end by the equations of all bodies",
+                    (ours[2] - theirs[2]).into(),
+                    size,
+                );
+            }
+        });
+        Ok(())
+    }
+
+    /// The energy balance, the witness of the motion.
+    fn balance<W: Worksheet>(&self, sheet: W) {
+        let first = &self.moved.samples[0];
+        let (start, mut size) = (first.stored, first.kinetic);
+        for moment in &self.moved.samples {
+            size = size.max(moment.kinetic).max((moment.stored - start).abs()).max(moment.work.abs());
+        }
+        let last = self.moved.samples.last().unwrap_or(first);
+        let gained = sheet.found(
+            "V",
+            "J",
+            last.stored - start,
+            "Energy gained by weights, springs and constant forces since the start",
+        );
+        sheet.answer("stored_energy", "Energy stored since the start", gained);
+        let work = sheet.found(
+            "W",
+            "J",
+            last.work,
+            "Work of the drivers, dampers and turning forces since the start",
+        );
+        sheet.answer("work", "Work done since the start", work);
+        let left = self.moved.imbalance();
+        if left > DOUBTFUL * size {
+            sheet.warn(|| {
+                Text::new("the energy balance is held to {left} alone, of {size}: at a dead centre or change point the motion hangs on what is lost there")
+                    .with_quantity("left", left, "J")
+                    .with_quantity("size", size, "J")
+            });
+        } else {
+            sheet.check_zero("the energy balance T + V − W over the motion", left.into(), size);
+        }
+    }
+
+    /// What a joint exerts on its second point at the start: along x and y, or along one line.
+    fn carried(&self, row: usize) -> [Option<f64>; 2] {
+        let mut carried = [None; 2];
+        let largest = self.freed.multipliers.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+        for (equation, described) in self.system.equations().iter().enumerate() {
+            if self.rows.get(self.system.owner(equation)) != Some(&row) {
+                continue;
+            }
+            let place = match described.terms[0].measure {
+                Measure::Component { direction: [x, _], .. } => usize::from(x == 0.0),
+                Measure::Angle { .. } => continue,
+                Measure::Along { .. } | Measure::Distance { .. } => 0,
+            };
+            carried[place].get_or_insert(without_rounding(self.freed.multipliers[equation], largest));
+        }
+        carried
+    }
+}
+
+/// What is rounding alone beside the largest is zero.
+fn without_rounding(value: f64, largest: f64) -> f64 {
+    if value.abs() > 1e-12 * largest { value } else { 0.0 }
+}

@@ -1,0 +1,96 @@
+//! Plots and the film of a motion.
+
+use dalembert_core::{Axis, DrawnShape, Exhibit, Film, Ink, Plot, Series, Text, Worksheet};
+use dalembert_mechanics::planar::Snapshot;
+
+use super::{Motion, Solved};
+use crate::parts::drawing::place;
+
+impl Solved<'_> {
+    /// Everything there is to look at.
+    pub(super) fn show<W: Worksheet>(&self, problem: &Motion, sheet: W) {
+        sheet.show(|| Exhibit::Film(self.film(problem)));
+        sheet.show(|| {
+            Exhibit::Plot(self.of_bodies("Angles", "Angle", "deg", |moment| &moment.state.positions))
+        });
+        sheet.show(|| {
+            Exhibit::Plot(self.of_bodies("Angular velocities", "Angular velocity", "rad/s", |moment| {
+                &moment.state.velocities
+            }))
+        });
+        for followed in &problem.watched {
+            let name = &self.parts.points[followed.point.0].name;
+            let point = self.parts.point(followed.point);
+            let speed = move |moment: &Snapshot| {
+                let [_, [x, y], _] = self.system.point(point, &moment.state);
+                x.hypot(y)
+            };
+            sheet.show(|| {
+                let title = Text::new("Speed of {name}").with("name", name);
+                Exhibit::Plot(self.over_time(title, "Speed", "m/s", vec![self.line("".into(), speed)]))
+            });
+            sheet.show(|| {
+                let at = |moment: &Snapshot| place(self.system, point, &moment.state);
+                let path = self.moved.samples.iter().map(at).collect();
+                Exhibit::Plot(Plot::new(
+                    Text::new("Path of {name}").with("name", name),
+                    Axis::linear("x", "mm"),
+                    Axis::linear("y", "mm"),
+                    vec![Series::line("", path)],
+                ))
+            });
+        }
+        sheet.show(|| {
+            let start = self.moved.samples[0].stored;
+            let series = vec![
+                self.line("Kinetic".into(), |moment| moment.kinetic),
+                self.line("Stored".into(), move |moment| moment.stored - start),
+                self.line("Work done".into(), |moment| moment.work),
+            ];
+            Exhibit::Plot(self.over_time("Energy".into(), "Energy", "J", series))
+        });
+    }
+
+    /// A part of all bodies over time.
+    fn of_bodies(
+        &self,
+        title: &'static str,
+        label: &'static str,
+        unit: &'static str,
+        of: impl Fn(&Snapshot) -> &[[f64; 3]] + Copy,
+    ) -> Plot {
+        let line = |(body, part): (usize, &crate::parts::Part)| {
+            let name = Text::new("{name}").with("name", &part.name);
+            self.line(name, move |moment| of(moment)[body][2])
+        };
+        let series = self.parts.bodies.iter().enumerate().map(line).collect();
+        self.over_time(title.into(), label, unit, series)
+    }
+
+    fn line(&self, name: Text, of: impl Fn(&Snapshot) -> f64) -> Series {
+        Series::line(name, self.moved.samples.iter().map(|moment| (moment.time, of(moment))).collect())
+    }
+
+    fn over_time(&self, title: Text, label: &'static str, unit: &'static str, series: Vec<Series>) -> Plot {
+        Plot::new(title, Axis::linear("Time", "s"), Axis::linear(label, unit), series)
+    }
+
+    fn film(&self, problem: &Motion) -> Film {
+        const FRAMES: usize = 24;
+        let moments = &self.moved.samples;
+        let size = self.parts.size(self.system, &moments[0].state);
+        let path = |followed: &super::Followed| {
+            let point = self.parts.point(followed.point);
+            let at = |moment: &Snapshot| place(self.system, point, &moment.state);
+            DrawnShape::Polyline(moments.iter().map(at).collect(), Ink::Faint)
+        };
+        let paths: Vec<DrawnShape> = problem.watched.iter().map(path).collect();
+        let frame = |k: usize| {
+            let mut shapes = paths.clone();
+            let moment = &moments[k * (moments.len() - 1) / (FRAMES - 1)];
+            self.parts.draw(self.system, &moment.state, size, &mut shapes);
+            shapes
+        };
+        Film { title: "Mechanism".into(), frames: (0..FRAMES).map(frame).collect(), period: 4.0 }
+    }
+}
