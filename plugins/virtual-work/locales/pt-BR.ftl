@@ -1146,6 +1146,7 @@ moving-at = Movendo-se com
 velocity-of-the-point = Velocidade do ponto
 mass-centre-of-a-body = Centro de massa de um corpo
 name = Nome
+given-name = { $given_name }
 mass = Massa
 moment-of-inertia-about-the-mass-centre = Momento de inércia em relação ao centro de massa
 velocity-of-the-mass-centre = Velocidade do centro de massa

@@ -8,7 +8,7 @@ use dalembert_mechanics::planar::{Equilibrium as Found, PlanarError, Sample, Sta
 use nalgebra::Vector3;
 
 use crate::{
-    parts::{Connection, Drive, Driven, NamedLoad, Part, Parts, Spot},
+    parts::{Connection, Drive, Driven, NamedLoad, Part, Parts, Spot, verbatim},
     sources::{BEER, HAUG},
 };
 
@@ -236,14 +236,11 @@ impl Equilibrium {
     fn table(&self, found: &[Found]) -> TableExhibit {
         let mut columns = vec![Column { heading: "Equilibrium".into(), unit: "" }];
         for (driver, drive) in self.drivers.iter().enumerate() {
-            columns.push(Column {
-                heading: Text::new("{name}").with("name", &drive.name),
-                unit: self.unit(driver),
-            });
+            columns.push(Column { heading: verbatim(&drive.name), unit: self.unit(driver) });
         }
         columns.push(Column { heading: "Stability".into(), unit: "" });
         let row = |(number, here): (usize, &Found)| {
-            let number = Cell::Text(Text::new("{name}").with("name", number));
+            let number = Cell::Text(verbatim(number));
             let values = here.values.iter().map(|value| Cell::Number(*value));
             [number].into_iter().chain(values).chain([Cell::Text(named(here.stability))]).collect()
         };
@@ -256,7 +253,7 @@ impl Equilibrium {
     }
 
     fn plots<W: Worksheet>(&self, samples: &[Sample], found: &[Found], sheet: W) {
-        let axis = || Axis::linear(Text::new("{name}").with("name", &self.drivers[0].name), self.unit(0));
+        let axis = || Axis::linear(verbatim(&self.drivers[0].name), self.unit(0));
         let energies: Option<Vec<(f64, f64)>> =
             samples.iter().map(|sample| Some((sample.value, sample.potential?))).collect();
         if let Some(energies) = energies {

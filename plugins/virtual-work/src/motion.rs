@@ -3,7 +3,7 @@
 mod pictures;
 
 use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
-use dalembert_mechanics::planar::{End, Freed, Measure, Moved, PlanarError, Run, State, System};
+use dalembert_mechanics::planar::{End, Freed, Measure, Moved, PlanarError, Run, Snapshot, State, System};
 use nalgebra::Vector3;
 
 use crate::{
@@ -321,23 +321,39 @@ impl Solved<'_> {
             });
         }
         let State { positions, velocities, accelerations } = &last.state;
+        let most = |part: fn(&Snapshot) -> &[[f64; 3]]| {
+            let turns = self
+                .moved
+                .samples
+                .iter()
+                .flat_map(move |moment| part(moment))
+                .map(|of_body| of_body[2].abs());
+            turns.fold(0.0, f64::max)
+        };
+        let turned = most(|moment| &moment.state.positions);
+        let (fastest, quickest) =
+            (most(|moment| &moment.state.velocities), most(|moment| &moment.state.accelerations));
         for (row, part) in (1..).zip(self.parts.bodies) {
             let named = |reason: &'static str| Text::new(reason).with("name", &part.name);
             let body = row - 1;
-            let angle =
-                sheet.found(("θ", row), "deg", positions[body][2], named("Angle of {name} at the end"));
+            let angle = sheet.found(
+                ("θ", row),
+                "deg",
+                without_rounding(positions[body][2], turned),
+                named("Angle of {name} at the end"),
+            );
             sheet.answer(("angle", row), "Angle of the body", angle);
             let speed = sheet.found(
                 ("ω", row),
                 "rad/s",
-                velocities[body][2],
+                without_rounding(velocities[body][2], fastest),
                 named("Angular velocity of {name} at the end"),
             );
             sheet.answer(("angular_velocity", row), "Angular velocity of the body", speed);
             let acceleration = sheet.found(
                 ("α", row),
                 "rad/s^2",
-                accelerations[body][2],
+                without_rounding(accelerations[body][2], quickest),
                 named("Angular acceleration of {name} at the end"),
             );
             sheet.answer(("angular_acceleration", row), "Angular acceleration of the body", acceleration);
@@ -346,7 +362,10 @@ impl Solved<'_> {
             let name = &self.parts.points[followed.point.0].name;
             let [position, velocity, acceleration] =
                 self.system.point(self.parts.point(followed.point), &last.state);
-            let vector = |[x, y]: [f64; 2]| Vector3::new(x, y, 0.0);
+            let vector = |[x, y]: [f64; 2]| {
+                let clean = |part| without_rounding(part, f64::hypot(x, y));
+                Vector3::new(clean(x), clean(y), 0.0)
+            };
             let named = |reason: &'static str| Text::new(reason).with("name", name);
             let at = sheet.found_vector(("P", row), "mm", vector(position), named("Position of {name}"));
             sheet.answer_vector(("position", row), "Position of the point", at);
@@ -393,7 +412,7 @@ impl Solved<'_> {
         let gained = sheet.found(
             "V",
             "J",
-            last.stored - start,
+            without_rounding(last.stored - start, size),
             "Energy gained by weights, springs and constant forces since the start",
         );
         sheet.answer("stored_energy", "Energy stored since the start", gained);

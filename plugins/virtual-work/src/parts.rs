@@ -698,3 +698,8 @@ fn late(error: &OdeError) -> Text {
         }
     }
 }
+
+/// A name that somebody gave, as it is.
+pub(crate) fn verbatim(name: impl std::fmt::Display) -> Text {
+    Text::new("{given_name}").with("given_name", name)
+}

@@ -7,7 +7,7 @@ use dalembert_core::{
 use dalembert_mechanics::planar::{Acting, Point, State};
 
 use super::{Mechanism, Sample, Solved};
-use crate::parts::{Driven, drawing::place};
+use crate::parts::{Driven, drawing::place, verbatim};
 
 impl Solved<'_> {
     /// Everything there is to look at.
@@ -70,10 +70,7 @@ impl Solved<'_> {
             _ => ("Length of the first driver", "mm"),
         };
         let line = |(name, of): &Of<'_>| {
-            Series::line(
-                Text::new("{name}").with("name", *name),
-                samples.iter().map(|sample| (sample.value, of(sample))).collect(),
-            )
+            Series::line(verbatim(*name), samples.iter().map(|sample| (sample.value, of(sample))).collect())
         };
         Plot::new(
             title,
@@ -119,11 +116,7 @@ impl Solved<'_> {
             let (effort, velocity) =
                 (self.dynamics.efforts[driver], self.system.mechanism().drivers[driver].velocity);
             let own = if driver == 0 { Cell::Number(effort) } else { Cell::Empty };
-            rows.push(vec![
-                Cell::Text(Text::new("{name}").with("name", &drive.name)),
-                own,
-                Cell::Number(effort * velocity),
-            ]);
+            rows.push(vec![Cell::Text(verbatim(&drive.name)), own, Cell::Number(effort * velocity)]);
         }
         TableExhibit {
             title: "Virtual power of the loads".into(),
@@ -147,7 +140,7 @@ impl Solved<'_> {
                 None => [None, None, first],
             };
             let [x, y, line] = parts.map(number);
-            vec![Cell::Text(Text::new("{name}").with("name", &connection.name)), x, y, line, number(couple)]
+            vec![Cell::Text(verbatim(&connection.name)), x, y, line, number(couple)]
         };
         TableExhibit {
             title: "What each joint exerts on its second point".into(),

@@ -4,7 +4,7 @@ use dalembert_core::{Axis, DrawnShape, Exhibit, Film, Ink, Plot, Series, Text, W
 use dalembert_mechanics::planar::Snapshot;
 
 use super::{Motion, Solved};
-use crate::parts::drawing::place;
+use crate::parts::{drawing::place, verbatim};
 
 impl Solved<'_> {
     /// Everything there is to look at.
@@ -60,7 +60,7 @@ impl Solved<'_> {
         of: impl Fn(&Snapshot) -> &[[f64; 3]] + Copy,
     ) -> Plot {
         let line = |(body, part): (usize, &crate::parts::Part)| {
-            let name = Text::new("{name}").with("name", &part.name);
+            let name = verbatim(&part.name);
             self.line(name, move |moment| of(moment)[body][2])
         };
         let series = self.parts.bodies.iter().enumerate().map(line).collect();

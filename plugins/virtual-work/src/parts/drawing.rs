@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use dalembert_core::{DrawnShape, Ink, Reference, Text};
 use dalembert_mechanics::planar::{Point, Pose, State, System};
 
-use super::{Carrier, Joint, Load, Parts};
+use super::{Carrier, Joint, Load, Parts, verbatim};
 
 impl Parts<'_> {
     /// The size of the drawing.
@@ -121,7 +121,7 @@ impl Parts<'_> {
                     let scale = 0.25 * size / largest;
                     let tail = (tip.0 - scale * x, tip.1 - scale * y);
                     shapes.push(DrawnShape::Arrow(tail, tip, Ink::Force));
-                    shapes.push(DrawnShape::Label(tail, Text::new("{name}").with("name", &load.name)));
+                    shapes.push(DrawnShape::Label(tail, verbatim(&load.name)));
                 }
                 Load::Damper { from, to, .. } | Load::Gas { from, to, .. } => {
                     shapes.push(DrawnShape::Damper(at(*from), at(*to)));
