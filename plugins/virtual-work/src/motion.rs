@@ -322,12 +322,7 @@ impl Solved<'_> {
         }
         let State { positions, velocities, accelerations } = &last.state;
         let most = |part: fn(&Snapshot) -> &[[f64; 3]]| {
-            let turns = self
-                .moved
-                .samples
-                .iter()
-                .flat_map(move |moment| part(moment))
-                .map(|of_body| of_body[2].abs());
+            let turns = self.moved.samples.iter().flat_map(part).map(|of_body| of_body[2].abs());
             turns.fold(0.0, f64::max)
         };
         let turned = most(|moment| &moment.state.positions);

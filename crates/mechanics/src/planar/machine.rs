@@ -145,7 +145,7 @@ impl<'a> Machine<'a> {
         let length = self.system.length;
         let of_body = |(masses, v): (&[f64], &[f64; 3])| {
             let turn = v[2] * length;
-            (masses[0] * (v[0] * v[0] + v[1] * v[1]) + masses[2] * turn * turn) / 2.0
+            0.5 * (masses[0] * (v[0] * v[0] + v[1] * v[1]) + masses[2] * turn * turn)
         };
         let kinetic = self.masses.chunks_exact(3).zip(&self.velocities).map(of_body).sum();
         [kinetic, self.system.stored(&self.work.poses[..self.forces.len()])]

@@ -23,17 +23,17 @@ pub(crate) fn four_bars(n: usize) -> (System, Vec<[f64; 3]>) {
     (System::new(&mechanism, &drawn).expect("four-bars are well formed"), drawn)
 }
 
-const CRANK: f64 = -0.0617138900142764496358948458001;
+const CRANK: f64 = -0.06171389001427645;
 
 /// Andrews' squeezing mechanism, and its bodies in the position with the crank at -0.0617.
 pub(crate) fn andrews() -> (System, Vec<[f64; 3]>) {
     let [a, b, c] = [[-0.06934, -0.00227], [-0.03635, 0.03273], [0.014, 0.072]];
     let [gamma, phi, delta, omega, epsilon] = [
-        0.455279819163070380255912382449,
-        0.222668390165885884674473185609,
-        0.487364979543842550225598953530,
-        -0.222668390165885884674473185609,
-        1.23054744454982119249735015568,
+        0.45527981916307037,
+        0.22266839016588588,
+        0.48736497954384256,
+        -0.22266839016588588,
+        1.2305474445498212,
     ];
     let (rr, d, ss, e, zt, zf, u) = (0.007, 0.028, 0.035, 0.02, 0.04, 0.02, 0.04);
     let (da, ea, ra, sa, sb, sc, sd) = (0.0115, 0.01421, 0.00092, 0.01874, 0.01043, 0.018, 0.02);

@@ -102,13 +102,13 @@ impl Solved<'_> {
             _ => "N",
         };
         let row = |power: &dalembert_mechanics::planar::LoadPower| {
-            let words = match power.of {
-                Acting::Load(_) => Text::new("{name}"),
-                Acting::Weight(_) => Text::new("Weight of {name}"),
-                Acting::InertiaForce(_) => Text::new("Inertia force of {name}"),
-                Acting::InertiaCouple(_) => Text::new("Inertia couple of {name}"),
+            let of = |words: &'static str| Text::new(words).with("name", self.name(power.of));
+            let name = match power.of {
+                Acting::Load(_) => verbatim(self.name(power.of)),
+                Acting::Weight(_) => of("Weight of {name}"),
+                Acting::InertiaForce(_) => of("Inertia force of {name}"),
+                Acting::InertiaCouple(_) => of("Inertia couple of {name}"),
             };
-            let name = words.with("name", self.name(power.of));
             vec![Cell::Text(name), Cell::Number(power.generalised[0]), Cell::Number(power.power)]
         };
         let mut rows: Vec<Vec<Cell>> = self.dynamics.powers.iter().map(row).collect();

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use dalembert_core::{DrawnShape, Ink, Reference, Text};
+use dalembert_core::{DrawnShape, Ink, Reference};
 use dalembert_mechanics::planar::{Point, Pose, State, System};
 
 use super::{Carrier, Joint, Load, Parts, verbatim};

@@ -145,7 +145,7 @@ impl Layout {
         let turning =
             numbered().filter(|(_, column)| column % 3 == 2).map(|(n, column)| (column / 3, n)).collect();
         let moving = numbered().filter(|(_, column)| column % 3 < 2).collect();
-        Self { rows, places, explicit, loops, turning, moving, kept, kernels, settings, bodies, length }
+        Self { rows, places, explicit, loops, kept, turning, moving, kernels, settings, bodies, length }
     }
 
     /// Room for the numbers of a position.
@@ -450,16 +450,12 @@ fn explicit(shapes: &[Vec<(usize, Option<f64>)>], columns: usize) -> (Vec<(usize
     // First come, first served: so the tree is as flat as it can be.
     let mut ready: VecDeque<usize> = (0..shapes.len()).filter(|&row| unknown[row] == 1).collect();
     loop {
-        let next = ready.pop_front().filter(|&row| unknown[row] == 1);
-        let Some(row) = next.or_else(|| {
-            if ready.is_empty() {
-                (0..shapes.len()).filter(|&row| unknown[row] > 0).min_by_key(|&row| unknown[row])
-            } else {
-                None
-            }
-        }) else {
-            if ready.is_empty() { break } else { continue }
-        };
+        let next = ready.pop_front().or_else(|| {
+            // Nothing leads on: of the equation with fewest unknown columns all but one are kept.
+            let open = (0..shapes.len()).filter(|&row| unknown[row] > 0);
+            open.min_by_key(|&row| unknown[row])
+        });
+        let Some(row) = next else { break };
         let mut left: Vec<(usize, f64)> = shapes[row]
             .iter()
             .filter(|(column, _)| !known[*column])
