@@ -74,7 +74,7 @@ fn follow(
 /// `θ̈ = −c cos θ`, followed here by the method of Runge and Kutta of order 4 with short steps.
 fn error(n: usize, moved: &Moved) -> f64 {
     let bars = n as f64;
-    let c = 9.81 * ((bars + 1.0) / 2.0 + bars) / ((bars + 1.0) / 3.0 + bars);
+    let c = 9.81 * (f64::midpoint(bars, 1.0) + bars) / ((bars + 1.0) / 3.0 + bars);
     let (mut angle, mut rate) = (std::f64::consts::FRAC_PI_2, -1.0);
     let parts = 1000;
     let mut worst = 0.0f64;
