@@ -1,0 +1,187 @@
+//! The mechanism that its parts make.
+
+use dalembert_core::{Reference, Refusal, Text};
+use dalembert_mechanics::planar::{self, Measure, PlanarError, Profile, System};
+use nalgebra::Vector3;
+
+use super::{Connection, Drive, Driven, Joint, Load, NamedLoad, Part, Spot};
+
+/// The parts of a mechanism together.
+pub(crate) struct Parts<'a> {
+    pub(crate) gravity: Vector3<f64>,
+    pub(crate) bodies: &'a [Part],
+    pub(crate) points: &'a [Spot],
+    pub(crate) joints: &'a [Connection],
+    pub(crate) drivers: &'a [Drive],
+    pub(crate) loads: &'a [NamedLoad],
+}
+
+impl Parts<'_> {
+    /// A point, from the mass centre of its body.
+    pub(crate) fn point(&self, reference: Reference) -> planar::Point {
+        let spot = &self.points[reference.0];
+        let on = spot.on.frame();
+        let origin = on.map_or(Vector3::zeros(), |body| self.bodies[body].centre);
+        planar::Point { on, at: [spot.at.x - origin.x, spot.at.y - origin.y] }
+    }
+
+    pub(crate) fn along(&self, from: Reference, to: Reference, direction: f64) -> Measure {
+        let direction = [direction.cos(), direction.sin()];
+        Measure::Along { direction, from: self.point(from), to: self.point(to) }
+    }
+
+    pub(crate) fn distance(&self, from: Reference, to: Reference) -> Measure {
+        Measure::Distance { from: self.point(from), to: self.point(to) }
+    }
+
+    /// The mechanism, and the rows of its joints: a joint of the form may stand for two of the mechanism.
+    pub(crate) fn mechanism(&self) -> Result<(planar::Mechanism, Vec<usize>), Refusal> {
+        let bodies =
+            self.bodies.iter().map(|body| planar::Body { mass: body.mass, inertia: body.inertia }).collect();
+        let (mut joints, mut rows) = (Vec::new(), Vec::new());
+        for (row, connection) in self.joints.iter().enumerate() {
+            for joint in self.joint(connection)? {
+                joints.push(joint);
+                rows.push(row);
+            }
+        }
+        let drivers = self.drivers.iter().map(|drive| self.driver(&drive.what)).collect();
+        let loads = self.loads.iter().map(|load| self.load(&load.load, &rows)).collect();
+        let gravity = [self.gravity.x, self.gravity.y];
+        Ok((planar::Mechanism { bodies, joints, drivers, loads, gravity }, rows))
+    }
+
+    fn joint(&self, connection: &Connection) -> Result<Vec<planar::Joint>, Refusal> {
+        let point = |reference: &Reference| self.point(*reference);
+        Ok(match &connection.joint {
+            Joint::Pin { a, b } => vec![planar::Joint::Pin { a: point(a), b: point(b) }],
+            Joint::Slider { guide, direction, slides, angle } => vec![planar::Joint::Slider {
+                guide: point(guide),
+                direction: *direction,
+                slides: point(slides),
+                angle: *angle,
+            }],
+            Joint::Slot { guide, direction, pin, offset } => vec![planar::Joint::Slot {
+                guide: point(guide),
+                direction: *direction,
+                pin: point(pin),
+                offset: *offset,
+            }],
+            Joint::Weld { a, b, angle } => {
+                vec![planar::Joint::Weld { a: point(a), b: point(b), angle: *angle }]
+            }
+            Joint::Rod { from, to, length } => {
+                vec![planar::Joint::Rod { from: point(from), to: point(to), length: *length }]
+            }
+            Joint::Gears { a, b, carrier, size_a, size_b, internal } => vec![planar::Joint::Gears {
+                a: a.frame(),
+                b: b.frame(),
+                carrier: carrier.frame(),
+                sizes: [*size_a, *size_b],
+                internal: *internal,
+            }],
+            Joint::Rolling { guide, direction, centre, radius, resting } => {
+                let (guide, centre) = (point(guide), point(centre));
+                let rolling = planar::Joint::Rack { guide, direction: *direction, centre, radius: *radius };
+                let held = planar::Joint::Slot { guide, direction: *direction, pin: centre, offset: *radius };
+                if *resting { vec![held, rolling] } else { vec![rolling] }
+            }
+            Joint::Cord { runs, drums } => vec![planar::Joint::Cord {
+                runs: runs.iter().map(|run| [point(&run.from), point(&run.to)]).collect(),
+                drums: drums
+                    .iter()
+                    .map(|drum| (drum.of.frame(), drum.against.frame(), drum.radius))
+                    .collect(),
+            }],
+            Joint::Cam { cam, guide, direction, follower, lift } => {
+                let points: Vec<[f64; 2]> = lift.iter().map(|point| [point.angle, point.lift]).collect();
+                let profile = Profile::through(&points, Some(std::f64::consts::TAU)).ok_or_else(|| {
+                    Refusal::because(
+                        Text::new("the lift of the cam {name} needs at least three points with rising angles within one turn")
+                            .with("name", &connection.name),
+                    )
+                })?;
+                vec![planar::Joint::Cam {
+                    follower: self.along(*guide, *follower, *direction),
+                    cam: Measure::Angle { of: Some(cam.0), against: None },
+                    profile,
+                }]
+            }
+        })
+    }
+
+    fn driver(&self, what: &Driven) -> planar::Driver {
+        match *what {
+            Driven::Angle { body, ref against, value, velocity, acceleration } => {
+                let measure = Measure::Angle { of: Some(body.0), against: against.frame() };
+                planar::Driver { measure, value, velocity, acceleration }
+            }
+            Driven::Position { from, to, direction, value, velocity, acceleration } => {
+                let measure = self.along(from, to, direction);
+                planar::Driver { measure, value, velocity, acceleration }
+            }
+            Driven::Distance { from, to, value, velocity, acceleration } => {
+                planar::Driver { measure: self.distance(from, to), value, velocity, acceleration }
+            }
+        }
+    }
+
+    /// What a load pushes apart or turns; none for a force at a point and for friction.
+    pub(crate) fn measure(&self, load: &Load) -> Option<Measure> {
+        match load {
+            Load::Couple { on: of, against, .. } | Load::TorsionSpring { of, against, .. } => {
+                Some(Measure::Angle { of: of.frame(), against: against.frame() })
+            }
+            Load::Thrust { from, to, .. }
+            | Load::Spring { from, to, .. }
+            | Load::Damper { from, to, .. }
+            | Load::Gas { from, to, .. } => Some(self.distance(*from, *to)),
+            Load::Force { .. } | Load::Friction { .. } => None,
+        }
+    }
+
+    fn load(&self, load: &Load, rows: &[usize]) -> planar::Load {
+        use planar::Effort;
+        let effort = match *load {
+            Load::Force { at, force, ref axes } => {
+                let (at, force) = (self.point(at), [force.x, force.y]);
+                return planar::Load::Force { at, force, turns_with: axes.frame() };
+            }
+            Load::Friction { joint, coefficient, radius } => {
+                let joint = rows.iter().position(|row| *row == joint.0).unwrap_or(usize::MAX);
+                return planar::Load::Friction { joint, coefficient, radius };
+            }
+            Load::Couple { moment: constant, .. } | Load::Thrust { force: constant, .. } => {
+                Effort::Constant(constant)
+            }
+            Load::Spring { stiffness, free, .. } | Load::TorsionSpring { stiffness, free, .. } => {
+                Effort::Spring { stiffness, free }
+            }
+            Load::Damper { coefficient, .. } => Effort::Damper { coefficient },
+            Load::Gas { area, pressure, column, exponent, ambient, .. } => {
+                Effort::Gas { area, pressure, column, exponent, ambient }
+            }
+        };
+        let measure = self.measure(load).expect("every load but a force and friction has a measure");
+        planar::Load::Effort { measure, effort }
+    }
+
+    /// The mechanism, assembled.
+    pub(crate) fn assembled(&self) -> Result<(System, Vec<usize>, Vec<[f64; 3]>), Refusal> {
+        if self.bodies.is_empty() {
+            return Err(Refusal::because("there is no body: write down at least one"));
+        }
+        let (mechanism, rows) = self.mechanism()?;
+        let mut angles: Vec<f64> = self.bodies.iter().map(|body| body.angle).collect();
+        for driver in &mechanism.drivers {
+            if let Measure::Angle { of: Some(body), against: None } = driver.measure {
+                angles[body] = driver.value;
+            }
+        }
+        let refuse = |error: PlanarError| self.refusal(&error, &rows);
+        let drawn = System::place(&mechanism, &angles).map_err(refuse)?;
+        let system = System::new(&mechanism, &drawn).map_err(refuse)?;
+        let positions = system.assemble(&drawn).map_err(refuse)?;
+        Ok((system, rows, positions))
+    }
+}
