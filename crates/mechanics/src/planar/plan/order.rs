@@ -29,6 +29,8 @@ pub(in super::super) struct Order {
     /// The slopes, overwritten by the elimination.
     slopes: Vec<f64>,
     inverses: Vec<f64>,
+    /// The slopes to the right of each pivot over it, with the sign changed.
+    ratios: Vec<f64>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -38,9 +40,10 @@ struct Pivot {
     place: usize,
     /// Its value when it was chosen.
     chosen: f64,
-    /// Ends of its removals and others; they begin where those of the pivot before end.
+    /// End of its removals; they begin where those of the pivot before end.
     removals: usize,
-    others: usize,
+    /// Begin and end of its others.
+    others: [usize; 2],
 }
 
 /// The column of a pivot is taken out of a row.
@@ -88,6 +91,7 @@ impl Order {
                 dropped: Vec::new(),
                 slopes: Vec::new(),
                 inverses: Vec::new(),
+                ratios: Vec::new(),
             },
             places: layout.places,
             taken: vec![false; columns],
@@ -127,19 +131,23 @@ impl Order {
         let Maker { mut order, places, taken } = maker;
         order.free = (0..columns).filter(|column| !taken[*column]).collect();
         order.slopes = vec![0.0; places];
-        order.inverses = vec![0.0; order.pivots.len()];
+        order.ratios = vec![0.0; order.others.len()];
+        order.inverses = order.pivots.iter().map(|pivot| 1.0 / pivot.chosen).collect();
         order
     }
 
     /// Eliminates the slopes of a position.
     pub(in super::super) fn eliminate(&mut self, slopes: &[f64]) {
-        let Self { pivots, removals, updates, slopes: w, inverses, .. } = self;
+        let Self { pivots, removals, updates, others, slopes: w, inverses, ratios, first_loop, .. } = self;
         let (given, filled) = w.split_at_mut(slopes.len());
         given.copy_from_slice(slopes);
         filled.fill(0.0);
         let (mut removal, mut update) = (0, 0);
-        for (pivot, inverse) in pivots.iter().zip(inverses) {
-            *inverse = 1.0 / w[pivot.place];
+        for (index, (pivot, inverse)) in pivots.iter().zip(inverses).enumerate() {
+            // The slopes by explicit coordinates never change.
+            if index >= *first_loop {
+                *inverse = 1.0 / w[pivot.place];
+            }
             for one in &removals[removal..pivot.removals] {
                 let factor = w[one.place] * *inverse;
                 w[one.place] = factor;
@@ -149,6 +157,10 @@ impl Order {
                 update = one.updates;
             }
             removal = pivot.removals;
+            let [from, to] = pivot.others;
+            for (ratio, (place, _)) in ratios[from..to].iter_mut().zip(&others[from..to]) {
+                *ratio = -w[*place as usize] * *inverse;
+            }
         }
     }
 
@@ -186,12 +198,8 @@ impl Order {
         for &column in &self.free {
             x[column] = 0.0;
         }
-        for (index, pivot) in self.pivots.iter().enumerate().rev() {
-            let mut sum = right[pivot.row];
-            for &(place, column) in self.others(index) {
-                sum -= self.slopes[place as usize] * x[column as usize];
-            }
-            x[pivot.column] = sum * self.inverses[index];
+        for (pivot, inverse) in self.pivots.iter().zip(&self.inverses).rev() {
+            x[pivot.column] = self.follow(pivot, right[pivot.row] * inverse, x);
         }
     }
 
@@ -201,12 +209,8 @@ impl Order {
             x[column] = 0.0;
         }
         x[self.free[free]] = 1.0;
-        for (index, pivot) in self.pivots.iter().enumerate().rev() {
-            let mut sum = 0.0;
-            for &(place, column) in self.others(index) {
-                sum -= self.slopes[place as usize] * x[column as usize];
-            }
-            x[pivot.column] = sum * self.inverses[index];
+        for pivot in self.pivots.iter().rev() {
+            x[pivot.column] = self.follow(pivot, 0.0, x);
         }
     }
 
@@ -228,9 +232,17 @@ impl Order {
         }
     }
 
+    /// What the column of a pivot is, from those to its right.
+    #[inline]
+    fn follow(&self, pivot: &Pivot, start: f64, x: &[f64]) -> f64 {
+        let [from, to] = pivot.others;
+        let others = self.ratios[from..to].iter().zip(&self.others[from..to]);
+        others.fold(start, |sum, (ratio, (_, column))| sum + ratio * x[*column as usize])
+    }
+
     fn others(&self, index: usize) -> &[(u32, u32)] {
-        let from = if index == 0 { 0 } else { self.pivots[index - 1].others };
-        &self.others[from..self.pivots[index].others]
+        let [from, to] = self.pivots[index].others;
+        &self.others[from..to]
     }
 }
 
@@ -268,9 +280,10 @@ impl Maker {
             }
             order.removals.push(Removal { row: other, place: removed.place, updates: order.updates.len() });
         }
+        let from = order.others.len();
         let right = own.iter().filter(|entry| entry.column != column);
         order.others.extend(right.map(|entry| (entry.place as u32, entry.column as u32)));
-        let (removals, others) = (order.removals.len(), order.others.len());
+        let (removals, others) = (order.removals.len(), [from, order.others.len()]);
         let Entry { place, value: chosen, .. } = pivot;
         order.pivots.push(Pivot { row, column, place, chosen, removals, others });
     }
