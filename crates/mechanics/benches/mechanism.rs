@@ -17,7 +17,7 @@ fn main() {
     squeezer(1e-8, 1e-7, "≤ 0.4 ms");
     squeezer(1e-11, 1e-10, "≤ 1 ms");
     for (n, goal) in [(1, "≤ 1 ms"), (10, "≤ 5 ms"), (40, "≤ 15 ms"), (100, "≤ 40 ms")] {
-        let tolerance = 3e-6;
+        let tolerance = 4e-7;
         let (time, moved, _) = fall(n, tolerance);
         let error = error(n, &moved);
         println!(
