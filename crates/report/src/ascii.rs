@@ -54,7 +54,7 @@ enum Run {
 
 /// Pairs of a character and what it stands for, one after the other.
 const INDICES: &str = "₀0₁1₂2₃3₄4₅5₆6₇7₈8₉9₊+₋-₌=₍(₎)ₐaₑeₕhᵢiⱼjₖkₗlₘmₙnₒoₚpᵣrₛsₜtᵤuᵥvₓx";
-const POWERS: &str = "⁰0¹1²2³3⁴4⁵5⁶6⁷7⁸8⁹9⁺+⁻-ⁿnⁱiᵀT";
+const POWERS: &str = "⁰0¹1²2³3⁴4⁵5⁶6⁷7⁸8⁹9⁺+⁻-ⁿnᵏkⁱiᵀT";
 
 const WORDS: &[(char, &str)] = &[
     ('α', "alpha"),

@@ -468,11 +468,8 @@ fn size(mechanism: &Mechanism, equations: &[Equation], drawn: &[[f64; 3]]) -> f6
     });
     let largest = in_equations.chain(in_loads).fold(0.0, f64::max);
     let in_drawing = drawn.iter().map(|[x, y, _]| x.hypot(*y)).fold(0.0, f64::max);
-    match (largest > 0.0, in_drawing > 0.0) {
-        (true, _) => largest,
-        (false, true) => in_drawing,
-        (false, false) => 1.0,
-    }
+    // Arms below a picometre are what rounding leaves of a pin at the mass centre.
+    [largest, in_drawing].into_iter().find(|&length| length > 1e-12).unwrap_or(1.0)
 }
 
 fn check(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Result<(), PlanarError> {
