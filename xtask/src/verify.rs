@@ -162,11 +162,14 @@ const OF_THE_LABORATORY: &str = "laboratory/torsional-pendulum";
 /// A laboratory's own program has its own analysis beside ours. What it shares with ours is built once.
 fn out_of_tree(root: &Path) -> Found {
     let ours = ids(&docs::json(&Program::built(root, root)?, &["list", "--json"])?);
+    let plain = as_plain_as_here(root)?;
     let theirs = |arguments: &[&str]| {
         let mut command = cargo(&root.join(OUT_OF_TREE));
         command
             .env("CARGO_TARGET_DIR", target(root))
-            .args(["run", "--quiet", "--locked", "--"])
+            .args(["run", "--quiet", "--locked"])
+            .args(&plain)
+            .arg("--")
             .args(arguments);
         command
     };
@@ -177,6 +180,25 @@ fn out_of_tree(root: &Path) -> Found {
     run_command(&mut theirs(&["solve", OF_THE_LABORATORY]))?;
     run_command(&mut theirs(&["verify", OF_THE_LABORATORY]))?;
     Ok(format!("{} analyses", listed.len()))
+}
+
+/// What is a member of the workspace here is a dependency there, and would be compiled for speed as all dependencies
+/// are: options that leave it as it is here.
+fn as_plain_as_here(root: &Path) -> Result<Vec<String>> {
+    let mut options = Vec::new();
+    for group in ["crates", "plugins"] {
+        for folder in fs::read_dir(root.join(group))? {
+            let folder = folder?.file_name().to_string_lossy().into_owned();
+            let package = match folder.as_str() {
+                "mechanics" => continue,
+                "dalembert" => folder,
+                "bundle" => "dalembert-plugins".to_owned(),
+                _ => format!("dalembert-{folder}"),
+            };
+            options.extend(["--config".to_owned(), format!("profile.dev.package.{package}.opt-level=0")]);
+        }
+    }
+    Ok(options)
 }
 
 /// A new analysis, in a copy of the tree, is listed, solved and tested at once.

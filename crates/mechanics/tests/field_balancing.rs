@@ -39,6 +39,21 @@ fn runs(alpha: &DMatrix<Complex<f64>>, unbalance: &[Complex<f64>], stay: bool) -
         .collect()
 }
 
+/// The last centre of this one was once left before its bound was near.
+#[test]
+fn a_limit_in_three_planes_is_proved_too() {
+    let (alpha, unbalance) = rotor(15109276555044017607, 5, 3);
+    let first: Vec<Complex<f64>> = read(&alpha, &unbalance)
+        .into_iter()
+        .enumerate()
+        .map(|(n, v)| v + Complex::cis(n as f64) * 9.0)
+        .collect();
+    let limit = 0.8 * least_squares(&alpha, &first, &[]).unwrap().weights[0].norm();
+    let found = min_max(&alpha, &first, Some(limit)).unwrap();
+    let size = first.iter().map(|v| v.norm()).fold(0.0, f64::max);
+    assert!(found.largest - found.bound <= 1e-9 * size, "{} and {}", found.largest, found.bound);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
 

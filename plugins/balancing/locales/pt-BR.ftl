@@ -907,3 +907,15 @@ the-mean-square-of-the-runs-is-not-above-that-of-the-first-run-no-vibration-has-
 the-trial-weight-had-no-effect-or-the-planes-act-alike-on-all-sensors-take-a-larger-trial-weight-or = a massa de teste não teve efeito, ou os planos atuam igualmente em todos os sensores: use uma massa de teste maior, ou deixe um plano de fora
 the-trial-weight-of-plane-plane-stood-at-fewer-than-three-different-angles-spread-them-over-the-full = a massa de teste do plano { $plane } ficou em menos de três ângulos diferentes; distribua-os por toda a volta
 these-amplitudes-are-beyond-the-range-of-numbers-that-can-be-balanced = estas amplitudes estão fora da faixa de números que se pode balancear
+
+# balancing/linkage-balance, joints
+largest-force-over-a-turn-when-joint-from-the-balance-of-each-link = Maior força em uma volta, { $when }: { $joint }, pelo equilíbrio de cada peça
+the-forces-of-the-frame-on-crank-and-follower-are-the-shaking-force-turned-round = as forças da base sobre a manivela e sobre a peça seguida são a força de trepidação invertida
+force-in-the-pivot-of-the-crank = Força no mancal da manivela
+force-in-the-crank-pin = Força no pino da manivela
+force-in-the-coupler-pin = Força no pino da acopladora
+force-in-the-pivot-of-the-rocker = Força no mancal do balancim
+force-in-the-pin-of-the-slider = Força no pino do cursor
+force-of-the-guide = Força da guia
+largest-forces-in-the-joints = Maiores forças nas juntas
+joint = Junta

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Cell, Column, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series,
+    TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -199,6 +199,15 @@ impl Analysis for LinkageBalance {
             let speed = self.speed * self.speed;
             sheet.check_zero("the centre of mass stands still", wander.into(), effort / speed);
             self.check_torque(&linkage, &poses, &before, sheet);
+            let gap = |s: &Shaking| {
+                let [crank, _, _, follower] = s.joints;
+                let along = |k: usize| crank[k] + follower[k] + s.force[k];
+                along(0).hypot(along(1))
+            };
+            let gaps = largest(&before, gap).max(largest(&after, gap));
+            let most = before.iter().chain(&after).flat_map(|s| s.joints).map(|[x, y]| x.hypot(y));
+            let what = "the forces of the frame on crank and follower are the shaking force turned round";
+            sheet.check_zero(what, gaps.into(), most.fold(effort, f64::max));
         });
         let clean = |x: f64| if x < 1e-9 * effort { 0.0 } else { x };
         let found =
@@ -224,6 +233,23 @@ impl Analysis for LinkageBalance {
                     .with("times", format!("{:.1}", last.value() / first.value()))
             });
         }
+        let names = match self.mechanism {
+            Mechanism::FourBar { .. } => FOUR_BAR_JOINTS,
+            Mechanism::SliderCrank { .. } => SLIDER_CRANK_JOINTS,
+        };
+        for (joint, label) in names.into_iter().enumerate() {
+            let of = move |s: &Shaking| s.joints[joint][0].hypot(s.joints[joint][1]);
+            let why = |when: &'static str| {
+                let why =
+                    Text::new("Largest force over a turn, {when}: {joint}, from the balance of each link");
+                (why.with_text("when", when).with_text("joint", label), NORTON.at("ch. 11"))
+            };
+            let first = sheet.found(("P_before", joint + 1), "N", largest(&before, of), why("before"));
+            let last = sheet.found(("P_after", joint + 1), "N", largest(&after, of), why("after"));
+            sheet.answer(("joint_force", joint + 1), label, first);
+            sheet.answer(("joint_force_after", joint + 1), label, last);
+        }
+        sheet.show(|| Exhibit::Table(joint_forces(names, &before, &after)));
         for (title, label, unit, of) in [
             ("Shaking force", "Force", "N", size as fn(&Shaking) -> f64),
             ("Shaking moment about the crank pivot", "Moment", "N*m", |s| s.moment),
@@ -244,6 +270,40 @@ impl Analysis for LinkageBalance {
         }
         sheet.show(|| Exhibit::Film(film(&poses, &counterweights, linkage.follower)));
         Ok(())
+    }
+}
+
+/// The joints, in the order of [`Shaking::joints`].
+const FOUR_BAR_JOINTS: [&str; 4] = [
+    "Force in the pivot of the crank",
+    "Force in the crank pin",
+    "Force in the coupler pin",
+    "Force in the pivot of the rocker",
+];
+
+const SLIDER_CRANK_JOINTS: [&str; 4] = [
+    "Force in the pivot of the crank",
+    "Force in the crank pin",
+    "Force in the pin of the slider",
+    "Force of the guide",
+];
+
+/// The largest force in each joint over a turn.
+fn joint_forces(names: [&'static str; 4], before: &[Shaking], after: &[Shaking]) -> TableExhibit {
+    let most = |all: &[Shaking], joint: usize| {
+        Cell::Number(largest(all, |s| s.joints[joint][0].hypot(s.joints[joint][1])))
+    };
+    TableExhibit {
+        title: "Largest forces in the joints".into(),
+        columns: vec![
+            Column { heading: "Joint".into(), unit: "" },
+            Column { heading: "before".into(), unit: "N" },
+            Column { heading: "after".into(), unit: "N" },
+        ],
+        rows: (0..4)
+            .map(|joint| vec![Cell::Text(names[joint].into()), most(before, joint), most(after, joint)])
+            .collect(),
+        foot: Vec::new(),
     }
 }
 

@@ -95,6 +95,9 @@ pub struct Shaking {
     pub energy: f64,
     /// First moment of all moving masses, `Σ m r`, kg·m: still when the force is balanced.
     pub first_moment: [f64; 2],
+    /// Forces in the joints, N: of the frame on the crank, of the crank on the coupler, of the coupler on the follower,
+    /// of the frame on the follower.
+    pub joints: [[f64; 2]; 4],
 }
 
 fn unit(angle: f64) -> [f64; 2] {
@@ -208,6 +211,8 @@ impl Linkage {
             (_, Follower::Slider { .. }) => coupler_pin,
         };
         let mut sum = Shaking::default();
+        // Of each link the sum of d'Alembert's forces, and their moment about its first pin.
+        let mut loads = [([0.0; 2], 0.0); 3];
         let mut add = |link: usize, mass: f64, distance: f64, angle: f64, inertia: f64| {
             let (velocity, acceleration) = (pose.velocities[link], pose.accelerations[link]);
             let centre = start(link).to(distance, pose.angles[link] + angle, velocity, acceleration);
@@ -221,6 +226,10 @@ impl Linkage {
             sum.energy += 0.5 * mass * (v[0] * v[0] + v[1] * v[1]) + 0.5 * inertia * velocity * velocity;
             sum.first_moment[0] += mass * at[0];
             sum.first_moment[1] += mass * at[1];
+            let arm = [at[0] - start(link).at[0], at[1] - start(link).at[1]];
+            let (load, moment) = &mut loads[link];
+            *load = [load[0] + force[0], load[1] + force[1]];
+            *moment += arm[0] * force[1] - arm[1] * force[0] - inertia * acceleration;
         };
         let mut add_link = |n, link: Link| add(n, link.mass, link.distance, link.offset, link.inertia);
         add_link(0, self.crank_link);
@@ -234,6 +243,31 @@ impl Linkage {
         for c in counterweights {
             add(c.link, c.mass, c.distance, c.angle, 0.0);
         }
+        sum.joints = self.joints(pose, loads);
         sum
+    }
+
+    /// The forces in the joints from the balance of each link, its loads given as force and moment about its first pin.
+    fn joints(&self, pose: &Pose, loads: [([f64; 2], f64); 3]) -> [[f64; 2]; 4] {
+        let [(on_crank, _), (on_coupler, of_coupler), (on_follower, of_follower)] = loads;
+        let [_, e3, e4] = pose.angles.map(unit);
+        let b = [self.coupler * e3[0], self.coupler * e3[1]];
+        // P, of the coupler on the follower: b × P = M₃ about the crank pin, and what the follower asks for.
+        let p = match self.follower {
+            Follower::Rocker { length, .. } => {
+                // c × P = −M₄ about the fixed pin.
+                let c = [length * e4[0], length * e4[1]];
+                let across = b[0] * c[1] - b[1] * c[0];
+                let [left, right] = [of_coupler, -of_follower];
+                [(c[0] * left - b[0] * right) / across, (c[1] * left - b[1] * right) / across]
+            }
+            Follower::Slider { .. } => {
+                let along = -on_follower[0];
+                [along, (of_coupler + b[1] * along) / b[0]]
+            }
+        };
+        let of_crank = [p[0] - on_coupler[0], p[1] - on_coupler[1]];
+        let of_frame = [of_crank[0] - on_crank[0], of_crank[1] - on_crank[1]];
+        [of_frame, of_crank, p, [-p[0] - on_follower[0], -p[1] - on_follower[1]]]
     }
 }

@@ -26,6 +26,8 @@ const CENTRED: f64 = 1e-4;
 const MOST_STEPS: usize = 400;
 /// Full steps to the last centre, where rounding may hide it: they double the digits each.
 const FULL_STEPS: usize = 6;
+/// Steps about the last centre while the bound is not yet near enough.
+const LAST_STEPS: usize = 40;
 
 /// The weights that make `max |Vᵢ + (α W)ᵢ|` least, with `|W| ≤ limit` in every plane.
 ///
@@ -96,11 +98,45 @@ impl Barrier<'_> {
                 }
             }
             if last {
-                let bound = self.bound(&weights, top);
-                return Some((weights, bound));
+                return self.proved(weights, top, sharpness);
             }
             sharpness *= 8.0;
         }
+    }
+
+    /// The best of the last centre and a few steps about it: rounding moves the barrier's multipliers there, and with
+    /// them the bound.
+    fn proved(
+        &self,
+        mut weights: Vec<Complex<f64>>,
+        mut top: f64,
+        sharpness: f64,
+    ) -> Option<(Vec<Complex<f64>>, f64)> {
+        let (mut best, mut bound) = (weights.clone(), self.bound(&weights, top));
+        let largest = |weights: &[Complex<f64>]| {
+            let effect = |row: usize| -> Complex<f64> {
+                self.alpha.row(row).iter().zip(weights).map(|(a, w)| a * w).sum()
+            };
+            self.readings.iter().enumerate().map(|(row, v)| (v + effect(row)).norm()).fold(0.0, f64::max)
+        };
+        let mut least = largest(&best);
+        for _ in 0..LAST_STEPS {
+            if least - bound <= 2.0 * GAP {
+                break;
+            }
+            let (step, decrement) = self.newton(&weights, top, sharpness)?;
+            let damping = 1.0 / (1.0 + decrement);
+            for (plane, w) in weights.iter_mut().enumerate() {
+                *w += Complex::new(step[2 * plane], step[2 * plane + 1]) * damping;
+            }
+            top += step[2 * weights.len()] * damping;
+            bound = bound.max(self.bound(&weights, top));
+            if largest(&weights) < least {
+                least = largest(&weights);
+                best.clone_from(&weights);
+            }
+        }
+        Some((best, bound))
     }
 
     /// The step of Newton's method on `s τ − Σ ln(τ² − |r|²) − Σ ln(L² − |W|²)`, and its decrement.

@@ -3,6 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use dalembert_mechanics::balance::linkage::{Follower, Link, Linkage};
 use dalembert_mechanics::planar::{
     Body, Driver, Effort, Joint, Load, Measure, Mechanism, PlanarError, Point, Pose, Stability, State, System,
 };
@@ -488,5 +489,41 @@ proptest! {
         prop_assert!((slope.value - value).abs() <= 1e-13 * (1.0 + value.abs()));
         prop_assert!((along(part(1)) - rate).abs() <= 1e-12 * (1.0 + rate.abs()));
         prop_assert!((along(part(2)) + bias - acceleration).abs() <= 1e-11 * (1.0 + acceleration.abs()));
+    }
+}
+
+#[test]
+fn the_joints_of_a_linkage_carry_what_the_balance_of_its_links_says() {
+    let (lengths, speed) = ([0.05, 0.151, 0.111, 0.1], 95.0);
+    let [a, b, c, d] = lengths;
+    let bodies = [(0.2, 1e-4), (0.5, 1.21e-3), (0.4, 0.91e-3)];
+    let link = |k: usize, length: f64| Link {
+        mass: bodies[k].0,
+        distance: length / 2.0,
+        offset: 0.0,
+        inertia: bodies[k].1,
+    };
+    let linkage = Linkage {
+        crank: a,
+        coupler: b,
+        crank_link: link(0, a),
+        coupler_link: link(1, b),
+        follower: Follower::Rocker { frame: d, length: c, crossed: false, link: link(2, c) },
+    };
+    for angle in [0.4, 2.1, 3.9, 5.5] {
+        let pose = linkage.pose(angle, speed).expect("the loop closes");
+        let bodies = bodies.map(|(mass, inertia)| Body { mass, inertia });
+        let mechanism = four_bar(lengths, bodies, turning(0, angle, speed, 0.0));
+        let (system, state) = moving(&mechanism, &drawn(lengths, pose.angles));
+        let dynamics = found(system.dynamics(&state));
+        let shaking = linkage.shaking(&pose, &[]);
+        let largest = dynamics.multipliers.iter().fold(0.0f64, |most, force| most.max(force.abs()));
+        for (joint, force) in shaking.joints.iter().enumerate() {
+            for (component, force) in force.iter().enumerate() {
+                let held = dynamics.multipliers[2 * joint + component];
+                assert!((force - held).abs() <= 1e-11 * largest, "joint {joint}: {force} and {held}");
+            }
+        }
+        close(shaking.torque, dynamics.efforts[0], 1e-11);
     }
 }
