@@ -1,6 +1,7 @@
 //! Analyses of rigid bodies in space: angular momentum, its rate of change, and the couples that go with it.
 
 pub mod rod_on_shaft;
+pub mod scene;
 mod sources;
 pub mod spinning_disc_on_arm;
 

@@ -1,0 +1,190 @@
+//! Scenes in space as line drawings: points, axes, arrows and wireframes, seen from a chosen side by parallel rays.
+//!
+//! A scene takes points in metres (or in any one length of its own) with z up, and gives the shapes of a
+//! [`Drawing`](dalembert_core::Drawing) or of a frame of a [`Film`].
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{DrawnShape, Film, Ink, Text, exhibit::Point};
+use nalgebra::{Matrix3, Vector3};
+
+/// Frames of a film.
+pub const FRAMES: usize = 24;
+/// Straight parts of a drawn circle.
+const PARTS: usize = 36;
+
+/// From where a scene is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    right: Vector3<f64>,
+    up: Vector3<f64>,
+}
+
+impl View {
+    /// Seen from the direction of an azimuth, from x about z, and of an elevation above the plane xy, rad.
+    pub fn from(azimuth: f64, elevation: f64) -> Self {
+        let (sin, cos) = azimuth.sin_cos();
+        let (sin_up, cos_up) = elevation.sin_cos();
+        Self { right: Vector3::new(-sin, cos, 0.0), up: Vector3::new(-sin_up * cos, -sin_up * sin, cos_up) }
+    }
+
+    /// x towards the viewer and to the left, y to the right, z up.
+    pub fn usual() -> Self {
+        Self::from(35.0_f64.to_radians(), 25.0_f64.to_radians())
+    }
+
+    /// The same side for a scene whose y axis points up: z towards the viewer and to the left, x to the right.
+    pub fn y_up() -> Self {
+        let view = Self::usual();
+        let turned = |v: Vector3<f64>| Vector3::new(v.y, v.z, v.x);
+        Self { right: turned(view.right), up: turned(view.up) }
+    }
+
+    /// Where a point of the scene is drawn.
+    pub fn point(&self, point: Vector3<f64>) -> Point {
+        (self.right.dot(&point), self.up.dot(&point))
+    }
+}
+
+/// What is drawn so far, later shapes over earlier ones.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    view: View,
+    shapes: Vec<DrawnShape>,
+}
+
+impl Scene {
+    /// An empty scene.
+    pub fn new(view: View) -> Self {
+        Self { view, shapes: Vec::new() }
+    }
+
+    /// The shapes of all that was drawn.
+    pub fn shapes(self) -> Vec<DrawnShape> {
+        self.shapes
+    }
+
+    /// Straight lines from point to point.
+    pub fn line(&mut self, points: impl IntoIterator<Item = Vector3<f64>>, ink: Ink) {
+        let points = points.into_iter().map(|point| self.view.point(point)).collect();
+        self.shapes.push(DrawnShape::Polyline(points, ink));
+    }
+
+    /// Words beside a point.
+    pub fn label(&mut self, at: Vector3<f64>, words: impl Into<Text>) {
+        self.shapes.push(DrawnShape::Label(self.view.point(at), words.into()));
+    }
+
+    /// A named arrow along a vector; none for a vector without length.
+    pub fn arrow(&mut self, tail: Vector3<f64>, along: Vector3<f64>, ink: Ink, name: impl Into<Text>) {
+        if along.norm() > 0.0 {
+            let head = tail + along;
+            self.shapes.push(DrawnShape::Arrow(self.view.point(tail), self.view.point(head), ink));
+            self.label(head + along * 0.06, name);
+        }
+    }
+
+    /// Three named axes of a length along the columns of a rotation.
+    pub fn axes(
+        &mut self,
+        origin: Vector3<f64>,
+        rotation: &Matrix3<f64>,
+        length: f64,
+        names: [&'static str; 3],
+    ) {
+        for (axis, name) in names.into_iter().enumerate() {
+            self.arrow(origin, rotation.column(axis) * length, Ink::Faint, name);
+        }
+    }
+
+    /// A circle about an axis (any length).
+    pub fn circle(&mut self, centre: Vector3<f64>, axis: Vector3<f64>, radius: f64, ink: Ink) {
+        let [across, along] = across(axis);
+        self.line(ring(centre, across * radius, along * radius), ink);
+    }
+
+    /// A thin disc or hoop about the third axis of a rotation: its rim, and a diameter that shows how it turned.
+    pub fn disc(&mut self, centre: Vector3<f64>, rotation: &Matrix3<f64>, radius: f64, ink: Ink) {
+        let [x, y] = [0, 1].map(|n| rotation.column(n) * radius);
+        self.line(ring(centre, x, y), ink);
+        self.line([centre - x, centre + x], ink);
+    }
+
+    /// A box about the axes of a rotation, with the lengths of its edges.
+    pub fn cuboid(&mut self, centre: Vector3<f64>, rotation: &Matrix3<f64>, edges: Vector3<f64>, ink: Ink) {
+        let corner =
+            |x: f64, y: f64, z: f64| centre + rotation * Vector3::new(x, y, z).component_mul(&edges) / 2.0;
+        const ROUND: [(f64, f64); 5] = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)];
+        for z in [-1.0, 1.0] {
+            self.line(ROUND.map(|(x, y)| corner(x, y, z)), ink);
+        }
+        for (x, y) in &ROUND[..4] {
+            self.line([corner(*x, *y, -1.0), corner(*x, *y, 1.0)], ink);
+        }
+    }
+
+    /// A cylinder from the middle of one end to that of the other.
+    pub fn cylinder(&mut self, ends: [Vector3<f64>; 2], radius: f64, ink: Ink) {
+        let [x, y] = across(ends[1] - ends[0]).map(|v| v * radius);
+        for end in ends {
+            self.line(ring(end, x, y), ink);
+        }
+        for side in [x, -x, y, -y] {
+            self.line(ends.map(|end| end + side), ink);
+        }
+    }
+
+    /// A cone from its apex to the middle of its base.
+    pub fn cone(&mut self, apex: Vector3<f64>, base: Vector3<f64>, radius: f64, ink: Ink) {
+        let [x, y] = across(base - apex).map(|v| v * radius);
+        self.line(ring(base, x, y), ink);
+        for side in [x, -x, y, -y] {
+            self.line([apex, base + side], ink);
+        }
+    }
+
+    /// A sphere: its outline, and its circles normal to the axes.
+    pub fn sphere(&mut self, centre: Vector3<f64>, radius: f64, ink: Ink) {
+        self.shapes.push(DrawnShape::Circle(self.view.point(centre), radius, ink));
+        for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
+            self.circle(centre, axis, radius, ink);
+        }
+    }
+
+    /// An ellipsoid by its half-axes along the columns of a rotation: its sections in the planes of these.
+    pub fn ellipsoid(&mut self, centre: Vector3<f64>, rotation: &Matrix3<f64>, half: Vector3<f64>, ink: Ink) {
+        let axis = |n: usize| rotation.column(n % 3) * half[n % 3];
+        for n in 0..3 {
+            self.line(ring(centre, axis(n), axis(n + 1)), ink);
+        }
+    }
+
+    /// A level square of floor.
+    pub fn floor(&mut self, centre: Vector3<f64>, half_edge: f64) {
+        let corner = |x: f64, y: f64| centre + Vector3::new(x, y, 0.0) * half_edge;
+        let round = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)];
+        self.line(round.map(|(x, y)| corner(x, y)), Ink::Faint);
+    }
+}
+
+/// A film of frames that are each drawn for a part of the whole, from 0 to 1.
+pub fn film(title: impl Into<Text>, period: f64, mut frame: impl FnMut(f64) -> Vec<DrawnShape>) -> Film {
+    let frames = (0..FRAMES).map(|k| frame(k as f64 / (FRAMES - 1) as f64)).collect();
+    Film { title: title.into(), frames, period }
+}
+
+/// Two unit vectors across a direction; with it, right-handed.
+fn across(direction: Vector3<f64>) -> [Vector3<f64>; 2] {
+    let along = direction.try_normalize(0.0).unwrap_or_else(Vector3::z);
+    // The axis that is furthest from the direction.
+    let away = if along.x.abs() < 0.9 { Vector3::x() } else { Vector3::y() };
+    let first = (away - along * along.dot(&away)).normalize();
+    [first, along.cross(&first)]
+}
+
+fn ring(centre: Vector3<f64>, x: Vector3<f64>, y: Vector3<f64>) -> impl Iterator<Item = Vector3<f64>> {
+    (0..=PARTS).map(move |n| {
+        let (sin, cos) = (TAU * n as f64 / PARTS as f64).sin_cos();
+        centre + x * cos + y * sin
+    })
+}
