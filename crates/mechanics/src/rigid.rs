@@ -6,8 +6,11 @@
 
 use crate::{Real, Vector};
 
+mod mass_properties;
+pub mod primitive;
 mod tensor;
 
+pub use mass_properties::{BodyError, MassProperties, Principal};
 pub use tensor::{RigidError, disc_tensor, numerical_rate, rod_tensor, turned};
 
 /// Slender rod about an axis through its middle, normal to it: `I = m L²/12`.

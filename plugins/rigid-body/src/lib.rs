@@ -1,5 +1,6 @@
 //! Analyses of rigid bodies in space: angular momentum, its rate of change, and the couples that go with it.
 
+pub mod body;
 pub mod rod_on_shaft;
 pub mod scene;
 mod sources;
