@@ -8,6 +8,7 @@ use crate::{Real, Vector};
 
 mod mass_properties;
 pub mod primitive;
+pub mod simulate;
 mod tensor;
 
 pub use mass_properties::{BodyError, MassProperties, Principal};

@@ -23,6 +23,7 @@ mod planar;
 mod polynomial;
 mod real;
 mod rigid;
+mod rigid_motion;
 mod roots;
 mod sdof;
 mod slider_crank;
