@@ -6,9 +6,11 @@
 
 use crate::{Real, Vector};
 
+pub mod chain;
 mod mass_properties;
 pub mod primitive;
 pub mod simulate;
+pub mod supports;
 mod tensor;
 
 pub use mass_properties::{BodyError, MassProperties, Principal};

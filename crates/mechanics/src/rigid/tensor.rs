@@ -56,6 +56,7 @@ pub fn numerical_rate(vector: impl Fn(f64) -> Vector3<f64>, period: f64) -> Resu
     if rate.iter().all(|x| x.is_finite()) { Ok(rate) } else { Err(RigidError::NotFinite) }
 }
 
+/// A vector of any length and size, made a unit vector.
 pub(super) fn unit(direction: Vector3<f64>) -> Result<Vector3<f64>, RigidError> {
     // Scaled first, so that the square of a component neither overflows nor vanishes.
     let largest = direction.amax();
