@@ -19,3 +19,9 @@ pub(crate) static IRODOV: Source = Source {
     short: "Irodov",
     full: "I. E. Irodov, Problems in General Physics, translated by Y. Atanov, Mir Publishers, Moscow, 1981",
 };
+
+/// J. L. Meriam and L. G. Kraige, Engineering Mechanics: Dynamics.
+pub(crate) static MERIAM: Source = Source {
+    short: "Meriam",
+    full: "J. L. Meriam and L. G. Kraige, Engineering Mechanics: Dynamics, 7th ed., Wiley, 2012",
+};

@@ -1,0 +1,340 @@
+//! A chain of joints as a person describes it, and its angular velocities and accelerations worked joint by joint.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{Cite, Inputs, Refusal, Text, Why, Worksheet};
+use dalembert_mechanics::{
+    Real, Vector,
+    rigid::{self, RigidError, chain},
+};
+use nalgebra::Vector3;
+
+use crate::sources::BEER;
+
+/// A joint: the frame after it turns about an axis of the frame before it.
+#[derive(Clone, Debug, Inputs)]
+pub struct Joint {
+    /// Name of the joint and of the frame after it.
+    pub name: String,
+    /// Axis.
+    /// Any vector along it, in the frame before the joint; angles are positive right-handed about it.
+    #[input("a", "1")]
+    pub axis: Vector3<f64>,
+    /// How it turns.
+    pub motion: Turning,
+    /// Origin of the frame after the joint.
+    /// In the axes of the frame before it.
+    #[input("d", "m", default = "(0; 0; 0) m")]
+    pub offset: Vector3<f64>,
+}
+
+/// How a joint turns.
+#[derive(Clone, Debug, Inputs)]
+pub enum Turning {
+    /// As given at this moment
+    Now {
+        /// Angle.
+        #[input("θ", "rad", default = "0 deg")]
+        angle: f64,
+        /// Angular velocity.
+        /// Relative to the frame before.
+        #[input("θ̇", "rad/s", default = "0 rad/s")]
+        rate: f64,
+        /// Angular acceleration.
+        /// Relative to the frame before.
+        #[input("θ̈", "rad/s^2", default = "0 rad/s^2")]
+        acceleration: f64,
+    },
+    /// Harmonic swing: pitch or roll
+    Harmonic {
+        /// Amplitude.
+        #[input("A", "rad")]
+        amplitude: f64,
+        /// Period.
+        #[input("T", "s", positive)]
+        period: f64,
+        /// Time since it passed the middle upwards.
+        #[input("t", "s", default = "0 s")]
+        time: f64,
+        /// Angle of the middle.
+        #[input("θ_m", "rad", default = "0 deg")]
+        middle: f64,
+    },
+    /// Turn of a vehicle on a circle
+    Circle {
+        /// Speed.
+        /// Positive for a turn right-handed about the axis.
+        #[input("v", "m/s")]
+        speed: f64,
+        /// Radius of the circle.
+        #[input("R", "m", positive)]
+        radius: f64,
+        /// Acceleration along the path.
+        #[input("v̇", "m/s^2", default = "0 m/s^2")]
+        acceleration: f64,
+        /// Angle turned so far.
+        #[input("θ", "rad", default = "0 deg")]
+        angle: f64,
+    },
+}
+
+impl Joint {
+    /// The joint as the kernel knows it.
+    pub(crate) fn plain(&self) -> chain::Joint {
+        let (angle, rate, acceleration) = match self.motion {
+            Turning::Now { angle, rate, acceleration } => (angle, rate, acceleration),
+            Turning::Harmonic { amplitude, period, time, middle } => {
+                let speed = TAU / period;
+                let phase = TAU * time / period;
+                let swing = amplitude * phase.sin();
+                (middle + swing, amplitude * speed * phase.cos(), -(speed.powi(2) * swing))
+            }
+            Turning::Circle { speed, radius, acceleration, angle } => {
+                (angle, speed / radius, acceleration / radius)
+            }
+        };
+        chain::Joint { axis: self.axis, angle, rate, acceleration, offset: self.offset }
+    }
+}
+
+/// All frames of a chain, the fixed one first.
+///
+/// # Errors
+/// A refusal that names the joint.
+pub(crate) fn frames(joints: &[Joint]) -> Result<Vec<chain::Frame>, Refusal> {
+    let mut all = vec![chain::Frame::fixed()];
+    for joint in joints {
+        let next = all[all.len() - 1].next(&joint.plain()).map_err(|error| {
+            Refusal::NoAnswer(
+                Text::new(match error {
+                    RigidError::Direction => {
+                        "the axis of {name} has no length: write any vector along it, such as (0; 0; 1)"
+                    }
+                    RigidError::NotFinite => {
+                        "the motion of {name} is too fast to be a number: look at its units"
+                    }
+                })
+                .with("name", &joint.name),
+            )
+        })?;
+        all.push(next);
+    }
+    Ok(all)
+}
+
+/// The joints with their motion a time `t` later.
+pub(crate) fn later(joints: &[Joint], t: f64) -> Vec<chain::Joint> {
+    joints.iter().map(|joint| joint.plain().after(t)).collect()
+}
+
+/// A reason with names in it; written only where somebody reads it.
+pub(crate) struct Named<'a>(pub &'static str, pub &'a str, pub Option<Cite>);
+
+impl From<Named<'_>> for Why {
+    fn from(Named(reason, name, cite): Named<'_>) -> Self {
+        Why { reason: Text::new(reason).with("name", name), cite }
+    }
+}
+
+/// A reason with two names in it.
+struct Between<'a>(&'static str, &'a str, &'a str);
+
+impl From<Between<'_>> for Why {
+    fn from(Between(reason, name, by): Between<'_>) -> Self {
+        Text::new(reason).with("name", name).with("by", by).into()
+    }
+}
+
+/// The angular motion of all frames of a chain, in the axes of one of them.
+pub(crate) struct Worked<'a, W: Worksheet> {
+    joints: &'a [Joint],
+    /// Unit vectors along the axes of the joints, each in the frames beside its joint.
+    own: Vec<W::Vec>,
+    angles: Vec<W::Num>,
+    /// The frame whose axes are used: 0 for the fixed one.
+    pub axes: usize,
+    /// Angular velocity of each frame; zero for the fixed one.
+    pub omega: Vec<W::Vec>,
+    /// Angular acceleration of each frame.
+    pub alpha: Vec<W::Vec>,
+}
+
+impl<'a, W: Worksheet> Worked<'a, W> {
+    /// Works the chain in the axes of frame `axes` (0 for the fixed ones), which [`frames`] has found sound.
+    pub(crate) fn new(joints: &'a [Joint], given: &[JointGiven<W>], axes: usize, sheet: W) -> Self {
+        let motions: Vec<[W::Num; 3]> = (1..).zip(given).map(|(n, given)| motion(n, given, sheet)).collect();
+        let own = joints
+            .iter()
+            .zip(given)
+            .enumerate()
+            .map(|(n, (joint, given))| {
+                if joint.axis.norm_squared() == 1.0 {
+                    return given.axis;
+                }
+                let along = given.axis / given.axis.magnitude();
+                let why =
+                    Named("Unit vector along the axis of {name}, in the frame before it", &joint.name, None);
+                sheet.step_vector(("u", n + 1), "1", along, why)
+            })
+            .collect();
+        let angles = motions.iter().map(|[angle, ..]| *angle).collect();
+        let zero = W::Num::from(0.0);
+        let still = W::Vec::from_components(zero, zero, zero);
+        let (omega, alpha) = (vec![still], vec![still]);
+        let mut this = Self { joints, own, angles, axes, omega, alpha };
+        for (n, joint) in joints.iter().enumerate() {
+            let [_, rate, acceleration] = motions[n];
+            // The axis is the same in the frames on both sides of the joint: that nearer to the axes used is taken.
+            let from = if axes > n { n + 1 } else { n };
+            let axis = this.expressed(
+                this.own[n],
+                from,
+                (["e", "e′", "e″", "e‴"], n + 1, "1"),
+                ("Axis of {name}, in axes turned by {by}", &joint.name),
+                sheet,
+            );
+            let (before, turning) = (this.alpha[n], this.omega[n]);
+            let omega = if n == 0 { axis * rate } else { turning + axis * rate };
+            // What stands still or turns steadily is not written down.
+            let own = (n == 0 || acceleration.value() != 0.0).then(|| axis * acceleration);
+            let carried = (n > 0).then(|| turning.cross(axis * rate));
+            let before = (before.value() != Vector3::zeros()).then_some(before);
+            let alpha = before
+                .into_iter()
+                .chain(own)
+                .chain(carried)
+                .reduce(|sum, term| sum + term)
+                .expect("the first joint has an acceleration of its own, the others are carried");
+            this.omega.push(sheet.step_vector(
+                ("ω", n + 1),
+                "rad/s",
+                omega,
+                Named(
+                    "Angular velocity of {name}: relative angular velocities add",
+                    &joint.name,
+                    Some(BEER.at("§15.5A")),
+                ),
+            ));
+            this.alpha.push(sheet.step_vector(
+                ("α", n + 1),
+                "rad/s^2",
+                alpha,
+                Named(
+                    if n == 0 {
+                        "Angular acceleration of {name}, about its fixed axis"
+                    } else {
+                        "Angular acceleration of {name}: the axis of the joint is itself turned by the frame before it"
+                    },
+                    &joint.name,
+                    Some(BEER.at("§15.5A")),
+                ),
+            ));
+        }
+        this
+    }
+
+    /// A vector with components in frame `from`, in the axes used; the last of `symbols` first.
+    pub(crate) fn expressed(
+        &self,
+        vector: W::Vec,
+        from: usize,
+        (symbols, row, unit): ([&'static str; 4], usize, &'static str),
+        (reason, name): (&'static str, &str),
+        sheet: W,
+    ) -> W::Vec {
+        let turns: Vec<(usize, bool)> = if self.axes > from {
+            (from..self.axes).map(|joint| (joint, true)).collect()
+        } else {
+            (self.axes..from).rev().map(|joint| (joint, false)).collect()
+        };
+        // Turns that change nothing are left out.
+        let mut value = vector.value();
+        let turns: Vec<(usize, bool)> = turns
+            .into_iter()
+            .filter(|&(joint, back)| {
+                let angle = if back { -self.angles[joint].value() } else { self.angles[joint].value() };
+                let before = value;
+                value = chain::turned_about(self.own[joint].value(), angle, value);
+                angle != 0.0 && (value - before).amax() > 1e-15 * before.amax()
+            })
+            .collect();
+        let mut vector = vector;
+        for (place, &(joint, back)) in turns.iter().enumerate() {
+            let angle = if back { -self.angles[joint] } else { self.angles[joint] };
+            let left = (turns.len() - 1 - place).min(3);
+            vector = sheet.step_vector(
+                (symbols[left], row),
+                unit,
+                chain::turned_about(self.own[joint], angle, vector),
+                Between(reason, name, &self.joints[joint].name),
+            );
+        }
+        vector
+    }
+}
+
+/// Angle, rate and acceleration of joint `n`, counted from 1.
+fn motion<W: Worksheet>(n: usize, given: &JointGiven<W>, sheet: W) -> [W::Num; 3] {
+    match given.motion {
+        TurningGiven::Now { angle, rate, acceleration } => [angle, rate, acceleration],
+        TurningGiven::Harmonic { amplitude, period, time, middle } => {
+            let turn = W::Num::from(TAU);
+            let speed = sheet.step(("p", n), "rad/s", turn / period, "Circular frequency of the swing");
+            let phase = turn * time / period;
+            let swing = amplitude * phase.sin();
+            [
+                sheet.step(("θ", n), "rad", middle + swing, "Angle of the swing at this time"),
+                sheet.step(
+                    ("θ̇", n),
+                    "rad/s",
+                    amplitude * speed * phase.cos(),
+                    "Angular velocity of the swing",
+                ),
+                sheet.step(
+                    ("θ̈", n),
+                    "rad/s^2",
+                    -(speed.powi(2) * swing),
+                    "Angular acceleration of the swing",
+                ),
+            ]
+        }
+        TurningGiven::Circle { speed, radius, acceleration, angle } => [
+            angle,
+            sheet.step(
+                ("θ̇", n),
+                "rad/s",
+                speed / radius,
+                "The vehicle turns once for each time round the circle",
+            ),
+            sheet.step(("θ̈", n), "rad/s^2", acceleration / radius, "Angular acceleration of the vehicle"),
+        ],
+    }
+}
+
+/// Components in the axes of `frame`, of a vector in the fixed axes.
+pub(crate) fn seen_from(frame: &chain::Frame, vector: Vector3<f64>) -> Vector3<f64> {
+    frame.rotation.inverse() * vector
+}
+
+/// A second way to angular velocities and accelerations: the orientation of the frame at other times, by
+/// differences. In the fixed axes.
+pub(crate) fn rates_by_differences(
+    joints: &[Joint],
+    frame: usize,
+) -> Result<(Vector3<f64>, Vector3<f64>), RigidError> {
+    let period = chain::period(&later(joints, 0.0));
+    let at = |t: f64| chain::frames(&later(joints, t)).map(|all| all[frame]);
+    let now = at(0.0)?;
+    // ω = ½ Σ e × ė over the three axes of the frame.
+    let mut omega = Vector3::zeros();
+    for n in 0..3 {
+        let axis = |frame: chain::Frame| -> Vector3<f64> { frame.rotation.matrix().column(n).into_owned() };
+        let rate = rigid::numerical_rate(|t| at(t).map_or_else(|_| Vector3::repeat(f64::NAN), axis), period)?;
+        omega += nalgebra::Matrix::cross(&axis(now), &rate) / 2.0;
+    }
+    let alpha = rigid::numerical_rate(
+        |t| at(t).map_or_else(|_| Vector3::repeat(f64::NAN), |frame| frame.angular_velocity),
+        period,
+    )?;
+    Ok((omega, alpha))
+}
