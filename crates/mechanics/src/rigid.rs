@@ -7,6 +7,7 @@
 use crate::{Real, Vector};
 
 pub mod chain;
+pub mod gyroscope;
 mod mass_properties;
 pub mod primitive;
 pub mod simulate;

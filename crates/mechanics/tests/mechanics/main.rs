@@ -11,6 +11,7 @@ mod eigen;
 mod engine;
 mod forced;
 mod free_vibration;
+mod gyroscope;
 mod identification;
 mod intervals;
 mod jet;
