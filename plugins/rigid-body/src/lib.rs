@@ -1,11 +1,18 @@
 //! Analyses of rigid bodies in space: angular momentum, its rate of change, and the couples that go with it.
 
 pub mod body;
+pub mod dipping_rail;
+pub mod edge_mill;
+pub mod gyroscopic_couple;
 pub mod joints;
 pub mod rod_on_shaft;
 pub mod rotation_chain;
 pub mod scene;
 mod sources;
 pub mod spinning_disc_on_arm;
+pub mod turn_indicator;
+pub mod two_bladed_rotor;
+pub mod two_wheeler_lean;
+pub mod wheel_loads;
 
 dalembert_core::messages!("../locales/pt-BR.ftl");

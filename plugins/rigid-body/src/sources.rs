@@ -20,8 +20,18 @@ pub(crate) static IRODOV: Source = Source {
     full: "I. E. Irodov, Problems in General Physics, translated by Y. Atanov, Mir Publishers, Moscow, 1981",
 };
 
+/// R. S. Khurmi, J. K. Gupta, Theory of Machines.
+pub(crate) static KHURMI: Source = Source {
+    short: "Khurmi & Gupta",
+    full: "R. S. Khurmi, J. K. Gupta, Theory of Machines, 14th ed., S. Chand, 2005",
+};
+
 /// J. L. Meriam and L. G. Kraige, Engineering Mechanics: Dynamics.
 pub(crate) static MERIAM: Source = Source {
     short: "Meriam",
     full: "J. L. Meriam and L. G. Kraige, Engineering Mechanics: Dynamics, 7th ed., Wiley, 2012",
 };
+
+/// T. Bevan, The Theory of Machines.
+pub(crate) static BEVAN: Source =
+    Source { short: "Bevan", full: "T. Bevan, The Theory of Machines, 3rd ed., Longmans, 1956" };

@@ -1,0 +1,640 @@
+//! Gyroscopic couple of a rotor in a carrier that turns, and what it does to the carrier.
+
+mod effect;
+mod pictures;
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
+use dalembert_mechanics::{
+    Real, Vector,
+    rigid::{self, gyroscope},
+};
+use nalgebra::Vector3;
+
+use crate::sources::{BEER, IRODOV, KHURMI, MERIAM};
+
+/// The rotor, how it spins, and how its carrier turns.
+///
+/// The axes go with the carrier: x forward, y to the left (port), z up. Vectors have components along them.
+#[derive(Clone, Debug, Inputs)]
+pub struct GyroscopicCouple {
+    /// Carrier.
+    pub carrier: Carrier,
+    /// Rotor.
+    pub rotor: Rotor,
+    /// Transverse moment of inertia of the rotor.
+    /// About an axis through G across the axle. It matters where the carrier turns about an axis that is not normal to the axle, and at the ends of a harmonic motion.
+    #[input("I_t", "kg*m^2", positive)]
+    pub transverse_inertia: Option<f64>,
+    /// Speed of the rotor.
+    /// Relative to the carrier.
+    #[input("ω", "rad/s", nonnegative)]
+    pub spin: f64,
+    /// Sense of the rotor.
+    pub sense: Sense,
+    /// Seen from.
+    /// Where somebody stands who looks along the axle and sees that sense.
+    pub seen_from: Viewpoint,
+    /// Motion of the carrier.
+    pub motion: Motion,
+    /// Bearings.
+    pub bearings: Option<Bearings>,
+}
+
+/// What carries the rotor: it gives the effect its words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Carrier {
+    /// Ship
+    Ship,
+    /// Aircraft
+    Aircraft,
+    /// Vehicle
+    Vehicle,
+    /// A frame
+    Frame,
+}
+
+/// A symmetric rotor.
+#[derive(Clone, Debug, Inputs)]
+pub enum Rotor {
+    /// Mass and radius of gyration
+    RadiusOfGyration {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+        /// Radius of gyration about the axle.
+        #[input("k", "m", positive)]
+        radius_of_gyration: f64,
+    },
+    /// Thin disc
+    Disc {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+        /// Radius.
+        #[input("r", "m", positive)]
+        radius: f64,
+    },
+    /// Moment of inertia
+    MomentOfInertia {
+        /// Moment of inertia about the axle.
+        #[input("I_a", "kg*m^2", positive)]
+        inertia: f64,
+        /// Mass.
+        /// Only the bearings and the weight need it.
+        #[input("m", "kg", nonnegative)]
+        mass: Option<f64>,
+    },
+}
+
+/// A sense of turning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Sense {
+    /// Clockwise
+    Clockwise,
+    /// Counter-clockwise
+    CounterClockwise,
+}
+
+/// Where somebody stands who looks along the axle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Viewpoint {
+    /// Behind: stern, tail, rear
+    Behind,
+    /// Ahead: bow, nose, front
+    Ahead,
+    /// The left-hand side, port
+    Left,
+    /// The right-hand side, starboard
+    Right,
+    /// Above
+    Above,
+    /// Below
+    Below,
+}
+
+/// How the carrier turns, or what makes it turn.
+#[derive(Clone, Debug, Inputs)]
+pub enum Motion {
+    /// Steady turn
+    SteadyTurn {
+        /// Speed.
+        #[input("v", "m/s", nonnegative)]
+        speed: f64,
+        /// Radius of the turn.
+        #[input("R", "m", positive)]
+        radius: f64,
+        /// Turn to.
+        towards: Side,
+    },
+    /// Pitching at a rate
+    Pitching {
+        /// Angular velocity of the pitching.
+        #[input("ω_p", "rad/s", nonnegative)]
+        rate: f64,
+        /// Bow or nose.
+        bow: Bow,
+    },
+    /// Rolling at a rate
+    Rolling {
+        /// Angular velocity of the rolling.
+        #[input("ω_p", "rad/s", nonnegative)]
+        rate: f64,
+        /// Side that goes down.
+        falling: Side,
+    },
+    /// Pitching in simple harmonic motion
+    HarmonicPitching {
+        /// Amplitude.
+        /// Half of the whole swing.
+        #[input("A", "rad", nonnegative)]
+        amplitude: f64,
+        /// Period.
+        #[input("T", "s", positive)]
+        period: f64,
+        /// Bow or nose, in the middle of the swing.
+        bow: Bow,
+    },
+    /// Rolling in simple harmonic motion
+    HarmonicRolling {
+        /// Amplitude.
+        /// Half of the whole swing.
+        #[input("A", "rad", nonnegative)]
+        amplitude: f64,
+        /// Period.
+        #[input("T", "s", positive)]
+        period: f64,
+        /// Side that goes down, in the middle of the swing.
+        falling: Side,
+    },
+    /// Any angular velocity
+    AnyPrecession {
+        /// Angular velocity of the carrier.
+        /// Components forward, to the left and up.
+        #[input("Ω", "rad/s")]
+        precession: Vector3<f64>,
+    },
+    /// Level axle held at one end: the weight turns it
+    HeldAtOneEnd {
+        /// Distance of G from the support.
+        /// On the side that the spin points to, by the right-hand rule; negative on the other side.
+        #[input("L", "m")]
+        arm: f64,
+        /// Acceleration of gravity.
+        #[input("g", "m/s^2", nonnegative, default = "9.81 m/s^2")]
+        gravity: f64,
+    },
+}
+
+/// Left or right.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Side {
+    /// Left, port
+    Left,
+    /// Right, starboard
+    Right,
+}
+
+/// What the bow or the nose does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Bow {
+    /// Rising
+    Rising,
+    /// Falling
+    Falling,
+}
+
+/// Two bearings that hold the axle.
+#[derive(Clone, Debug, Inputs)]
+pub struct Bearings {
+    /// Distance of bearing A from G.
+    /// A lies behind G; for an axle across the carrier on its right, for an upright axle below. Negative where it lies on the other side.
+    #[input("a", "m")]
+    pub behind: f64,
+    /// Distance of bearing B from G.
+    /// B lies ahead of G; on its left, or above.
+    #[input("b", "m")]
+    pub ahead: f64,
+    /// Acceleration of gravity.
+    #[input("g", "m/s^2", nonnegative, default = "9.81 m/s^2")]
+    pub gravity: f64,
+}
+
+register!(GyroscopicCouple);
+
+impl Analysis for GyroscopicCouple {
+    const ABOUT: About = About {
+        id: "rigid-body/gyroscopic-couple",
+        title: "Gyroscopic couple on a ship, an aircraft or a vehicle",
+        summary: "Couple of a spinning rotor whose carrier turns, pitches or rolls, its reaction on the carrier with the effect in words, and the bearing reactions.",
+        keywords: "gyroscope gyroscopic ship aeroplane turbine propeller precession pitching rolling giroscópio giroscópico navio avião precessão arfagem balanço proa popa mancais",
+        sources: &[&KHURMI, &BEER, &MERIAM, &IRODOV],
+        cases: include_str!("../cases/gyroscopic_couple.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &GyroscopicCoupleGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let (axial, mass) = rotor(&given.rotor, sheet);
+        let axle = sheet.step_vector(
+            "u",
+            "1",
+            direction::<W>(self.spin_direction()),
+            "Unit vector of the spin: clockwise, it points away from who looks; counter-clockwise, towards",
+        );
+        let (precession, rate) = self.precession(given, axial, mass, sheet)?;
+        let momentum = match given.transverse_inertia {
+            Some(transverse) => sheet.step_vector(
+                "H",
+                "kg*m^2/s",
+                gyroscope::momentum(axial, transverse, given.spin, axle, precession),
+                ("Angular momentum about G: of the spin and of the turning carrier", BEER.at("§18.3")),
+            ),
+            None => sheet.step_vector(
+                "H",
+                "kg*m^2/s",
+                axle * (axial * given.spin),
+                ("Angular momentum of the spin", KHURMI.at("§14.3")),
+            ),
+        };
+        let couple = sheet.step_vector(
+            "M",
+            "N*m",
+            rigid::transport_rate(precession, momentum),
+            (
+                "Couple on the rotor: H keeps its components in axes that turn with the carrier, so dH/dt = Ω × H",
+                BEER.at("§18.2"),
+            ),
+        );
+        let size = sheet.step("C", "N*m", couple.magnitude(), ("Gyroscopic couple", KHURMI.at("§14.3")));
+        sheet.answer("precession_rate", "Angular velocity of the precession", rate);
+        sheet.answer_vector("angular_momentum", "Angular momentum of the rotor", momentum);
+        sheet.answer_vector("couple_on_rotor", "Couple on the rotor (forward, left, up)", couple);
+        let harmonic = self.harmonic().is_some();
+        let label = if harmonic { "Largest gyroscopic couple" } else { "Gyroscopic couple" };
+        sheet.answer("couple", label, size);
+        if matches!(self.motion, Motion::HeldAtOneEnd { .. }) {
+            self.check_fall(given, mass, axle, couple, sheet);
+        } else {
+            let reaction = sheet.step_vector(
+                "M_R",
+                "N*m",
+                -couple,
+                "Reaction of the rotor on its carrier: equal and opposite",
+            );
+            sheet.answer_vector("reaction", "Reaction couple on the carrier (forward, left, up)", reaction);
+            effect::answer(self.carrier, reaction, size, sheet);
+        }
+        self.harmonic_answers(given, sheet);
+        if let (Some(bearings), Some(given_bearings)) = (&self.bearings, &given.bearings) {
+            let mass = mass.ok_or_else(|| {
+                Refusal::because(
+                    "the bearings also carry the weight of the rotor: write its mass, or 0 kg for the share of the couple alone",
+                )
+            })?;
+            self.bearing_reactions(bearings, given, given_bearings, mass, axle, couple, sheet)?;
+        }
+        self.warn_of_oblique_axle(precession.value(), sheet);
+        sheet.verify(|| {
+            self.check_by_rotation(axial.value(), momentum.value(), precession.value(), couple, sheet)
+        });
+        let (couple, precession) = (couple.value(), precession.value());
+        sheet.show(|| self.film(couple, precession));
+        if let Some(plot) = self.plot(size.value()) {
+            sheet.show(|| plot);
+        }
+        Ok(())
+    }
+}
+
+/// Moment of inertia about the axle, and the mass where it is known.
+fn rotor<W: Worksheet>(rotor: &RotorGiven<W>, sheet: W) -> (W::Num, Option<W::Num>) {
+    let (inertia, mass) = match *rotor {
+        RotorGiven::RadiusOfGyration { mass, radius_of_gyration } => {
+            let inertia = sheet.step(
+                "I_a",
+                "kg*m^2",
+                mass * radius_of_gyration.powi(2),
+                "Moment of inertia about the axle, from the radius of gyration",
+            );
+            (inertia, Some(mass))
+        }
+        RotorGiven::Disc { mass, radius } => {
+            let inertia = sheet.step(
+                "I_a",
+                "kg*m^2",
+                rigid::disc_axial_inertia(mass, radius),
+                "Moment of inertia of a disc about its axle",
+            );
+            (inertia, Some(mass))
+        }
+        RotorGiven::MomentOfInertia { inertia, mass } => return (inertia, mass),
+    };
+    sheet.answer("axial_inertia", "Moment of inertia about the axle", inertia);
+    (inertia, mass)
+}
+
+/// A fixed direction as a vector of the worksheet.
+fn direction<W: Worksheet>(along: Vector3<f64>) -> W::Vec {
+    W::Vec::from_components(along.x.into(), along.y.into(), along.z.into())
+}
+
+impl GyroscopicCouple {
+    /// The unit vector of the spin, by the right-hand rule.
+    fn spin_direction(&self) -> Vector3<f64> {
+        let away = match self.seen_from {
+            Viewpoint::Behind => Vector3::x(),
+            Viewpoint::Ahead => -Vector3::x(),
+            Viewpoint::Left => -Vector3::y(),
+            Viewpoint::Right => Vector3::y(),
+            Viewpoint::Above => -Vector3::z(),
+            Viewpoint::Below => Vector3::z(),
+        };
+        if self.sense == Sense::Clockwise { away } else { -away }
+    }
+
+    /// Amplitude and period of a harmonic motion.
+    fn harmonic(&self) -> Option<(f64, f64)> {
+        match self.motion {
+            Motion::HarmonicPitching { amplitude, period, .. }
+            | Motion::HarmonicRolling { amplitude, period, .. } => Some((amplitude, period)),
+            _ => None,
+        }
+    }
+
+    /// The angular velocity of the carrier, and its size.
+    fn precession<W: Worksheet>(
+        &self,
+        given: &GyroscopicCoupleGiven<W>,
+        axial: W::Num,
+        mass: Option<W::Num>,
+        sheet: W,
+    ) -> Result<(W::Vec, W::Num), Refusal> {
+        let largest = |amplitude: W::Num, period: W::Num| {
+            let frequency = sheet.step(
+                "p",
+                "rad/s",
+                W::Num::from(TAU) / period,
+                "Circular frequency of the harmonic motion",
+            );
+            sheet.step(
+                "ω_p",
+                "rad/s",
+                amplitude * frequency,
+                ("Largest angular velocity, in the middle of the swing", KHURMI.at("§14.7")),
+            )
+        };
+        let (rate, along, why) = match (&self.motion, &given.motion) {
+            (Motion::AnyPrecession { .. }, MotionGiven::AnyPrecession { precession }) => {
+                let rate = sheet.step(
+                    "ω_p",
+                    "rad/s",
+                    precession.magnitude(),
+                    "Size of the angular velocity of the carrier",
+                );
+                return Ok((*precession, rate));
+            }
+            (Motion::SteadyTurn { towards, .. }, MotionGiven::SteadyTurn { speed, radius, .. }) => {
+                let rate = sheet.step(
+                    "ω_p",
+                    "rad/s",
+                    *speed / *radius,
+                    ("Angular velocity of the carrier on its curve", KHURMI.at("§14.6")),
+                );
+                let up = if *towards == Side::Left { Vector3::z() } else { -Vector3::z() };
+                (
+                    rate,
+                    up,
+                    "A turn to the left is seen from above counter-clockwise: Ω points up; to the right, down",
+                )
+            }
+            (Motion::Pitching { bow, .. }, MotionGiven::Pitching { rate, .. }) => (*rate, pitch(*bow), PITCH),
+            (
+                Motion::HarmonicPitching { bow, .. },
+                MotionGiven::HarmonicPitching { amplitude, period, .. },
+            ) => (largest(*amplitude, *period), pitch(*bow), PITCH),
+            (Motion::Rolling { falling, .. }, MotionGiven::Rolling { rate, .. }) => {
+                (*rate, roll(*falling), ROLL)
+            }
+            (
+                Motion::HarmonicRolling { falling, .. },
+                MotionGiven::HarmonicRolling { amplitude, period, .. },
+            ) => (largest(*amplitude, *period), roll(*falling), ROLL),
+            (_, MotionGiven::HeldAtOneEnd { arm, gravity }) => {
+                let mass = mass.ok_or_else(|| {
+                    Refusal::because("the weight makes the axle precess: write the mass of the rotor")
+                })?;
+                if self.spin == 0.0 {
+                    return Err(Refusal::because(
+                        "a rotor without spin falls and does not precess: write a speed above zero",
+                    ));
+                }
+                if self.spin_direction().z != 0.0 {
+                    return Err(Refusal::because(
+                        "an upright axle needs no couple to stay so: choose a viewpoint from which the axle is level",
+                    ));
+                }
+                let moment = sheet.step(
+                    "M_W",
+                    "N*m",
+                    mass * *gravity * *arm,
+                    "Moment of the weight about the support",
+                );
+                let rate = sheet.step(
+                    "ω_p",
+                    "rad/s",
+                    gyroscope::precession_rate(moment, axial, given.spin),
+                    ("The couple turns H at the rate of the precession: M = I_a ω ω_p", KHURMI.at("§14.3")),
+                );
+                (rate, Vector3::z(), "The axle goes round the upright through its support")
+            }
+            _ => unreachable!("the given motion is the motion"),
+        };
+        let vector = sheet.step_vector("Ω", "rad/s", direction::<W>(along) * rate, why);
+        Ok((vector, rate))
+    }
+
+    /// What only a harmonic motion has: its largest angular acceleration.
+    fn harmonic_answers<W: Worksheet>(&self, given: &GyroscopicCoupleGiven<W>, sheet: W) {
+        let (MotionGiven::HarmonicPitching { amplitude, period, .. }
+        | MotionGiven::HarmonicRolling { amplitude, period, .. }) = &given.motion
+        else {
+            return;
+        };
+        let acceleration = sheet.step(
+            "α",
+            "rad/s^2",
+            *amplitude * (W::Num::from(TAU) / *period).powi(2),
+            ("Largest angular acceleration, at the ends of the swing", KHURMI.at("§14.7")),
+        );
+        sheet.answer("angular_acceleration", "Largest angular acceleration of the carrier", acceleration);
+        let pitching = matches!(self.motion, Motion::HarmonicPitching { .. });
+        if let Some(transverse) = given.transverse_inertia
+            && (pitching || self.spin_direction().x == 0.0)
+            && !(pitching && self.spin_direction().y != 0.0)
+        {
+            let couple = sheet.step(
+                "C_α",
+                "N*m",
+                transverse * acceleration,
+                "Couple that speeds the rotor up and down with its carrier, largest where the gyroscopic one is zero",
+            );
+            sheet.answer("inertia_couple", "Largest inertia couple, at the ends of the swing", couple);
+        }
+    }
+
+    /// The forces of the two bearings on the rotor.
+    #[expect(clippy::too_many_arguments, reason = "what acts on the rotor is known only here")]
+    fn bearing_reactions<W: Worksheet>(
+        &self,
+        bearings: &Bearings,
+        given: &GyroscopicCoupleGiven<W>,
+        given_bearings: &BearingsGiven<W>,
+        mass: W::Num,
+        axle: W::Vec,
+        couple: W::Vec,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        if matches!(self.motion, Motion::HeldAtOneEnd { .. }) {
+            return Err(Refusal::because(
+                "an axle held at one end has no two bearings: leave the bearings out",
+            ));
+        }
+        if bearings.behind + bearings.ahead <= 0.0 {
+            return Err(Refusal::because(
+                "bearing B does not lie ahead of bearing A: the sum of their distances from G must be above zero",
+            ));
+        }
+        let spin = self.spin_direction();
+        let ahead = spin.map(f64::abs);
+        let along = if spin == ahead {
+            axle
+        } else {
+            sheet.step_vector("e", "1", -axle, "Unit vector of the axle from bearing A to bearing B")
+        };
+        let zero = W::Num::from(0.0);
+        let inwards = match (&self.motion, &given.motion) {
+            (Motion::SteadyTurn { towards, .. }, MotionGiven::SteadyTurn { speed, radius, .. }) => {
+                let inwards = mass * speed.powi(2) / *radius;
+                if *towards == Side::Left { inwards } else { -inwards }
+            }
+            _ => zero,
+        };
+        let upright = ahead.z != 0.0;
+        let weight = if upright { zero } else { mass * given_bearings.gravity };
+        let inwards = if ahead.y == 0.0 { inwards } else { zero };
+        let force = sheet.step_vector(
+            "P",
+            "N",
+            W::Vec::from_components(zero, inwards, weight),
+            "Force on the rotor across its axle: against the weight, and towards the centre of the curve",
+        );
+        let front = sheet.step_vector(
+            "F_B",
+            "N",
+            gyroscope::bearing_ahead(force, couple, along, given_bearings.behind, given_bearings.ahead),
+            (
+                "Moments about bearing A: the forces of the bearings make up the couple M about G",
+                MERIAM.at("§7/11"),
+            ),
+        );
+        let rear = sheet.step_vector("F_A", "N", force - front, "The forces of both bearings add up to P");
+        sheet.answer_vector("bearing_a", "Force of bearing A on the rotor (forward, left, up)", rear);
+        sheet.answer_vector("bearing_b", "Force of bearing B on the rotor (forward, left, up)", front);
+        if !upright {
+            let rear =
+                sheet.step("R_A", "N", rear.components()[2], "Vertical reaction at A, positive upwards");
+            let front =
+                sheet.step("R_B", "N", front.components()[2], "Vertical reaction at B, positive upwards");
+            sheet.answer("vertical_a", "Vertical reaction at A, upwards", rear);
+            sheet.answer("vertical_b", "Vertical reaction at B, upwards", front);
+        }
+        sheet.verify(|| {
+            let (rear, front) = (rear.value(), front.value());
+            let moment =
+                Vector::cross(ahead, front * bearings.ahead - rear * bearings.behind) - couple.value();
+            let arm = bearings.ahead.abs() + bearings.behind.abs();
+            sheet.check_zero(
+                "the moments of the bearing forces about G make up the couple",
+                W::Num::from(moment.norm()),
+                arm * (rear.norm() + front.norm()) + couple.value().norm(),
+            );
+        });
+        Ok(())
+    }
+
+    /// The moment of the weight about the support is the couple Ω × H.
+    fn check_fall<W: Worksheet>(
+        &self,
+        given: &GyroscopicCoupleGiven<W>,
+        mass: Option<W::Num>,
+        axle: W::Vec,
+        couple: W::Vec,
+        sheet: W,
+    ) {
+        if let (MotionGiven::HeldAtOneEnd { arm, gravity }, Some(mass)) = (&given.motion, mass) {
+            let zero = W::Num::from(0.0);
+            sheet.verify(|| {
+                sheet.check_vector(
+                    "the moment of the weight about the support",
+                    (axle * *arm).cross(W::Vec::from_components(zero, zero, -(mass * *gravity))),
+                    couple,
+                );
+            });
+        }
+    }
+
+    /// Without the transverse moment of inertia an oblique axle is only known in part.
+    fn warn_of_oblique_axle<W: Worksheet>(&self, precession: Vector3<f64>, sheet: W) {
+        let size = precession.norm();
+        let along = Vector::dot(precession, self.spin_direction()).abs();
+        let across = Vector::cross(precession, self.spin_direction()).norm();
+        if self.transverse_inertia.is_none() && along > 1e-9 * size && across > 1e-9 * size {
+            sheet.warn(|| {
+                "the carrier turns about an axis that is not normal to the axle: without the transverse moment of inertia the couple lacks its part (I_a − I_t) Ω² sin θ cos θ".into()
+            });
+        }
+    }
+
+    /// A second way: the whole tensor, turned with the rotor by finite rotations, times its angular velocity, and the
+    /// difference quotient of that product in time. A transverse moment of inertia that is not known has no part in
+    /// the couple that is answered: that of a sphere has none.
+    fn check_by_rotation<W: Worksheet>(
+        &self,
+        axial: f64,
+        momentum: Vector3<f64>,
+        precession: Vector3<f64>,
+        couple: W::Vec,
+        sheet: W,
+    ) {
+        let axle = self.spin_direction();
+        let tensor = gyroscope::symmetric_tensor(axial, self.transverse_inertia.unwrap_or(axial), axle);
+        let period = TAU / precession.norm();
+        let period = if period.is_finite() { period } else { 1.0 };
+        // The spin leaves the tensor of a symmetric rotor as it is: it need not be followed.
+        let momentum_at = |t: f64| {
+            let carrier = nalgebra::Rotation3::from_scaled_axis(precession * t);
+            rigid::turned(&tensor, &carrier) * (precession + carrier * axle * self.spin)
+        };
+        let Ok(rate) = rigid::numerical_rate(momentum_at, period) else { return };
+        sheet.check_zero(
+            "the couple from the difference quotient of R I Rᵀ ω",
+            W::Num::from((rate - couple.value()).norm()),
+            (momentum.norm() + axial * precession.norm()) * TAU / period + couple.value().norm(),
+        );
+    }
+}
+
+const PITCH: &str =
+    "The bow rises about the axis to the right: Ω points there; it falls about the axis to the left";
+const ROLL: &str =
+    "The right-hand side goes down about the axis forward: Ω points there; the left-hand side, backward";
+
+/// Direction of the angular velocity of a pitching carrier.
+fn pitch(bow: Bow) -> Vector3<f64> {
+    if bow == Bow::Rising { -Vector3::y() } else { Vector3::y() }
+}
+
+/// Direction of the angular velocity of a rolling carrier.
+fn roll(falling: Side) -> Vector3<f64> {
+    if falling == Side::Right { Vector3::x() } else { -Vector3::x() }
+}

@@ -1,0 +1,355 @@
+//! The lean of a two-wheeler in a turn, with the gyroscopic couples of its wheels and its engine.
+
+use std::{f64::consts::FRAC_PI_2, ops::ControlFlow};
+
+use dalembert_core::{
+    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    register,
+};
+use dalembert_mechanics::{Real, roots};
+
+use crate::sources::KHURMI;
+
+/// A motorcycle or a bicycle with its rider, leaning into a turn as a whole.
+///
+/// The wheels are thin and turn about level axles when upright. The moments of inertia of the frame and the part
+/// (I_a − I_t) Ω² sin θ cos θ of the wheels are neglected; they are small beside m h².
+#[derive(Clone, Debug, Inputs)]
+pub struct TwoWheelerLean {
+    /// Mass with rider.
+    #[input("m", "kg", positive)]
+    pub mass: f64,
+    /// Height of the centre of mass.
+    /// Standing upright.
+    #[input("h", "m", positive)]
+    pub centre_height: f64,
+    /// Radius of the wheels.
+    #[input("r", "m", positive)]
+    pub wheel_radius: f64,
+    /// Moment of inertia of each wheel.
+    #[input("I_w", "kg*m^2", nonnegative)]
+    pub wheel_inertia: f64,
+    /// Engine.
+    pub engine: Option<Engine>,
+    /// Radius of the turn.
+    #[input("R", "m", positive)]
+    pub radius: f64,
+    /// That radius is measured.
+    pub measured: Measured,
+    /// Asked for.
+    pub motion: Motion,
+    /// Friction coefficient of the tyres.
+    #[input("µ", "1", positive)]
+    pub friction: Option<f64>,
+    /// Acceleration of gravity.
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+    pub gravity: f64,
+}
+
+/// The turning parts of an engine whose shaft lies across the vehicle.
+#[derive(Clone, Debug, Inputs)]
+pub struct Engine {
+    /// Moment of inertia of its turning parts.
+    #[input("I_e", "kg*m^2", nonnegative)]
+    pub inertia: f64,
+    /// Gear ratio.
+    /// Speed of the engine over that of the wheels.
+    #[input("G", "1", nonnegative)]
+    pub ratio: f64,
+    /// Sense.
+    pub sense: Sense,
+}
+
+/// How the engine turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Sense {
+    /// Like the wheels
+    Like,
+    /// Against the wheels
+    Against,
+}
+
+/// To where the radius of the turn reaches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Measured {
+    /// To the centre of mass
+    CentreOfMass,
+    /// To the track of the wheels
+    /// The centre of mass then runs on the smaller circle of radius R − h sin θ.
+    Track,
+}
+
+/// What is known of the motion.
+#[derive(Clone, Debug, Inputs)]
+pub enum Motion {
+    /// The lean at a speed
+    Speed {
+        /// Speed of the wheels.
+        #[input("v", "m/s", nonnegative)]
+        speed: f64,
+    },
+    /// The speed at a lean
+    Lean {
+        /// Lean from the vertical.
+        #[input("θ", "rad", nonnegative, max = 1.5)]
+        lean: f64,
+    },
+}
+
+register!(TwoWheelerLean);
+
+impl Analysis for TwoWheelerLean {
+    const ABOUT: About = About {
+        id: "rigid-body/two-wheeler-lean",
+        title: "Lean of a two-wheeler in a turn",
+        summary: "Angle at which a motorcycle leans into a turn, with the gyroscopic couples of wheels and engine, the friction it needs, and the speed for a given lean.",
+        keywords: "motorcycle bicycle lean heel gyroscopic motocicleta bicicleta inclinação curva giroscópico duas rodas",
+        sources: &[&KHURMI],
+        cases: include_str!("../cases/two_wheeler_lean.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &TwoWheelerLeanGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let wheels = given.wheel_inertia * 2.0;
+        let rotors = match (&self.engine, &given.engine) {
+            (Some(engine), Some(given_engine)) => {
+                let share = given_engine.inertia * given_engine.ratio;
+                if engine.sense == Sense::Like { wheels + share } else { wheels - share }
+            }
+            _ => wheels,
+        };
+        let inertia = sheet.step(
+            "I",
+            "kg*m^2",
+            rotors,
+            (
+                "Turning parts, reduced to the speed of the wheels: their angular momentum is I v/r",
+                KHURMI.at("§14.10"),
+            ),
+        );
+        let (speed, lean) = match given.motion {
+            MotionGiven::Speed { speed } => (speed, self.lean(given, inertia, speed, sheet)?),
+            MotionGiven::Lean { lean } => (self.speed(given, inertia, lean, sheet)?, lean),
+        };
+        let rate = sheet.step("Ω", "rad/s", speed / given.radius, "Angular velocity of the turn");
+        let path = match self.measured {
+            Measured::CentreOfMass => given.radius,
+            Measured::Track => sheet.step(
+                "R_G",
+                "m",
+                given.radius - given.centre_height * lean.sin(),
+                "Radius of the circle of the centre of mass",
+            ),
+        };
+        let gyroscopic = sheet.step(
+            "C_g",
+            "N*m",
+            inertia * (speed / given.wheel_radius) * rate * lean.cos(),
+            ("Gyroscopic couple, which lifts the vehicle out of its lean", KHURMI.at("§14.10")),
+        );
+        let centrifugal = sheet.step(
+            "C_c",
+            "N*m",
+            given.mass * rate.powi(2) * path * given.centre_height * lean.cos(),
+            ("Couple of the centrifugal force about the line of contact", KHURMI.at("§14.10")),
+        );
+        let weight = sheet.step(
+            "C_w",
+            "N*m",
+            given.mass * given.gravity * given.centre_height * lean.sin(),
+            ("Couple of the weight, which balances both", KHURMI.at("§14.10")),
+        );
+        let plain = sheet.step(
+            "θ₀",
+            "deg",
+            (rate.powi(2) * path / given.gravity).atan2(W::Num::from(1.0)),
+            "Lean of a vehicle without turning parts on the same circle",
+        );
+        let needed = sheet.step(
+            "µ₀",
+            "1",
+            rate.powi(2) * path / given.gravity,
+            "Friction that the tyres need: centripetal force over weight, which the lean does not change",
+        );
+        sheet.answer("gyroscopic_couple", "Gyroscopic couple", gyroscopic);
+        sheet.answer("centrifugal_couple", "Couple of the centrifugal force", centrifugal);
+        sheet.answer("weight_couple", "Couple of the weight", weight);
+        sheet.answer("lean_without_rotors", "Lean without the gyroscopic couples", plain);
+        sheet.answer("friction_needed", "Friction coefficient that the tyres need", needed);
+        if let Some(friction) = given.friction {
+            if needed.value() > friction.value() {
+                sheet.warn(|| {
+                    Text::new(
+                        "the tyres slide: they need a friction coefficient of {needed} and have {friction}",
+                    )
+                    .with_quantity("needed", needed.value(), "1")
+                    .with_quantity("friction", friction.value(), "1")
+                });
+            }
+            let sliding = sheet.step(
+                "v_s",
+                "m/s",
+                (friction * given.gravity * path).sqrt() * given.radius / path,
+                "Speed at which the tyres slide on that circle",
+            );
+            sheet.answer("sliding_speed", "Speed at which the tyres slide", sliding);
+        }
+        sheet.verify(|| {
+            sheet.check_zero(
+                "the couples about the line of contact balance",
+                weight - centrifugal - gyroscopic,
+                weight.value().abs() + centrifugal.value() + gyroscopic.value().abs(),
+            );
+        });
+        let (inertia, lean, speed) = (inertia.value(), lean.value(), speed.value());
+        sheet.show(|| Exhibit::Plot(self.lean_over_speed(inertia, (speed, lean))));
+        sheet.show(|| Exhibit::Drawing(self.rear_view(lean)));
+        Ok(())
+    }
+}
+
+impl TwoWheelerLean {
+    /// The lean at a speed: closed where the radius reaches to the centre of mass, searched for where it reaches to the
+    /// track, for the lean then changes the circle.
+    fn lean<W: Worksheet>(
+        &self,
+        given: &TwoWheelerLeanGiven<W>,
+        inertia: W::Num,
+        speed: W::Num,
+        sheet: W,
+    ) -> Result<W::Num, Refusal> {
+        let lean = match self.measured {
+            Measured::CentreOfMass => {
+                let tangent = sheet.step(
+                    "t",
+                    "1",
+                    speed.powi(2) / (given.gravity * given.radius)
+                        * (inertia / (given.mass * given.wheel_radius * given.centre_height) + 1.0),
+                    ("Tangent of the lean: m g h sin θ = (m v² h/R + I v²/(r R)) cos θ", KHURMI.at("§14.10")),
+                );
+                sheet.step("θ", "deg", tangent.atan2(W::Num::from(1.0)), "Lean from the vertical")
+            }
+            Measured::Track => {
+                if self.radius <= self.centre_height {
+                    return Err(Refusal::because(
+                        "the radius of the track must be above the height of the centre of mass, which would lean over the centre of the turn",
+                    ));
+                }
+                let square = speed.value().powi(2);
+                let excess =
+                    |lean: f64| lean.sin() - lean.cos() * self.tangent(inertia.value(), square, lean);
+                // Backward only where the engine turns hard against the wheels.
+                let found = roots::find(excess, [-FRAC_PI_2, FRAC_PI_2], |_| ControlFlow::Continue(()))
+                    .map_err(|_| {
+                        Refusal::because(
+                            "no lean balances the couples: the speed is too high for this radius",
+                        )
+                    })?;
+                sheet.found(
+                    "θ",
+                    "deg",
+                    found,
+                    "Lean from the vertical, searched for: the lean itself makes the circle of the centre of mass smaller",
+                )
+            }
+        };
+        sheet.answer("lean", "Lean from the vertical", lean);
+        Ok(lean)
+    }
+
+    /// What tan θ must be at a square of speed, on the circle that this lean leaves.
+    fn tangent(&self, inertia: f64, square: f64, lean: f64) -> f64 {
+        let path = match self.measured {
+            Measured::CentreOfMass => self.radius,
+            Measured::Track => self.radius - self.centre_height * lean.sin(),
+        };
+        let centrifugal = path / self.radius.powi(2);
+        let gyroscopic = inertia / (self.mass * self.centre_height * self.wheel_radius * self.radius);
+        square / self.gravity * (centrifugal + gyroscopic)
+    }
+
+    /// The speed at a lean, in closed form.
+    fn speed<W: Worksheet>(
+        &self,
+        given: &TwoWheelerLeanGiven<W>,
+        inertia: W::Num,
+        lean: W::Num,
+        sheet: W,
+    ) -> Result<W::Num, Refusal> {
+        let path = match self.measured {
+            Measured::CentreOfMass => given.radius,
+            Measured::Track => given.radius - given.centre_height * lean.sin(),
+        };
+        if path.value() <= 0.0 {
+            return Err(Refusal::because(
+                "at that lean the centre of mass is over the centre of the turn: write a larger radius",
+            ));
+        }
+        let square = sheet.step(
+            "q",
+            "m^2/s^2",
+            given.mass * given.gravity * given.centre_height * lean.tan()
+                / (given.mass * given.centre_height * path / given.radius.powi(2)
+                    + inertia / (given.wheel_radius * given.radius)),
+            (
+                "Square of the speed: m g h sin θ = (m Ω² R_G h + I v Ω/r) cos θ with Ω = v/R",
+                KHURMI.at("§14.10"),
+            ),
+        );
+        if square.value() < 0.0 {
+            return Err(Refusal::because(
+                "the engine turns so hard against the wheels that the vehicle would lean outwards: no speed gives that lean",
+            ));
+        }
+        let speed = sheet.step("v", "m/s", square.sqrt(), "Speed for that lean");
+        sheet.answer("speed", "Speed for that lean", speed);
+        Ok(speed)
+    }
+
+    /// Lean against speed, with and without turning parts: the speed is closed in the lean.
+    fn lean_over_speed(&self, inertia: f64, here: (f64, f64)) -> Plot {
+        let curve = |inertia: f64| -> Vec<(f64, f64)> {
+            (0..=140)
+                .map(|n| f64::from(n) * 0.01)
+                .map(|lean: f64| ((lean.tan() / self.tangent(inertia, 1.0, lean)).sqrt(), lean))
+                .filter(|(speed, _)| speed.is_finite())
+                .collect()
+        };
+        Plot::new(
+            "Lean against speed",
+            Axis::linear("speed", "km/h"),
+            Axis::linear("lean", "deg"),
+            vec![Series::line("with wheels and engine", curve(inertia)), Series::line("without", curve(0.0))],
+        )
+        .mark("here", here)
+    }
+
+    /// From behind, in a turn to the right, with the weight and the centrifugal force.
+    fn rear_view(&self, lean: f64) -> Drawing {
+        let (sin, cos) = lean.sin_cos();
+        let size = self.centre_height.max(2.0 * self.wheel_radius);
+        let (height, wheel) = (self.centre_height / size, 2.0 * self.wheel_radius / size);
+        let at = |up: f64, across: f64| (up * sin + across * cos, up * cos - across * sin);
+        let centre = at(height, 0.0);
+        Drawing {
+            title: "From behind, in a turn to the right".into(),
+            shapes: vec![
+                DrawnShape::Ground((1.2, 0.0), (-0.8, 0.0)),
+                DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, 1.3)], Ink::Faint),
+                DrawnShape::Polyline(
+                    vec![at(0.0, -0.05), at(0.0, 0.05), at(wheel, 0.05), at(wheel, -0.05), at(0.0, -0.05)],
+                    Ink::Body,
+                ),
+                DrawnShape::Polyline(vec![at(0.0, 0.0), at(1.2, 0.0)], Ink::Faint),
+                DrawnShape::Circle(centre, 0.05, Ink::Body),
+                DrawnShape::Arrow(centre, (centre.0, centre.1 - 0.4), Ink::Force),
+                DrawnShape::Label((centre.0 + 0.05, centre.1 - 0.4), Text::from("m g")),
+                DrawnShape::Arrow(centre, (centre.0 - 0.4 * lean.tan().min(2.0), centre.1), Ink::Force),
+                DrawnShape::Label(
+                    (centre.0 - 0.4 * lean.tan().min(2.0), centre.1 + 0.1),
+                    Text::from("m Ω² R_G"),
+                ),
+                DrawnShape::Label((0.05, 0.5), Text::from("θ")),
+            ],
+        }
+    }
+}
