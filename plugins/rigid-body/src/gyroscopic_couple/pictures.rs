@@ -82,7 +82,8 @@ impl GyroscopicCouple {
             Carrier::Frame => &[(1.4, 1.0), (-1.4, 1.0), (-1.4, -1.0), (1.4, -1.0), (1.4, 1.0)],
         };
         scene.line(plan.iter().map(|&(x, y)| Vector3::new(x, y, -0.8)), Ink::Faint);
-        scene.arrow(Vector3::new(2.6, 0.0, -0.8), Vector3::x() * 0.5, Ink::Faint, "x");
+        let front = plan.iter().map(|(x, _)| *x).fold(0.0, f64::max);
+        scene.arrow(Vector3::new(front, 0.0, -0.8), Vector3::x() * 0.5, Ink::Faint, "x");
     }
 }
 
