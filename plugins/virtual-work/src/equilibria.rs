@@ -199,9 +199,8 @@ pub(crate) fn check_held<W: Worksheet>(
 /// The efforts and reactions of a mechanism that stands still; none where it does not determine them.
 pub(crate) fn solved(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Option<Dynamics> {
     let system = System::new(mechanism, drawn).ok()?;
-    let positions = system.assemble(drawn).ok()?;
-    let state = system.motion(&positions).ok()?;
-    system.dynamics(&state).ok()
+    let (_, dynamics) = system.solved(&system.assemble(drawn).ok()?).ok()?;
+    Some(dynamics)
 }
 
 /// The forces in the joints of a machine that stands still, each on the second of its parts, by Newton and Euler.

@@ -5,6 +5,7 @@ use super::{
     load::wrench,
     system::{poses, project, slope},
 };
+use crate::linalg::Elimination;
 
 /// Rounds of the friction forces before a mechanism counts as jammed.
 const ROUNDS: usize = 500;
@@ -59,15 +60,11 @@ impl System {
     /// # Errors
     /// `UnderDriven`, `OverDriven`, `DeadCentre`, `Jammed`, `NotFinite`.
     pub fn dynamics(&self, state: &State) -> Result<Dynamics, PlanarError> {
-        let elimination = self.factored(&state.positions)?;
-        let drivers = self.mechanism.drivers.len();
-        let coefficients: Vec<Vec<[f64; 3]>> = (0..drivers)
-            .map(|driver| {
-                let mut unit = vec![0.0; self.equations.len()];
-                unit[self.first_driver() + driver] = 1.0;
-                Ok(self.unscaled(&elimination.solve(&unit)?))
-            })
-            .collect::<Result<_, PlanarError>>()?;
+        self.balanced(&self.factored(&state.positions)?, state)
+    }
+
+    pub(super) fn balanced(&self, elimination: &Elimination, state: &State) -> Result<Dynamics, PlanarError> {
+        let coefficients = self.coefficients(elimination)?;
         let mut acting = self.acting(state);
         let frictions = self.frictions(state);
         let multipliers = {
@@ -113,7 +110,7 @@ impl System {
                 power: virtual_power(parts, &state.velocities),
             })
             .collect();
-        let efforts = (0..drivers)
+        let efforts = (0..coefficients.len())
             .map(|driver| -powers.iter().map(|load| load.generalised[driver]).sum::<f64>())
             .collect();
         let (kinetic_energy, energy_rate) = self.energy(state);
@@ -330,7 +327,7 @@ fn add(sum: &mut [f64; 3], part: [f64; 3]) {
     }
 }
 
-fn virtual_power(parts: &[(usize, [f64; 3])], motion: &[[f64; 3]]) -> f64 {
+pub(super) fn virtual_power(parts: &[(usize, [f64; 3])], motion: &[[f64; 3]]) -> f64 {
     parts.iter().map(|(body, force)| force.iter().zip(motion[*body]).map(|(f, v)| f * v).sum::<f64>()).sum()
 }
 

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{
     Load, PlanarError, State, System,
+    balance::virtual_power,
     system::{bias, poses, project, slope},
 };
 use crate::{linalg, roots};
@@ -54,22 +55,12 @@ impl System {
     /// # Errors
     /// As for [`motion`](System::motion).
     pub fn holding(&self, positions: &[[f64; 3]]) -> Result<Vec<f64>, PlanarError> {
-        let elimination = self.factored(positions)?;
-        let still = vec![[0.0; 3]; positions.len()];
-        let applied = self.applied(positions, &still);
-        (0..self.mechanism.drivers.len())
-            .map(|driver| {
-                let mut unit = vec![0.0; self.equations.len()];
-                unit[self.first_driver() + driver] = 1.0;
-                let motion = self.unscaled(&elimination.solve(&unit)?);
-                let power: f64 = applied
-                    .iter()
-                    .flat_map(|(_, parts)| parts)
-                    .map(|(body, force)| force.iter().zip(motion[*body]).map(|(f, v)| f * v).sum::<f64>())
-                    .sum();
-                Ok(-power)
-            })
-            .collect()
+        let coefficients = self.coefficients(&self.factored(positions)?)?;
+        let applied = self.applied(positions, &vec![[0.0; 3]; positions.len()]);
+        let power = |motion: &[[f64; 3]]| -> f64 {
+            applied.iter().map(|(_, parts)| virtual_power(parts, motion)).sum()
+        };
+        Ok(coefficients.iter().map(|motion| -power(motion)).collect())
     }
 
     /// How the holding efforts grow with the drivers, `∂²V/∂m_i ∂m_j`; its symmetric part where a load has no

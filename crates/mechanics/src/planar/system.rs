@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::{Equation, Frame, Load, Measure, Mechanism, PlanarError, Point, Pose, Slope};
+use super::{Dynamics, Equation, Frame, Load, Measure, Mechanism, PlanarError, Point, Pose, Slope};
 use crate::linalg::Elimination;
 
 /// What a closed joint may be open by, in parts of the size of the mechanism.
@@ -294,10 +294,38 @@ impl System {
     /// # Errors
     /// As for [`dynamics`](System::dynamics).
     pub fn motion(&self, positions: &[[f64; 3]]) -> Result<State, PlanarError> {
+        self.driven(&self.factored(positions)?, positions)
+    }
+
+    /// Velocities, accelerations and efforts in one: [`motion`](System::motion) and [`dynamics`](System::dynamics),
+    /// from one elimination.
+    ///
+    /// # Errors
+    /// As for [`dynamics`](System::dynamics).
+    pub fn solved(&self, positions: &[[f64; 3]]) -> Result<(State, Dynamics), PlanarError> {
+        let elimination = self.factored(positions)?;
+        let state = self.driven(&elimination, positions)?;
+        let dynamics = self.balanced(&elimination, &state)?;
+        Ok((state, dynamics))
+    }
+
+    /// The motion that the drivers give.
+    fn driven(&self, elimination: &Elimination, positions: &[[f64; 3]]) -> Result<State, PlanarError> {
         let drivers = &self.mechanism.drivers;
         let rates: Vec<f64> = drivers.iter().map(|driver| driver.velocity).collect();
         let accelerations: Vec<f64> = drivers.iter().map(|driver| driver.acceleration).collect();
-        self.motion_with(&self.factored(positions)?, positions, &rates, &accelerations)
+        self.motion_with(elimination, positions, &rates, &accelerations)
+    }
+
+    /// `∂q/∂m` for each driver.
+    pub(super) fn coefficients(&self, elimination: &Elimination) -> Result<Vec<Vec<[f64; 3]>>, PlanarError> {
+        (self.first_driver()..self.equations.len())
+            .map(|driver| {
+                let mut unit = vec![0.0; self.equations.len()];
+                unit[driver] = 1.0;
+                Ok(self.unscaled(&elimination.solve(&unit)?))
+            })
+            .collect()
     }
 
     pub(super) fn motion_with(
