@@ -94,8 +94,7 @@ impl Analysis for Mechanism {
         let (system, rows, positions) = parts.assembled()?;
         let refuse = |error: PlanarError| parts.refusal(&error, &rows);
         let mobility = system.mobility(&positions).map_err(refuse)?;
-        let state = system.motion(&positions).map_err(refuse)?;
-        let dynamics = system.dynamics(&state).map_err(refuse)?;
+        let (state, dynamics) = system.solved(&positions).map_err(refuse)?;
         sheet.keep_going()?;
         let this = Solved { parts: &parts, rows: &rows, system: &system, state: &state, dynamics: &dynamics };
         let angular = self.motion(&this, sheet);
@@ -231,10 +230,7 @@ impl Mechanism {
                 let value = from + (to - from) * step as f64 / STEPS as f64;
                 let Ok(followed) = this.system.follow(&positions, &at(value)) else { break };
                 positions = followed.positions;
-                let state = this.system.motion(&positions);
-                if let Ok((state, dynamics)) =
-                    state.and_then(|state| this.system.dynamics(&state).map(|dynamics| (state, dynamics)))
-                {
+                if let Ok((state, dynamics)) = this.system.solved(&positions) {
                     samples.push(Sample { value, state, dynamics });
                 }
             }

@@ -7,7 +7,7 @@ use dalembert_mechanics::planar::{End, Freed, Measure, Moved, PlanarError, Run, 
 use nalgebra::Vector3;
 
 use crate::{
-    parts::{Carrier, Connection, Drive, Driven, NamedLoad, Part, Parts, Spot},
+    parts::{Carrier, Connection, Drive, Driven, NamedLoad, Part, Parts, Spot, carried},
     sources::{HAIRER, HAUG, NIKRAVESH, RIUL},
 };
 
@@ -432,20 +432,8 @@ impl Solved<'_> {
 
     /// What a joint exerts on its second point at the start: along x and y, or along one line.
     fn carried(&self, row: usize) -> [Option<f64>; 2] {
-        let mut carried = [None; 2];
-        let largest = self.freed.multipliers.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-        for (equation, described) in self.system.equations().iter().enumerate() {
-            if self.rows.get(self.system.owner(equation)) != Some(&row) {
-                continue;
-            }
-            let place = match described.terms[0].measure {
-                Measure::Component { direction: [x, _], .. } => usize::from(x == 0.0),
-                Measure::Angle { .. } => continue,
-                Measure::Along { .. } | Measure::Distance { .. } => 0,
-            };
-            carried[place].get_or_insert(without_rounding(self.freed.multipliers[equation], largest));
-        }
-        carried
+        let [first, second, _] = carried(self.system, self.rows, row, &self.freed.multipliers, 1e-12);
+        [first, second]
     }
 }
 

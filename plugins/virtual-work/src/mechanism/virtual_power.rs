@@ -10,7 +10,7 @@ use nalgebra::{Rotation2, Vector2, Vector3};
 
 use super::{MechanismGiven, Solved};
 use crate::{
-    parts::{Carrier, Driven, Load, LoadGiven},
+    parts::{Carrier, Driven, Load, LoadGiven, carried},
     sources::{HAUG, RIUL},
 };
 
@@ -244,22 +244,6 @@ impl Solved<'_> {
 
     /// What a joint exerts on its second point: the force along x and y, or across a line or along a rod; the couple.
     pub(super) fn carried(&self, row: usize) -> [Option<f64>; 3] {
-        let mut carried = [None; 3];
-        let largest = self.dynamics.multipliers.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-        for (equation, described) in self.system.equations().iter().enumerate() {
-            if self.rows.get(self.system.owner(equation)) != Some(&row) {
-                continue;
-            }
-            let effort = self.dynamics.multipliers[equation];
-            // What is rounding alone is zero.
-            let effort = if effort.abs() > 1e-13 * largest { effort } else { 0.0 };
-            let place = match described.terms[0].measure {
-                Measure::Component { direction: [x, _], .. } => usize::from(x == 0.0),
-                Measure::Angle { .. } => 2,
-                Measure::Along { .. } | Measure::Distance { .. } => 0,
-            };
-            carried[place].get_or_insert(effort);
-        }
-        carried
+        carried(self.system, self.rows, row, &self.dynamics.multipliers, 1e-13)
     }
 }

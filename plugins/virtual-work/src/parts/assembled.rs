@@ -185,3 +185,29 @@ impl Parts<'_> {
         Ok((system, rows, positions))
     }
 }
+
+/// What the joint in a row of the form exerts on its second point: the force along x and y, or across a line or along a
+/// rod; the couple. What is below that part of the largest effort is rounding alone, and zero.
+pub(crate) fn carried(
+    system: &System,
+    rows: &[usize],
+    row: usize,
+    multipliers: &[f64],
+    rounding: f64,
+) -> [Option<f64>; 3] {
+    let mut carried = [None; 3];
+    let largest = multipliers.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+    for (equation, described) in system.equations().iter().enumerate() {
+        if rows.get(system.owner(equation)) != Some(&row) {
+            continue;
+        }
+        let place = match described.terms[0].measure {
+            Measure::Component { direction: [x, _], .. } => usize::from(x == 0.0),
+            Measure::Angle { .. } => 2,
+            Measure::Along { .. } | Measure::Distance { .. } => 0,
+        };
+        let effort = multipliers[equation];
+        carried[place].get_or_insert(if effort.abs() > rounding * largest { effort } else { 0.0 });
+    }
+    carried
+}
