@@ -129,7 +129,7 @@ impl Analysis for Equilibrium {
         }
         sheet.show(|| Exhibit::Table(self.table(&found)));
         if !samples.is_empty() {
-            self.plots(&samples, &found, sheet);
+            self.plots(&system, &samples, &found, sheet);
         }
         sheet.show(|| Exhibit::Drawing(self.drawing(&parts, &found)));
         Ok(())
@@ -252,20 +252,12 @@ impl Equilibrium {
         }
     }
 
-    fn plots<W: Worksheet>(&self, samples: &[Sample], found: &[Found], sheet: W) {
+    fn plots<W: Worksheet>(&self, system: &System, samples: &[Sample], found: &[Found], sheet: W) {
         let axis = || Axis::linear(verbatim(&self.drivers[0].name), self.unit(0));
         let energies: Option<Vec<(f64, f64)>> =
             samples.iter().map(|sample| Some((sample.value, sample.potential?))).collect();
         if let Some(energies) = energies {
             sheet.show(|| {
-                let at = |value: f64| {
-                    let (x, y) = energies
-                        .iter()
-                        .min_by(|a, b| (a.0 - value).abs().total_cmp(&(b.0 - value).abs()))
-                        .copied()
-                        .unwrap_or_default();
-                    if x == value { y } else { between(&energies, value) }
-                };
                 let marked = found.iter().fold(
                     Plot::new(
                         "Potential energy",
@@ -273,7 +265,10 @@ impl Equilibrium {
                         Axis::linear("Potential energy", "J"),
                         vec![Series::line("V", energies.clone())],
                     ),
-                    |plot, here| plot.mark(named(here.stability), (here.values[0], at(here.values[0]))),
+                    |plot, here| match system.potential(&here.positions) {
+                        Some(energy) => plot.mark(named(here.stability), (here.values[0], energy)),
+                        None => plot,
+                    },
                 );
                 Exhibit::Plot(marked)
             });
@@ -322,12 +317,4 @@ fn named(stability: Stability) -> Text {
         Stability::Neutral => "neutral",
     }
     .into()
-}
-
-/// A value between two neighbouring points.
-fn between(points: &[(f64, f64)], x: f64) -> f64 {
-    points.windows(2).find(|pair| (pair[0].0 - x) * (pair[1].0 - x) <= 0.0).map_or(f64::NAN, |pair| {
-        let [(x0, y0), (x1, y1)] = [pair[0], pair[1]];
-        y0 + (y1 - y0) * (x - x0) / (x1 - x0)
-    })
 }
