@@ -2,6 +2,15 @@
 //!
 //! Points are `[x, y]` in metres, with the crank pivot at the origin.
 
+use crate::{
+    four_bar::{self, FourBar, Links},
+    linkage::{Point, Turning},
+    slider_crank,
+};
+
+/// A loop counts as not closed below this [transmission](Pose::transmission).
+const DEAD: f64 = 1e-9;
+
 /// A rigid link: its mass, where its centre is, and its moment of inertia about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Link {
@@ -75,11 +84,13 @@ pub struct Pose {
     pub angles: [f64; 3],
     /// Their angular velocities, rad/s.
     pub velocities: [f64; 3],
-    /// Their angular accelerations, rad/s².
-    pub accelerations: [f64; 3],
     /// How well the loop determines the place: the sine of the transmission angle for a four-bar, the cosine of the
     /// coupler's angle for a slider; 0 at a dead point.
     pub transmission: f64,
+    speed: f64,
+    /// How the links turn with the crank, and their first pins move.
+    links: [Turning<f64>; 3],
+    starts: [Point<f64>; 3],
 }
 
 /// What the frame feels, and what turns the crank.
@@ -100,133 +111,67 @@ pub struct Shaking {
     pub joints: [[f64; 2]; 4],
 }
 
-fn unit(angle: f64) -> [f64; 2] {
-    [angle.cos(), angle.sin()]
-}
-
-/// A point of a moving plane: place, velocity and acceleration.
-#[derive(Clone, Copy)]
-struct Moving {
-    at: [f64; 2],
-    velocity: [f64; 2],
-    acceleration: [f64; 2],
-}
-
-impl Moving {
-    const FIXED: Moving = Moving { at: [0.0; 2], velocity: [0.0; 2], acceleration: [0.0; 2] };
-
-    /// The point of a link at a distance and an angle of the plane from this one.
-    fn to(self, distance: f64, angle: f64, velocity: f64, acceleration: f64) -> Moving {
-        let [c, s] = unit(angle);
-        let [x, y] = [distance * c, distance * s];
-        Moving {
-            at: [self.at[0] + x, self.at[1] + y],
-            velocity: [self.velocity[0] - velocity * y, self.velocity[1] + velocity * x],
-            acceleration: [
-                self.acceleration[0] - acceleration * y - velocity * velocity * x,
-                self.acceleration[1] + acceleration * x - velocity * velocity * y,
-            ],
-        }
-    }
-}
-
 impl Linkage {
     /// The place at a crank angle, and how it moves at a steady speed of the crank; `None` where the loop does not
     /// close, or only at a dead point.
     pub fn pose(&self, angle: f64, speed: f64) -> Option<Pose> {
-        let (a, b) = (self.crank, self.coupler);
-        let crank = Moving::FIXED.to(a, angle, speed, 0.0);
-        let [x, y] = crank.at;
-        match self.follower {
-            Follower::Rocker { frame, length: c, crossed, .. } => {
-                // The coupler pin is where circles about the crank pin and the fixed pin meet.
-                let (dx, dy) = (frame - x, -y);
-                let distance = dx.hypot(dy);
-                let along = (b * b - c * c + distance * distance) / (2.0 * distance);
-                let height = b * b - along * along;
-                if height.is_nan() || height <= 0.0 || distance == 0.0 {
-                    return None;
-                }
-                let height = if crossed { -height.sqrt() } else { height.sqrt() };
-                let pin =
-                    [x + (along * dx - height * dy) / distance, y + (along * dy + height * dx) / distance];
-                let coupler = (pin[1] - y).atan2(pin[0] - x);
-                let rocker = pin[1].atan2(pin[0] - frame);
-                let sine = (rocker - coupler).sin();
-                if sine.abs() < 1e-9 {
-                    return None;
-                }
-                let in_coupler = a * speed * (angle - rocker).sin() / (b * (rocker - coupler).sin());
-                let in_rocker = a * speed * (angle - coupler).sin() / (c * (rocker - coupler).sin());
-                // a ω₂² e₂ + b ω₃² e₃ − c ω₄² e₄ along e₄ and e₃.
-                let centripetal = |direction: f64| {
-                    a * speed * speed * (angle - direction).cos()
-                        + b * in_coupler * in_coupler * (coupler - direction).cos()
-                        - c * in_rocker * in_rocker * (rocker - direction).cos()
-                };
-                Some(Pose {
-                    pins: [crank.at, pin, [frame, 0.0]],
-                    angles: [angle, coupler, rocker],
-                    velocities: [speed, in_coupler, in_rocker],
-                    accelerations: [
-                        0.0,
-                        centripetal(rocker) / (b * (rocker - coupler).sin()),
-                        centripetal(coupler) / (c * (rocker - coupler).sin()),
-                    ],
-                    transmission: sine.abs(),
-                })
+        let (links, crank_pin, fixed) = match self.follower {
+            Follower::Rocker { frame, length, crossed, .. } => {
+                let four_bar = FourBar { frame, crank: self.crank, coupler: self.coupler, rocker: length };
+                let branch = if crossed { four_bar::Branch::Crossed } else { four_bar::Branch::Open };
+                let Links { crank, coupler, rocker, crank_pin } = four_bar.links(angle, branch);
+                ([crank, coupler, rocker], crank_pin, Some([frame, 0.0]))
             }
             Follower::Slider { offset, .. } => {
-                let sine = (offset - y) / b;
-                if sine.is_nan() || sine.abs() >= 1.0 {
-                    return None;
-                }
-                let coupler = sine.asin();
-                let cosine = coupler.cos();
-                let in_coupler = -a * speed * angle.cos() / (b * cosine);
-                let acceleration =
-                    (a * speed * speed * angle.sin() + b * in_coupler * in_coupler * sine) / (b * cosine);
-                let pin = [x + b * cosine, offset];
-                Some(Pose {
-                    pins: [crank.at, pin, pin],
-                    angles: [angle, coupler, 0.0],
-                    velocities: [speed, in_coupler, 0.0],
-                    accelerations: [0.0, acceleration, 0.0],
-                    transmission: cosine,
-                })
+                let ahead = slider_crank::Branch::Ahead;
+                let slider_crank::Links { crank, crank_pin, rod, .. } =
+                    slider_crank::links(self.crank, self.coupler, offset, ahead, angle);
+                let still = Turning { direction: [1.0, 0.0], first: 0.0, second: 0.0 };
+                ([crank, rod, still], crank_pin, None)
             }
+        };
+        let [[_, _], [c3, s3], [c4, s4]] = links.map(|link| link.direction);
+        let transmission = if fixed.is_some() { (c3 * s4 - s3 * c4).abs() } else { c3 };
+        if transmission.is_nan() || transmission < DEAD {
+            return None;
         }
+        let coupler_pin = crank_pin.to(links[1], [self.coupler, 0.0]);
+        let angles = links.map(|link| link.direction[1].atan2(link.direction[0]));
+        Some(Pose {
+            pins: [crank_pin.at, coupler_pin.at, fixed.unwrap_or(coupler_pin.at)],
+            angles: [angle, angles[1], angles[2]],
+            velocities: links.map(|link| link.first * speed),
+            transmission,
+            speed,
+            links,
+            starts: [Point::fixed([0.0; 2]), crank_pin, fixed.map_or(coupler_pin, Point::fixed)],
+        })
     }
 
     /// Shaking force and moment, crank torque and kinetic energy at a place, gravity left out: the sums of
     /// d'Alembert's forces `−m a` and couples `−I α`, and the power `Σ m a·v + I α ω` over the speed of the crank.
     pub fn shaking(&self, pose: &Pose, counterweights: &[Counterweight]) -> Shaking {
-        let crank_pin = Moving::FIXED.to(self.crank, pose.angles[0], pose.velocities[0], 0.0);
-        let coupler_pin =
-            crank_pin.to(self.coupler, pose.angles[1], pose.velocities[1], pose.accelerations[1]);
-        let start = |link: usize| match (link, self.follower) {
-            (0, _) => Moving::FIXED,
-            (1, _) => crank_pin,
-            (_, Follower::Rocker { frame, .. }) => Moving { at: [frame, 0.0], ..Moving::FIXED },
-            (_, Follower::Slider { .. }) => coupler_pin,
-        };
+        let speed = pose.speed;
+        let square = speed * speed;
         let mut sum = Shaking::default();
         // Of each link the sum of d'Alembert's forces, and their moment about its first pin.
         let mut loads = [([0.0; 2], 0.0); 3];
         let mut add = |link: usize, mass: f64, distance: f64, angle: f64, inertia: f64| {
-            let (velocity, acceleration) = (pose.velocities[link], pose.accelerations[link]);
-            let centre = start(link).to(distance, pose.angles[link] + angle, velocity, acceleration);
-            let Moving { at, velocity: v, acceleration: a } = centre;
+            let (start, turning) = (pose.starts[link], pose.links[link]);
+            let (velocity, acceleration) = (turning.first * speed, turning.second * square);
+            let along = [distance * angle.cos(), distance * angle.sin()];
+            let Point { at, first, second } = start.to(turning, along);
+            let (v, a) = (first.map(|x| x * speed), second.map(|x| x * square));
             let force = [-mass * a[0], -mass * a[1]];
             sum.force[0] += force[0];
             sum.force[1] += force[1];
             sum.moment += at[0] * force[1] - at[1] * force[0] - inertia * acceleration;
             let power = inertia * acceleration * velocity - force[0] * v[0] - force[1] * v[1];
-            sum.torque += power / pose.velocities[0];
+            sum.torque += power / speed;
             sum.energy += 0.5 * mass * (v[0] * v[0] + v[1] * v[1]) + 0.5 * inertia * velocity * velocity;
             sum.first_moment[0] += mass * at[0];
             sum.first_moment[1] += mass * at[1];
-            let arm = [at[0] - start(link).at[0], at[1] - start(link).at[1]];
+            let arm = [at[0] - start.at[0], at[1] - start.at[1]];
             let (load, moment) = &mut loads[link];
             *load = [load[0] + force[0], load[1] + force[1]];
             *moment += arm[0] * force[1] - arm[1] * force[0] - inertia * acceleration;
@@ -250,7 +195,7 @@ impl Linkage {
     /// The forces in the joints from the balance of each link, its loads given as force and moment about its first pin.
     fn joints(&self, pose: &Pose, loads: [([f64; 2], f64); 3]) -> [[f64; 2]; 4] {
         let [(on_crank, _), (on_coupler, of_coupler), (on_follower, of_follower)] = loads;
-        let [_, e3, e4] = pose.angles.map(unit);
+        let [_, e3, e4] = pose.links.map(|link| link.direction);
         let b = [self.coupler * e3[0], self.coupler * e3[1]];
         // P, of the coupler on the follower: b × P = M₃ about the crank pin, and what the follower asks for.
         let p = match self.follower {
