@@ -4,8 +4,8 @@
 use std::{cell::OnceCell, f64::consts::TAU};
 
 use dalembert_core::{
-    Cell, Column, DrawnShape, Exhibit, Film, Ink, Inputs, Lift, Plain, Refusal, Stop, TableExhibit, Text,
-    Trail, Worksheet,
+    Axis, Cell, Column, DrawnShape, Exhibit, Film, Ink, Inputs, Lift, Plain, Plot, Refusal, Series, Stop,
+    TableExhibit, Text, Trail, Worksheet,
 };
 use dalembert_mechanics::{
     Real,
@@ -126,8 +126,7 @@ impl Built {
     pub(crate) fn solve(self) -> Result<Solved, PlanarError> {
         let system = System::new(&self.mechanism, &self.drawn)?;
         let positions = system.assemble(&self.drawn)?;
-        let state = system.motion(&positions)?;
-        let dynamics = system.dynamics(&state)?;
+        let (state, dynamics) = system.solved(&positions)?;
         Ok(Solved { system, state, dynamics, links: self.links, loads: self.loads })
     }
 }
@@ -316,6 +315,24 @@ impl<P: Template, A: Fn(f64) -> P> Cycle<P, A> {
         let found = self.found.get_or_init(every);
         found.iter().map(|(x, found)| (*x, found.as_ref().map_or(f64::INFINITY, &of))).collect()
     }
+
+    /// Named curves over the crank angle, with the label and the unit of what they show.
+    pub(crate) fn plot(
+        &self,
+        title: &'static str,
+        (label, unit): (&'static str, &'static str),
+        series: &[(&'static str, &dyn Fn(&P::Found<f64>) -> f64)],
+    ) -> Exhibit {
+        let lines = series.iter().map(|(name, of)| Series::line(*name, self.curve(of)));
+        let (x, y) = (Axis::linear("Crank angle", "deg"), Axis::linear(label, unit));
+        Exhibit::Plot(Plot::new(title, x, y, lines.collect()))
+    }
+}
+
+/// An effort that grows without bound near the dead centres, where what it acts on hardly moves with the crank: left
+/// out where it moves by less than a tenth of `unit` for a unit turn.
+pub(crate) fn bounded(effort: f64, shift: f64, unit: f64) -> f64 {
+    if shift.abs() <= 0.1 * unit { f64::INFINITY } else { effort }
 }
 
 /// A film of the mechanism going through its range; positions without a picture are left out.

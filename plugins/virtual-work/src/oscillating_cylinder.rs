@@ -1,6 +1,6 @@
 //! The inverted slider-crank: a crank or lever whose pin is pushed by a cylinder that swings about a fixed pin.
 
-use dalembert_core::{About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Worksheet, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
 use dalembert_mechanics::{
     Real, Vector,
     planar::{Effort, Joint, Load, Measure, PlanarError, Point},
@@ -345,25 +345,22 @@ impl OscillatingCylinder {
         let at = |angle: f64| OscillatingCylinder { angle, ..self.clone() };
         let range = Range::Turn(self.angle);
         let cycle = Cycle::new(range, at);
-        let angle = || Axis::linear("Crank angle", "deg");
         sheet.show(|| {
-            let (title, label, unit, curve) = if let Unknown::Force { .. } = self.unknown {
-                let force = cycle.curve(|found| {
-                    let near = found.shift.abs() <= 0.1 * self.crank;
-                    if near { f64::INFINITY } else { found.force }
-                });
-                ("Force over the turn", "Force of the cylinder", "N", force)
+            if let Unknown::Force { .. } = self.unknown {
+                let label = "Force of the cylinder";
+                let force = |found: &Found<f64>| built::bounded(found.force, found.shift, self.crank);
+                cycle.plot("Force over the turn", (label, "N"), &[(label, &force)])
             } else {
-                let torque = cycle.curve(|found| found.torque);
-                ("Torque over the turn", "Torque on the crank", "N*m", torque)
-            };
-            let series = Series::line(label, curve);
-            Exhibit::Plot(Plot::new(title, angle(), Axis::linear(label, unit), vec![series]))
+                let label = "Torque on the crank";
+                cycle.plot("Torque over the turn", (label, "N*m"), &[(label, &|found| found.torque)])
+            }
         });
         sheet.show(|| {
-            let series = Series::line("length", cycle.curve(|found| found.length));
-            let axis = Axis::linear("Length of the cylinder from pin to pin", "mm");
-            Exhibit::Plot(Plot::new("Length of the cylinder", angle(), axis, vec![series]))
+            cycle.plot(
+                "Length of the cylinder",
+                ("Length of the cylinder from pin to pin", "mm"),
+                &[("length", &|found| found.length)],
+            )
         });
         sheet.show(|| {
             let shortest =

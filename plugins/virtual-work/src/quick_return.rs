@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dalembert_core::{About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Worksheet, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
 use dalembert_mechanics::{
     Real, Vector,
     planar::{Joint, Load, Measure, PlanarError, Point},
@@ -445,35 +445,37 @@ impl QuickReturn {
     fn show<W: Worksheet>(&self, sheet: W) {
         let at = |angle: f64| QuickReturn { angle, ..self.clone() };
         let range = Range::about(self.angle, |angle| self.reached(angle));
-        let angle = || Axis::linear("Crank angle", "deg");
         let cycle = Cycle::new(range, at);
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
-                let series = Series::line("torque", cycle.curve(|found| found.torque));
-                let axis = Axis::linear("Torque on the crank", "N*m");
-                Exhibit::Plot(Plot::new("Torque over the turn", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Torque over the turn",
+                    ("Torque on the crank", "N*m"),
+                    &[("torque", &|found| found.torque)],
+                )
             }),
             Unknown::Force { .. } => sheet.show(|| {
-                // Near the dead centres the force grows without bound.
-                let force = cycle.curve(|found| {
-                    let near = found.shift.abs() <= 0.1 * self.crank;
-                    if near { f64::INFINITY } else { found.force }
-                });
-                let axis = Axis::linear("Force on the output", "N");
-                let series = Series::line("force", force);
-                Exhibit::Plot(Plot::new("Force over the turn", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Force over the turn",
+                    ("Force on the output", "N"),
+                    &[("force", &|found| built::bounded(found.force, found.shift, self.crank))],
+                )
             }),
         }
         sheet.show(|| {
-            let series = Series::line("lever", cycle.curve(|found| found.lever.ratio));
-            let axis = Axis::linear("Angular velocity over that of the crank", "1");
-            Exhibit::Plot(Plot::new("Velocity ratio", angle(), axis, vec![series]))
+            cycle.plot(
+                "Velocity ratio",
+                ("Angular velocity over that of the crank", "1"),
+                &[("lever", &|found| found.lever.ratio)],
+            )
         });
         if self.moves() && matches!(self.output, Output::Slider { .. }) {
             sheet.show(|| {
-                let series = Series::line("velocity", cycle.curve(|found| found.velocity));
-                let axis = Axis::linear("Velocity of the slider", "m/s");
-                Exhibit::Plot(Plot::new("Velocity of the slider", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Velocity of the slider",
+                    ("Velocity of the slider", "m/s"),
+                    &[("velocity", &|found| found.velocity)],
+                )
             });
         }
         sheet.show(|| {

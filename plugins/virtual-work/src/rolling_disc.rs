@@ -1,8 +1,6 @@
 //! A disc that a crank rolls to and fro, against a spring and a damper.
 
-use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
-};
+use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     planar::{Effort, Joint, Load, Measure, PlanarError, Point},
@@ -367,29 +365,29 @@ impl RollingDisc {
         let at = |angle: f64| RollingDisc { angle, ..self.clone() };
         let range = Range::about(self.angle, |angle| (self.crank * angle.sin()).abs() < self.rod);
         let cycle = Cycle::new(range, at);
-        let angle = || Axis::linear("Crank angle", "deg");
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
-                let series = Series::line("torque", cycle.curve(|found| found.torque));
-                let axis = Axis::linear("Torque on the crank", "N*m");
-                Exhibit::Plot(Plot::new("Torque over the turn", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Torque over the turn",
+                    ("Torque on the crank", "N*m"),
+                    &[("torque", &|found| found.torque)],
+                )
             }),
             Unknown::Force { .. } => sheet.show(|| {
-                // Near the dead centres the force grows without bound.
-                let force = cycle.curve(|found| {
-                    let near = found.shift.abs() <= 0.1 * self.crank;
-                    if near { f64::INFINITY } else { found.force }
-                });
-                let axis = Axis::linear("Force on the centre of the disc", "N");
-                let series = Series::line("force", force);
-                Exhibit::Plot(Plot::new("Force over the turn", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Force over the turn",
+                    ("Force on the centre of the disc", "N"),
+                    &[("force", &|found| built::bounded(found.force, found.shift, self.crank))],
+                )
             }),
         }
         if self.moves() {
             sheet.show(|| {
-                let series = Series::line("velocity", cycle.curve(|found| found.velocity));
-                let axis = Axis::linear("Velocity of the centre", "m/s");
-                Exhibit::Plot(Plot::new("Velocity of the centre", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Velocity of the centre",
+                    ("Velocity of the centre", "m/s"),
+                    &[("velocity", &|found| found.velocity)],
+                )
             });
         }
         sheet.show(|| {

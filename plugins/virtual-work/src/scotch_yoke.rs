@@ -1,6 +1,6 @@
 //! The Scotch yoke: a crank pin in the cross slot of a yoke that slides.
 
-use dalembert_core::{About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Worksheet, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     planar::{Joint, Measure, PlanarError, Point},
@@ -233,21 +233,20 @@ impl ScotchYoke {
         let at = |angle: f64| ScotchYoke { angle, ..self.clone() };
         let range = Range::Turn(self.angle);
         let cycle = Cycle::new(range, at);
-        let angle = || Axis::linear("Crank angle", "deg");
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
-                let series = Series::line("torque", cycle.curve(|found| found.torque));
-                let axis = Axis::linear("Torque on the crank", "N*m");
-                Exhibit::Plot(Plot::new("Torque over the turn", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Torque over the turn",
+                    ("Torque on the crank", "N*m"),
+                    &[("torque", &|found| found.torque)],
+                )
             }),
             Unknown::Force { .. } => sheet.show(|| {
-                let force = cycle.curve(|found| {
-                    let near = found.shift.abs() <= 0.1 * self.crank;
-                    if near { f64::INFINITY } else { found.force }
-                });
-                let axis = Axis::linear("Force on the yoke", "N");
-                let series = Series::line("force", force);
-                Exhibit::Plot(Plot::new("Force over the turn", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Force over the turn",
+                    ("Force on the yoke", "N"),
+                    &[("force", &|found| built::bounded(found.force, found.shift, self.crank))],
+                )
             }),
         }
         sheet.show(|| {

@@ -1,6 +1,6 @@
 //! Six-bar linkages: a four-bar whose rocker or coupler drives a second pair of links.
 
-use dalembert_core::{About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Worksheet, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
 use dalembert_mechanics::{
     Real, Vector,
     planar::{Joint, PlanarError, Point},
@@ -486,21 +486,21 @@ impl SixBar {
         };
         let range = Range::about(self.angle, kinematic);
         let cycle = Cycle::new(range, at);
-        let angle = || Axis::linear("Crank angle", "deg");
         if !matches!(self.load, Load::Unknown { .. }) {
             sheet.show(|| {
-                let series = Series::line("torque", cycle.curve(|found| found.torque));
-                let axis = Axis::linear("Torque on the crank", "N*m");
-                Exhibit::Plot(Plot::new("Torque over the turn", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Torque over the turn",
+                    ("Torque on the crank", "N*m"),
+                    &[("torque", &|found| found.torque)],
+                )
             });
         }
         sheet.show(|| {
-            let series = Series::line("output", cycle.curve(|found| found.output[0]));
             let (title, label, unit) = match self.output {
                 Output::Slider { .. } => ("Way of the slider", "Position of the slider", "mm"),
                 Output::Rocker { .. } => ("Swing of the second rocker", "Angle of the second rocker", "deg"),
             };
-            Exhibit::Plot(Plot::new(title, angle(), Axis::linear(label, unit), vec![series]))
+            cycle.plot(title, (label, unit), &[("output", &|found| found.output[0])])
         });
         sheet.show(|| {
             let still = self.plain().map_or([0.0; 2], |found| found.pins[1]);

@@ -1,8 +1,6 @@
 //! The slider-crank, in line or offset: torque or force, motion and reactions.
 
-use dalembert_core::{
-    About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
-};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     planar::{Joint, Measure, PlanarError, Point},
@@ -368,35 +366,37 @@ impl SliderCrank {
         let at = |angle: f64| SliderCrank { angle, ..self.clone() };
         let closes = |angle: f64| (self.offset - self.crank * angle.sin()).abs() < self.rod;
         let range = Range::about(self.angle, closes);
-        let angle = || Axis::linear("Crank angle", "deg");
         let cycle = Cycle::new(range, at);
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
-                let series = Series::line("torque", cycle.curve(|found| found.torque));
-                let torque = Axis::linear("Torque on the crank", "N*m");
-                Exhibit::Plot(Plot::new("Torque over the turn", angle(), torque, vec![series]))
+                cycle.plot(
+                    "Torque over the turn",
+                    ("Torque on the crank", "N*m"),
+                    &[("torque", &|found| found.torque)],
+                )
             }),
             Unknown::Force { .. } => sheet.show(|| {
-                // Near the dead centres the force grows without bound.
-                let force = cycle.curve(|found| {
-                    let near = found.shift.abs() <= 0.1 * self.crank;
-                    if near { f64::INFINITY } else { found.force }
-                });
-                let axis = Axis::linear("Force on the slider", "N");
-                let series = Series::line("force", force);
-                Exhibit::Plot(Plot::new("Force over the turn", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Force over the turn",
+                    ("Force on the slider", "N"),
+                    &[("force", &|found| built::bounded(found.force, found.shift, self.crank))],
+                )
             }),
         }
         if self.moves() {
             sheet.show(|| {
-                let series = Series::line("velocity", cycle.curve(|found| found.velocity));
-                let axis = Axis::linear("Velocity of the slider", "m/s");
-                Exhibit::Plot(Plot::new("Velocity of the slider", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Velocity of the slider",
+                    ("Velocity of the slider", "m/s"),
+                    &[("velocity", &|found| found.velocity)],
+                )
             });
             sheet.show(|| {
-                let series = Series::line("acceleration", cycle.curve(|found| found.acceleration));
-                let axis = Axis::linear("Acceleration of the slider", "m/s^2");
-                Exhibit::Plot(Plot::new("Acceleration of the slider", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Acceleration of the slider",
+                    ("Acceleration of the slider", "m/s^2"),
+                    &[("acceleration", &|found| found.acceleration)],
+                )
             });
         }
         sheet.show(|| {

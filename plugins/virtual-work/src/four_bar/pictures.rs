@@ -9,41 +9,40 @@ impl FourBar {
     pub(super) fn show<W: Worksheet>(&self, sheet: W) {
         let at = |angle: f64| FourBar { angle, ..self.clone() };
         let range = Range::about(self.angle, |angle| self.closes(angle));
-        let angle = || Axis::linear("Crank angle", "deg");
         let cycle = Cycle::new(range, at);
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
-                let series = Series::line("torque", cycle.curve(|found| found.torque));
-                let axis = Axis::linear("Torque on the crank", "N*m");
-                Exhibit::Plot(Plot::new("Torque over the turn", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Torque over the turn",
+                    ("Torque on the crank", "N*m"),
+                    &[("torque", &|found| found.torque)],
+                )
             }),
             Unknown::Load { .. } => sheet.show(|| {
-                // Where the rocker turns back the torque grows without bound.
-                let load = cycle.curve(|found| {
-                    let near = found.ratios[1].abs() <= 0.1;
-                    if near { f64::INFINITY } else { found.load }
-                });
-                let series = Series::line("torque", load);
-                let axis = Axis::linear("Torque on the rocker", "N*m");
-                Exhibit::Plot(Plot::new("Torque over the turn", angle(), axis, vec![series]))
+                cycle.plot(
+                    "Torque over the turn",
+                    ("Torque on the rocker", "N*m"),
+                    &[("torque", &|found| built::bounded(found.load, found.ratios[1], 1.0))],
+                )
             }),
         }
         sheet.show(|| {
-            let series = vec![
-                Series::line("coupler", cycle.curve(|found| found.ratios[0])),
-                Series::line("rocker", cycle.curve(|found| found.ratios[1])),
-            ];
-            let axis = Axis::linear("Angular velocity over that of the crank", "1");
-            Exhibit::Plot(Plot::new("Velocity ratios", angle(), axis, series))
+            cycle.plot(
+                "Velocity ratios",
+                ("Angular velocity over that of the crank", "1"),
+                &[("coupler", &|found| found.ratios[0]), ("rocker", &|found| found.ratios[1])],
+            )
         });
         if self.moves() {
             sheet.show(|| {
-                let series = vec![
-                    Series::line("coupler", cycle.curve(|found| found.accelerations[0])),
-                    Series::line("rocker", cycle.curve(|found| found.accelerations[1])),
-                ];
-                let axis = Axis::linear("Angular acceleration", "rad/s^2");
-                Exhibit::Plot(Plot::new("Angular accelerations", angle(), axis, series))
+                cycle.plot(
+                    "Angular accelerations",
+                    ("Angular acceleration", "rad/s^2"),
+                    &[
+                        ("coupler", &|found| found.accelerations[0]),
+                        ("rocker", &|found| found.accelerations[1]),
+                    ],
+                )
             });
         }
         let path = || -> Vec<(f64, f64)> {
