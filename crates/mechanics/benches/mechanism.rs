@@ -1,12 +1,12 @@
-//! What the free motion of a mechanism costs: Andrews' squeezing mechanism, and four-bars in a row through their
-//! singular positions.
+//! What mechanisms cost: the positions of driven ones with every reaction, and the free motion of Andrews' squeezing
+//! mechanism and of four-bars in a row through their singular positions.
 //!
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
 
 use std::{hint::black_box, time::Instant};
 
-use dalembert_mechanics::planar::{Measure, Moved, Run, System};
-use models::{andrews, four_bars};
+use dalembert_mechanics::planar::{Measure, Moved, Run, Swept, System};
+use models::{Driven, andrews, crank_rocker, driven_slider, driven_squeezer, four_bars, six_bar};
 
 #[path = "../tests/mechanics/models.rs"]
 mod models;
@@ -14,6 +14,17 @@ mod models;
 const ROUNDS: usize = 9;
 
 fn main() {
+    let rates = [30.0, 5.0];
+    for (name, driven, goals) in [
+        ("slider-crank", driven_slider(rates), ["≤ 150 ns", "≤ 60 µs"]),
+        ("four-bar", crank_rocker(rates), ["≤ 150 ns", "≤ 60 µs"]),
+        ("six-bar", six_bar(rates), ["≤ 150 ns", "≤ 60 µs"]),
+        ("squeezing mechanism", driven_squeezer(rates), ["", ""]),
+    ] {
+        for (count, goal) in [(3_600, goals[0]), (360, goals[1])] {
+            positions(name, &driven, count, goal);
+        }
+    }
     squeezer(1e-8, 1e-7, "≤ 0.4 ms");
     squeezer(1e-11, 1e-10, "≤ 1 ms");
     for (n, goal) in [(1, "≤ 1 ms"), (10, "≤ 5 ms"), (40, "≤ 15 ms"), (100, "≤ 40 ms")] {
@@ -29,6 +40,34 @@ fn main() {
     println!(
         "2 four-bars, 10 s, energy to {imbalance:.0e} J in {} steps\t{time:.2} ms\t≤ 10 ms",
         moved.steps
+    );
+}
+
+/// A turn of the crank in so many positions, with velocities, accelerations and reactions.
+fn positions(name: &str, (system, drawn): &Driven, count: usize, goal: &str) {
+    let turn = std::f64::consts::TAU;
+    let values: Vec<f64> = (0..count).map(|n| drawn[0][2] + turn * n as f64 / count as f64).collect();
+    let mut sweep = system.sweep(drawn, 0).expect("the crank drives the mechanism");
+    let mut swept = Swept::default();
+    let rounds = 40_000 / count + 3;
+    let mut times: Vec<f64> = (0..rounds)
+        .map(|_| {
+            let start = Instant::now();
+            sweep.over(&values, &mut swept).expect("the crank turns");
+            start.elapsed().as_secs_f64() * 1e6
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    let time = times[rounds / 2];
+    // Virtual power, and Newton with Euler.
+    let driver = system.equations().len() - 1;
+    let largest = (0..count).fold(0.0f64, |most, n| most.max(swept.effort(n).abs()));
+    let gap =
+        (0..count).fold(0.0f64, |most, n| most.max((swept.effort(n) - swept.multipliers(n)[driver]).abs()));
+    let each = time / count as f64 * 1e3;
+    println!(
+        "{name}, {count} positions, two ways to {:.0e}\t{time:.0} µs, {each:.0} ns each\t{goal}",
+        gap / largest
     );
 }
 

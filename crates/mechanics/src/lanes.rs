@@ -30,6 +30,65 @@ pub const LARGEST_ANGLE: f64 = 1e6;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lanes(pub [f64; WIDTH]);
 
+/// A number, or as many as go side by side: what is computed with either.
+pub trait Numbers: Real {
+    /// How many they are.
+    const COUNT: usize;
+    /// One number for each place.
+    fn of(number: impl Fn(usize) -> f64) -> Self;
+    /// The number in a place.
+    fn lane(&self, place: usize) -> f64;
+    /// A function of each.
+    #[must_use]
+    fn each(self, f: impl Fn(f64) -> f64) -> Self;
+    /// A function of each and its partner.
+    #[must_use]
+    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self;
+}
+
+impl Numbers for f64 {
+    const COUNT: usize = 1;
+    #[inline(always)]
+    fn of(number: impl Fn(usize) -> f64) -> Self {
+        number(0)
+    }
+    #[inline(always)]
+    fn lane(&self, _: usize) -> f64 {
+        *self
+    }
+    #[inline(always)]
+    fn each(self, f: impl Fn(f64) -> f64) -> Self {
+        f(self)
+    }
+    #[inline(always)]
+    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        f(self, other)
+    }
+}
+
+impl Numbers for Lanes {
+    const COUNT: usize = WIDTH;
+    #[inline(always)]
+    fn of(number: impl Fn(usize) -> f64) -> Self {
+        Self::of(number)
+    }
+    #[inline(always)]
+    fn lane(&self, place: usize) -> f64 {
+        self.0[place]
+    }
+    #[inline(always)]
+    fn each(self, f: impl Fn(f64) -> f64) -> Self {
+        self.map(f)
+    }
+    #[inline(always)]
+    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        Self::of(
+            #[inline(always)]
+            |lane| f(self.0[lane], other.0[lane]),
+        )
+    }
+}
+
 /// Numbers that follow from one by formulas without conditions.
 pub trait Formula<const N: usize> {
     /// The numbers at `x`. Mark it `#[inline(always)]`: what is not inlined is not compiled for the widest registers.
@@ -96,14 +155,6 @@ impl Lanes {
         Self::of(
             #[inline(always)]
             |lane| f(self.0[lane]),
-        )
-    }
-
-    #[inline(always)]
-    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        Self::of(
-            #[inline(always)]
-            |lane| f(self.0[lane], other.0[lane]),
         )
     }
 }

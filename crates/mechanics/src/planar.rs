@@ -23,6 +23,7 @@ mod machine;
 mod measure;
 mod plan;
 mod simulate;
+mod sweep;
 mod system;
 
 pub use balance::{Acting, Dynamics, LoadPower};
@@ -33,6 +34,7 @@ pub use free::Freed;
 pub use load::{Effort, Load};
 pub use measure::{Frame, Measure, Point, Pose, Slope};
 pub use simulate::{End, Moved, Run, Snapshot};
+pub use sweep::{Sweep, Swept};
 pub use system::{Mobility, State, System};
 
 /// A plane mechanism.

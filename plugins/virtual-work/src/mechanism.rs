@@ -6,7 +6,7 @@ mod virtual_power;
 use std::f64::consts::TAU;
 
 use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
-use dalembert_mechanics::planar::{Dynamics, PlanarError, State, System};
+use dalembert_mechanics::planar::{Dynamics, PlanarError, State, Swept, System};
 use nalgebra::Vector3;
 
 use crate::{
@@ -131,7 +131,8 @@ struct Sample {
     /// The first driver.
     value: f64,
     state: State,
-    dynamics: Dynamics,
+    /// The effort of each driver.
+    efforts: Vec<f64>,
 }
 
 impl Mechanism {
@@ -221,25 +222,26 @@ impl Mechanism {
             Range::Lengths { from, to } if !turns => (from, to, false),
             _ => return Ok(Vec::new()),
         };
-        let values: Vec<f64> = self.drivers.iter().map(here).collect();
-        let at = |value: f64| [&[value], &values[1..]].concat();
-        let one_way = |positions: &[[f64; 3]], from: f64, to: f64| {
-            let (mut positions, mut samples) = (positions.to_vec(), Vec::new());
-            for step in 0..=STEPS {
-                sheet.keep_going()?;
-                let value = from + (to - from) * step as f64 / STEPS as f64;
-                let Ok(followed) = this.system.follow(&positions, &at(value)) else { break };
-                positions = followed.positions;
-                if let Ok((state, dynamics)) = this.system.solved(&positions) {
-                    samples.push(Sample { value, state, dynamics });
-                }
-            }
-            Ok(samples)
+        let refuse = |error: PlanarError| this.parts.refusal(&error, this.rows);
+        let first_driver = this.system.equations().len() - self.drivers.len();
+        let one_way = |positions: &[[f64; 3]], from: f64, to: f64| -> Result<Vec<Sample>, Refusal> {
+            sheet.keep_going()?;
+            let values: Vec<f64> =
+                (0..=STEPS).map(|step| from + (to - from) * step as f64 / STEPS as f64).collect();
+            let mut swept = Swept::default();
+            // Where the mechanism goes no further the picture ends.
+            let _end = this.system.sweep(positions, 0).map_err(refuse)?.over(&values, &mut swept);
+            let sample = |n: usize| Sample {
+                value: values[n],
+                state: swept.state(n),
+                efforts: swept.multipliers(n)[first_driver..].to_vec(),
+            };
+            Ok((0..swept.reached()).map(sample).collect())
         };
         let positions = &this.state.positions;
         if !closed {
-            let refuse = |error: PlanarError| this.parts.refusal(&error, this.rows);
-            let there = this.system.follow(positions, &at(from)).map_err(refuse)?;
+            let values: Vec<f64> = self.drivers.iter().map(here).collect();
+            let there = this.system.follow(positions, &[&[from], &values[1..]].concat()).map_err(refuse)?;
             return one_way(&there.positions, from, to);
         }
         let forward = one_way(positions, from, to)?;

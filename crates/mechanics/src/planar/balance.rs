@@ -1,11 +1,13 @@
 //! The efforts that move a mechanism, by virtual power and by Newton and Euler.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
+
 use super::{
     Frame, Joint, Load, Measure, Mechanism, PlanarError, Pose, State, System,
     load::wrench,
     system::{poses, project, slope},
 };
-use crate::linalg::Elimination;
+use crate::{lanes::Numbers, linalg::Elimination};
 
 /// Rounds of the friction forces before a mechanism counts as jammed.
 const ROUNDS: usize = 500;
@@ -209,27 +211,31 @@ impl System {
     }
 
     /// The forces and moments of loads and weights on every body, and the power of those loads that have no potential.
-    pub(super) fn forces(
+    #[inline(always)]
+    pub(super) fn forces<S: Numbers>(
         &self,
-        poses: &[Pose<f64>],
-        velocities: &[[f64; 3]],
-        forces: &mut [[f64; 3]],
-    ) -> f64 {
+        poses: &[Pose<S>],
+        velocities: &[[S; 3]],
+        forces: &mut [[S; 3]],
+    ) -> S {
         let Mechanism { bodies, loads, gravity: [gx, gy], .. } = &self.mechanism;
         for (force, body) in forces.iter_mut().zip(bodies) {
-            *force = [body.mass * gx, body.mass * gy, 0.0];
+            *force = [body.mass * gx, body.mass * gy, 0.0].map(S::from);
         }
-        let mut power = 0.0;
-        let mut apply = |body: usize, part: [f64; 3], stored: bool| {
-            add(&mut forces[body], part);
+        let mut power = S::from(0.0);
+        let mut apply = |body: usize, part: [S; 3], stored: bool| {
+            for (sum, part) in forces[body].iter_mut().zip(part) {
+                *sum = *sum + part;
+            }
             if !stored {
-                power += part.iter().zip(velocities[body]).map(|(f, v)| f * v).sum::<f64>();
+                let [vx, vy, w] = velocities[body];
+                power = power + part[0] * vx + part[1] * vy + part[2] * w;
             }
         };
         for load in loads {
             match load {
                 Load::Force { at, force, turns_with } => {
-                    let turned = turns_with.map_or(*force, |body| poses[body].turned(*force));
+                    let turned = turns_with.map_or(force.map(S::from), |body| poses[body].turned(*force));
                     if let Some(body) = at.on {
                         apply(body, wrench(&poses[body], at.at, turned), turns_with.is_none());
                     }

@@ -1,7 +1,9 @@
 //! What acts on a mechanism besides its weight.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
+
 use super::{Frame, Measure, Point, Pose, Profile};
-use crate::Real;
+use crate::{Real, lanes::Numbers};
 
 /// A load.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,15 +73,16 @@ pub enum Effort {
 
 impl Effort {
     /// The effort at a value and a velocity of its measure.
-    pub fn at(&self, value: f64, velocity: f64) -> f64 {
+    #[inline(always)]
+    pub fn at<S: Numbers>(&self, value: S, velocity: S) -> S {
         match self {
-            &Effort::Constant(effort) => effort,
-            &Effort::Spring { stiffness, free } => -(stiffness * (value - free)),
-            &Effort::Damper { coefficient } => -(coefficient * velocity),
+            &Effort::Constant(effort) => S::from(effort),
+            &Effort::Spring { stiffness, free } => -((value - free) * stiffness),
+            &Effort::Damper { coefficient } => -(velocity * coefficient),
             &Effort::Gas { area, pressure, column, exponent, ambient } => {
-                area * (pressure * (column / value).powf(exponent) - ambient)
+                value.each(|value| area * (pressure * (column / value).powf(exponent) - ambient))
             }
-            Effort::Table(profile) => profile.at(value)[0],
+            Effort::Table(profile) => value.each(|value| profile.at(value)[0]),
         }
     }
 
@@ -122,6 +125,7 @@ impl Effort {
 }
 
 /// The force and moment about its body's origin of a force at a point.
+#[inline(always)]
 pub(super) fn wrench<S: Real>(pose: &Pose<S>, at: [f64; 2], force: [S; 2]) -> [S; 3] {
     let [rx, ry] = pose.turned(at);
     [force[0], force[1], rx * force[1] - ry * force[0]]

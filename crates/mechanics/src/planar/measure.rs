@@ -4,6 +4,8 @@
 //! `m(q)` of the positions q, the effort conjugate to it does the power `Q ṁ` (virtual power), and acts on the
 //! bodies as `Q ∂m/∂q`; its acceleration is `m̈ = (∂m/∂q) q̈ + b` with `b` quadratic in the velocities.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
+
 use crate::Real;
 
 /// A body, counted from 0, or the ground.
@@ -93,32 +95,32 @@ pub struct Slope<S> {
 
 impl<S: Real> Pose<S> {
     /// A body with its origin and angle.
-    #[inline]
+    #[inline(always)]
     pub fn new([x, y, angle]: [S; 3]) -> Self {
         Self { x, y, angle, cos: angle.cos(), sin: angle.sin() }
     }
 
     /// The same body with another angle, of which cosine and sine are known.
-    #[inline]
+    #[inline(always)]
     pub(super) fn turn(&mut self, angle: S, [cos, sin]: [S; 2]) {
         (self.angle, self.cos, self.sin) = (angle, cos, sin);
     }
 
     /// The ground.
-    #[inline]
+    #[inline(always)]
     pub fn ground() -> Self {
         let zero = S::from(0.0);
         Self { x: zero, y: zero, angle: zero, cos: S::from(1.0), sin: zero }
     }
 
     /// A vector of the body in the axes of the ground.
-    #[inline]
+    #[inline(always)]
     pub fn turned(&self, [x, y]: [f64; 2]) -> [S; 2] {
         [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
     }
 
     /// A point of the body.
-    #[inline]
+    #[inline(always)]
     pub fn point(&self, at: [f64; 2]) -> [S; 2] {
         let [x, y] = self.turned(at);
         [self.x + x, self.y + y]
@@ -127,7 +129,7 @@ impl<S: Real> Pose<S> {
 
 impl Measure {
     /// The bodies between which it is taken: from, to.
-    #[inline]
+    #[inline(always)]
     pub fn bodies(&self) -> [Frame; 2] {
         match *self {
             Measure::Angle { of, against } => [against, of],
@@ -145,7 +147,7 @@ impl Measure {
     /// Its value and slope, with the poses of the bodies it is taken from and to.
     ///
     /// The slope of a distance is not finite where the points coincide.
-    #[inline]
+    #[inline(always)]
     pub fn slope<S: Real>(&self, [from_pose, to_pose]: [&Pose<S>; 2]) -> Slope<S> {
         let zero = S::from(0.0);
         // A unit force along u at a point of a body, as the force and its moment about the body's origin.
@@ -181,7 +183,7 @@ impl Measure {
     }
 
     /// Its acceleration when no body accelerates: the part of `m̈` that is quadratic in the velocities.
-    #[inline]
+    #[inline(always)]
     pub fn bias<S: Real>(&self, poses: [&Pose<S>; 2], velocities: [[S; 3]; 2]) -> S {
         let [from_pose, to_pose] = poses;
         let [from_velocity, to_velocity] = velocities;
@@ -223,12 +225,12 @@ impl Measure {
 }
 
 /// From A to B.
-#[inline]
+#[inline(always)]
 fn between<S: Real>(from: &Pose<S>, a: [S; 2], to: &Pose<S>, b: [S; 2]) -> [S; 2] {
     [to.x + b[0] - from.x - a[0], to.y + b[1] - from.y - a[1]]
 }
 
-#[inline]
+#[inline(always)]
 fn dot<S: Real>(a: [S; 2], b: [S; 2]) -> S {
     a[0] * b[0] + a[1] * b[1]
 }

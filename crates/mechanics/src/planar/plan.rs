@@ -6,8 +6,10 @@
 //! pair for each loop, are eliminated with pivots chosen for few operations among those that are large in their row
 //! (H. M. Markowitz; I. S. Duff, A. M. Erisman, J. K. Reid, *Direct Methods for Sparse Matrices*, ch. 7 and 9).
 
+mod core;
 mod layout;
 mod order;
 
+pub(super) use core::Core;
 pub(super) use layout::{Layout, Work};
 pub(super) use order::Order;

@@ -1,9 +1,11 @@
 //! A mechanism made ready to be computed with: its equations, their slopes, and its assembly.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
+
 use nalgebra::DMatrix;
 
 use super::{Dynamics, Equation, Frame, Load, Measure, Mechanism, PlanarError, Point, Pose, Slope};
-use crate::linalg::Elimination;
+use crate::{Real, linalg::Elimination};
 
 /// What a closed joint may be open by, in parts of the size of the mechanism.
 const CLOSED: f64 = 1e-14;
@@ -438,11 +440,13 @@ pub(super) fn poses(positions: &[[f64; 3]]) -> Vec<Pose<f64>> {
     positions.iter().map(|&position| Pose::new(position)).collect()
 }
 
-fn pose(frame: Frame, poses: &[Pose<f64>]) -> Pose<f64> {
+#[inline(always)]
+fn pose<S: Real>(frame: Frame, poses: &[Pose<S>]) -> Pose<S> {
     frame.map_or_else(Pose::ground, |body| poses[body])
 }
 
-pub(super) fn slope(measure: &Measure, poses: &[Pose<f64>]) -> Slope<f64> {
+#[inline(always)]
+pub(super) fn slope<S: Real>(measure: &Measure, poses: &[Pose<S>]) -> Slope<S> {
     let [from, to] = measure.bodies().map(|frame| pose(frame, poses));
     measure.slope([&from, &to])
 }
@@ -455,10 +459,10 @@ pub(super) fn bias(measure: &Measure, poses: &[Pose<f64>], velocities: &[[f64; 3
 }
 
 /// The velocity of a measure.
-pub(super) fn project(measure: &Measure, slope: &Slope<f64>, velocities: &[[f64; 3]]) -> f64 {
-    let of = |frame: Frame, part: [f64; 3]| {
-        frame.map_or(0.0, |body| part.iter().zip(velocities[body]).map(|(a, b)| a * b).sum::<f64>())
-    };
+#[inline(always)]
+pub(super) fn project<S: Real>(measure: &Measure, slope: &Slope<S>, velocities: &[[S; 3]]) -> S {
+    let dot = |[ax, ay, aw]: [S; 3], [bx, by, bw]: [S; 3]| ax * bx + ay * by + aw * bw;
+    let of = |frame: Frame, part: [S; 3]| frame.map_or(S::from(0.0), |body| dot(part, velocities[body]));
     let [from, to] = measure.bodies();
     of(from, slope.from) + of(to, slope.to)
 }

@@ -29,5 +29,6 @@ mod roots;
 mod sdof;
 mod slider_crank;
 mod spring;
+mod sweep;
 mod whirl;
 mod work;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use dalembert_mechanics::planar::{Body, Effort, Joint, Load, Measure, Mechanism, Point, System};
+use dalembert_mechanics::planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Point, System};
 
 /// 2 N + 1 rods of 1 m and 1 kg: the upright ones first, then those that join their tops.
 pub(crate) fn four_bars(n: usize) -> (System, Vec<[f64; 3]>) {
@@ -87,4 +87,103 @@ pub(crate) fn andrews() -> (System, Vec<[f64; 3]>) {
         gravity: [0.0, 0.0],
     };
     (System::new(&mechanism, &drawn).expect("the mechanism is well formed"), drawn)
+}
+
+/// A mechanism driven by the angle of its first body, and where it is drawn.
+pub(crate) type Driven = (System, Vec<[f64; 3]>);
+
+fn turned_by(mechanism: Mechanism, drawn: &[[f64; 3]], [velocity, acceleration]: [f64; 2]) -> Driven {
+    let measure = Measure::Angle { of: Some(0), against: None };
+    let driver = Driver { measure, value: drawn[0][2], velocity, acceleration };
+    let mechanism = Mechanism { drivers: vec![driver], ..mechanism };
+    let system = System::new(&mechanism, drawn).expect("the mechanism is well formed");
+    let drawn = system.assemble(drawn).expect("the mechanism closes");
+    (system, drawn)
+}
+
+/// A point of a bar of which the mass centre is in the middle, from its first end.
+fn along(body: usize, length: f64, at: f64) -> Point {
+    Point::body(body, [at - length / 2.0, 0.0])
+}
+
+fn pin(a: Point, b: Point) -> Joint {
+    Joint::Pin { a, b }
+}
+
+/// The crank-rocker of the yardstick: ground 0.30, crank 0.10, coupler 0.28, rocker 0.20 m, 5 N m against the rocker.
+pub(crate) fn crank_rocker(rates: [f64; 2]) -> Driven {
+    let mechanism = Mechanism {
+        bodies: vec![
+            Body { mass: 0.5, inertia: 0.5 * 0.01 / 12.0 },
+            Body { mass: 1.0, inertia: 0.0784 / 12.0 },
+            Body { mass: 0.8, inertia: 0.8 * 0.04 / 12.0 },
+        ],
+        joints: vec![
+            pin(Point::ground([0.0, 0.0]), along(0, 0.1, 0.0)),
+            pin(along(0, 0.1, 0.1), along(1, 0.28, 0.0)),
+            pin(along(1, 0.28, 0.28), along(2, 0.2, 0.2)),
+            pin(Point::ground([0.3, 0.0]), along(2, 0.2, 0.0)),
+        ],
+        loads: vec![Load::Effort {
+            measure: Measure::Angle { of: Some(2), against: None },
+            effort: Effort::Constant(-5.0),
+        }],
+        gravity: [0.0, -9.81],
+        ..Mechanism::default()
+    };
+    turned_by(mechanism, &[[0.05, 0.01, 0.3], [0.23, 0.1, 0.5], [0.28, 0.1, 1.9]], rates)
+}
+
+/// The slider-crank of the yardstick, with a spring behind the slider and a damper at it.
+pub(crate) fn driven_slider(rates: [f64; 2]) -> Driven {
+    let slider = Point::body(2, [0.0, 0.0]);
+    let way = Measure::Component { direction: [1.0, 0.0], from: Point::ground([0.0, 0.0]), to: slider };
+    let mechanism = Mechanism {
+        bodies: vec![
+            Body { mass: 1.2, inertia: 8e-4 },
+            Body { mass: 0.8, inertia: 3.5e-3 },
+            Body { mass: 0.5, inertia: 0.0 },
+        ],
+        joints: vec![
+            pin(Point::ground([0.0, 0.0]), Point::body(0, [-0.02, 0.0])),
+            pin(Point::body(0, [0.03, 0.0]), Point::body(1, [-0.07, 0.0])),
+            pin(Point::body(1, [0.13, 0.0]), slider),
+            Joint::Slider { guide: Point::ground([0.0, 0.0]), direction: 0.0, slides: slider, angle: 0.0 },
+        ],
+        loads: vec![
+            Load::Force { at: slider, force: [-200.0, 0.0], turns_with: None },
+            Load::Effort { measure: way, effort: Effort::Spring { stiffness: 900.0, free: 0.2 } },
+            Load::Effort { measure: way, effort: Effort::Damper { coefficient: 12.0 } },
+        ],
+        gravity: [0.0, -9.81],
+        ..Mechanism::default()
+    };
+    turned_by(mechanism, &[[0.02, 0.0, 0.3], [0.1, 0.0, -0.1], [0.24, 0.0, 0.0]], rates)
+}
+
+/// A six-bar of Stephenson's third kind: a crank-rocker whose coupler point drives a dyad to a third pivot.
+pub(crate) fn six_bar(rates: [f64; 2]) -> Driven {
+    let bar = |mass: f64, length: f64| Body { mass, inertia: mass * length * length / 12.0 };
+    let mechanism = Mechanism {
+        bodies: vec![bar(0.5, 0.1), bar(1.0, 0.28), bar(0.8, 0.2), bar(0.9, 0.3), bar(0.7, 0.25)],
+        joints: vec![
+            pin(Point::ground([0.0, 0.0]), along(0, 0.1, 0.0)),
+            pin(along(0, 0.1, 0.1), along(1, 0.28, 0.0)),
+            pin(along(1, 0.28, 0.28), along(2, 0.2, 0.2)),
+            pin(Point::ground([0.3, 0.0]), along(2, 0.2, 0.0)),
+            pin(Point::body(1, [0.02, 0.1]), along(3, 0.3, 0.0)),
+            pin(along(3, 0.3, 0.3), along(4, 0.25, 0.25)),
+            pin(Point::ground([0.5, 0.25]), along(4, 0.25, 0.0)),
+        ],
+        gravity: [0.0, -9.81],
+        ..Mechanism::default()
+    };
+    let drawn = [[0.05, 0.01, 0.3], [0.23, 0.1, 0.5], [0.28, 0.1, 1.9], [0.3, 0.32, 0.8], [0.45, 0.37, 2.0]];
+    turned_by(mechanism, &drawn, rates)
+}
+
+/// Andrews' mechanism with its crank driven.
+pub(crate) fn driven_squeezer(rates: [f64; 2]) -> Driven {
+    let (system, drawn) = andrews();
+    turned_by(system.mechanism().clone(), &drawn, rates)
 }

@@ -23,7 +23,7 @@ impl Solved<'_> {
                     _ => ("N", "Force"),
                 };
                 let title = Text::new("Effort of {name}").with("name", &drive.name);
-                let of = |sample: &Sample| sample.dynamics.efforts[driver];
+                let of = |sample: &Sample| sample.efforts[driver];
                 sheet.show(|| Exhibit::Plot(self.over_range(samples, title, label, unit, &[("", &of)])));
             }
             let mut all: Vec<(String, Box<dyn Fn(&Sample) -> f64>)> = Vec::new();

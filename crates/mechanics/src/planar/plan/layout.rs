@@ -1,11 +1,13 @@
 //! Where the slopes of the equations stand in a flat array, and which coordinates are explicit.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
+
 use std::collections::VecDeque;
 
 use super::super::{Equation, Frame, Measure, Point, Pose, System, Term};
 use crate::{
     Real,
-    lanes::{Lanes, WIDTH, widest},
+    lanes::{Lanes, Numbers, WIDTH, widest},
 };
 
 /// The structure of a mechanism's equations, whatever its position.
@@ -35,19 +37,19 @@ pub(in super::super) struct Layout {
     length: f64,
 }
 
-/// The numbers of a position.
+/// The numbers of a position, or of several side by side.
 #[derive(Debug, Clone)]
-pub(in super::super) struct Work {
+pub(in super::super) struct Work<S = f64> {
     /// Positions `(x, y, θ)` of the bodies and, last, the ground.
-    pub(in super::super) poses: Vec<Pose<f64>>,
+    pub(in super::super) poses: Vec<Pose<S>>,
     /// How far each equation is from holding.
-    pub(in super::super) gaps: Vec<f64>,
+    pub(in super::super) gaps: Vec<S>,
     /// The constants of the equations.
-    pub(in super::super) sums: Vec<f64>,
+    pub(in super::super) sums: Vec<S>,
     /// The slopes, in the places of the layout and, behind, those of an order.
-    pub(in super::super) slopes: Vec<f64>,
+    pub(in super::super) slopes: Vec<S>,
     /// The arms of the pins.
-    arms: Vec<[f64; 4]>,
+    arms: Vec<[S; 4]>,
 }
 
 /// One equation, or the two of a pin.
@@ -149,38 +151,29 @@ impl Layout {
     }
 
     /// Room for the numbers of a position.
-    pub(in super::super) fn work(&self, system: &System) -> Work {
-        let mut slopes = vec![0.0; self.places];
+    pub(in super::super) fn work<S: Numbers>(&self, system: &System) -> Work<S> {
+        let zero = S::from(0.0);
+        let mut slopes = vec![zero; self.places];
         for (row, equation) in system.equations.iter().enumerate() {
             for (column, slope) in shape(equation, self.length) {
                 let place =
                     self.rows[row].iter().find(|(at, _)| *at == column).map_or(0, |(_, place)| *place);
-                slopes[place] = slope.unwrap_or(0.0);
+                slopes[place] = S::from(slope.unwrap_or(0.0));
             }
         }
         Work {
             poses: vec![Pose::ground(); self.bodies + 1],
-            gaps: vec![0.0; self.rows.len()],
-            sums: system.equations.iter().map(|equation| equation.sum.unwrap_or(0.0)).collect(),
+            gaps: vec![zero; self.rows.len()],
+            sums: system.equations.iter().map(|equation| S::from(equation.sum.unwrap_or(0.0))).collect(),
             slopes,
-            arms: vec![[0.0; 4]; self.kernels.len()],
+            arms: vec![[zero; 4]; self.kernels.len()],
         }
     }
 
     /// The position with these kept coordinates: poses, gaps and slopes.
-    pub(in super::super) fn set(&self, kept: &[f64], work: &mut Work) {
-        let per_length = 1.0 / self.length;
-        for bodies in self.turning.chunks(WIDTH) {
-            let angles =
-                Lanes::of(|lane| bodies.get(lane).map_or(0.0, |(_, number)| kept[*number] * per_length));
-            let (cos, sin) = widest(
-                #[inline(always)]
-                || (angles.cos(), angles.sin()),
-            );
-            for (lane, (body, _)) in bodies.iter().enumerate() {
-                work.poses[*body].turn(angles.0[lane], [cos.0[lane], sin.0[lane]]);
-            }
-        }
+    #[inline(always)]
+    pub(in super::super) fn set<S: Numbers>(&self, kept: &[S], work: &mut Work<S>) {
+        self.turn(kept, &mut work.poses);
         for &(number, column) in &self.moving {
             self.put(column, kept[number], work);
         }
@@ -203,17 +196,42 @@ impl Layout {
                 }
                 Setting::General { kernel, column, slope } => {
                     let Kernel::General { row, terms } = &self.kernels[kernel] else { continue };
-                    self.put(column, 0.0, work);
-                    let gap: f64 =
-                        terms.iter().map(|(term, _)| value(term, &work.poses)).sum::<f64>() - work.sums[*row];
-                    self.put(column, -gap / slope, work);
+                    self.put(column, S::from(0.0), work);
+                    let left = S::sum(terms.iter().map(|(term, _)| value(term, &work.poses)));
+                    self.put(column, (work.sums[*row] - left) / slope, work);
                 }
             }
         }
     }
 
+    /// The kept angles, with cosines and sines: those of several bodies at once where positions come one by one.
+    #[inline(always)]
+    fn turn<S: Numbers>(&self, kept: &[S], poses: &mut [Pose<S>]) {
+        let per_length = 1.0 / self.length;
+        if S::COUNT > 1 {
+            for &(body, number) in &self.turning {
+                let angle = kept[number] * per_length;
+                poses[body].turn(angle, [angle.cos(), angle.sin()]);
+            }
+            return;
+        }
+        for bodies in self.turning.chunks(WIDTH) {
+            let angle = |lane: usize| bodies.get(lane).map_or(0.0, |(_, number)| kept[*number].value());
+            let angles = Lanes::of(|lane| angle(lane) * per_length);
+            let (cos, sin) = widest(
+                #[inline(always)]
+                || (angles.cos(), angles.sin()),
+            );
+            for (lane, (body, _)) in bodies.iter().enumerate() {
+                let [angle, cos, sin] = [angles, cos, sin].map(|lanes| S::from(lanes.0[lane]));
+                poses[*body].turn(angle, [cos, sin]);
+            }
+        }
+    }
+
     /// Gaps and slopes of the position that was set.
-    pub(in super::super) fn measure(&self, work: &mut Work) {
+    #[inline(always)]
+    pub(in super::super) fn measure<S: Numbers>(&self, work: &mut Work<S>) {
         let per_length = 1.0 / self.length;
         for (index, kernel) in self.kernels.iter().enumerate() {
             match kernel {
@@ -233,24 +251,25 @@ impl Layout {
                 }
                 Kernel::General { row, terms } => {
                     for place in terms.iter().flat_map(|(_, places)| places.iter().flatten()) {
-                        work.slopes[*place] = 0.0;
+                        work.slopes[*place] = S::from(0.0);
                     }
-                    let mut left = 0.0;
+                    let mut left = S::from(0.0);
                     for (term, places) in terms {
                         let slope = self.slope(&term.measure, &work.poses);
                         let (value, rate) = match &term.profile {
-                            Some(profile) => {
-                                let [value, rate, _] = profile.at(slope.value);
-                                (value, rate)
-                            }
-                            None => (slope.value, 1.0),
+                            Some(profile) => (
+                                slope.value.each(|x| profile.at(x)[0]),
+                                slope.value.each(|x| profile.at(x)[1]),
+                            ),
+                            None => (slope.value, S::from(1.0)),
                         };
-                        left += term.weight * value;
-                        let factor = term.weight * rate;
+                        left = left + value * term.weight;
+                        let factor = rate * term.weight;
                         for (places, part) in places.iter().zip([slope.from, slope.to]) {
-                            work.slopes[places[0]] += factor * part[0];
-                            work.slopes[places[1]] += factor * part[1];
-                            work.slopes[places[2]] += factor * part[2] * per_length;
+                            let turn = part[2] * per_length;
+                            for (place, part) in places.iter().zip([part[0], part[1], turn]) {
+                                work.slopes[*place] = work.slopes[*place] + factor * part;
+                            }
                         }
                     }
                     work.gaps[*row] = left - work.sums[*row];
@@ -260,7 +279,8 @@ impl Layout {
     }
 
     /// The accelerations of the left sides when no body accelerates, with the signs changed.
-    pub(in super::super) fn bend(&self, work: &Work, velocities: &[[f64; 3]], out: &mut [f64]) {
+    #[inline(always)]
+    pub(in super::super) fn bend<S: Numbers>(&self, work: &Work<S>, velocities: &[[S; 3]], out: &mut [S]) {
         for (index, kernel) in self.kernels.iter().enumerate() {
             match kernel {
                 Kernel::Pin { row, bodies: [a, b], .. } => {
@@ -276,14 +296,14 @@ impl Layout {
                         let frames = term.measure.bodies().map(|frame| frame.unwrap_or(self.bodies));
                         let pair = frames.map(|body| velocities[body]);
                         let bias = term.measure.bias(poses, pair);
-                        let Some(profile) = &term.profile else { return term.weight * bias };
+                        let Some(profile) = &term.profile else { return bias * term.weight };
                         let slope = term.measure.slope(poses);
-                        let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+                        let dot = |a: [S; 3], b: [S; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
                         let rate = dot(slope.from, pair[0]) + dot(slope.to, pair[1]);
-                        let [_, first, second] = profile.at(slope.value);
-                        term.weight * (first * bias + second * rate * rate)
+                        let [first, second] = [1, 2].map(|n: usize| slope.value.each(|x| profile.at(x)[n]));
+                        (first * bias + second * rate * rate) * term.weight
                     };
-                    out[*row] = -terms.iter().map(of_term).sum::<f64>();
+                    out[*row] = -S::sum(terms.iter().map(of_term));
                 }
             }
         }
@@ -312,7 +332,20 @@ impl Layout {
         Some(open)
     }
 
-    fn put(&self, column: usize, value: f64, work: &mut Work) {
+    /// The same for positions side by side: NaN where a gap is not a number.
+    #[inline(always)]
+    pub(in super::super) fn open_by<S: Numbers>(&self, work: &Work<S>) -> S {
+        let zero = S::from(0.0);
+        self.loops.iter().fold(zero, |open, &row| {
+            let places = self.rows[row].iter();
+            let most = places.fold(zero, |most, (_, place)| most.with(work.slopes[*place].abs(), f64::max));
+            let gap = work.gaps[row].abs().with(most, |gap, most| if gap == 0.0 { 0.0 } else { gap / most });
+            open.with(gap, |open, gap| if gap > open || gap.is_nan() { gap } else { open })
+        })
+    }
+
+    #[inline(always)]
+    fn put<S: Numbers>(&self, column: usize, value: S, work: &mut Work<S>) {
         let pose = &mut work.poses[column / 3];
         match column % 3 {
             0 => pose.x = value,
@@ -321,19 +354,22 @@ impl Layout {
         }
     }
 
-    fn pair<'a>(&self, measure: &Measure, poses: &'a [Pose<f64>]) -> [&'a Pose<f64>; 2] {
+    #[inline(always)]
+    fn pair<'a, S>(&self, measure: &Measure, poses: &'a [Pose<S>]) -> [&'a Pose<S>; 2] {
         measure.bodies().map(|frame| &poses[frame.unwrap_or(self.bodies)])
     }
 
-    fn slope(&self, measure: &Measure, poses: &[Pose<f64>]) -> super::super::Slope<f64> {
+    #[inline(always)]
+    fn slope<S: Numbers>(&self, measure: &Measure, poses: &[Pose<S>]) -> super::super::Slope<S> {
         measure.slope(self.pair(measure, poses))
     }
 }
 
-fn value(term: &Term, poses: &[Pose<f64>]) -> f64 {
+#[inline(always)]
+fn value<S: Numbers>(term: &Term, poses: &[Pose<S>]) -> S {
     let pair = term.measure.bodies().map(|frame| &poses[frame.unwrap_or(poses.len() - 1)]);
     let value = term.measure.slope(pair).value;
-    term.weight * term.profile.as_ref().map_or(value, |profile| profile.at(value)[0])
+    term.profile.as_ref().map_or(value, |profile| value.each(|x| profile.at(x)[0])) * term.weight
 }
 
 /// The two points of a pin, if these equations begin with those of one.

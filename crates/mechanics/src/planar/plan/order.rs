@@ -1,6 +1,9 @@
 //! The elimination of a layout's equations in an order chosen once.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
+
 use super::Layout;
+use crate::lanes::Numbers;
 
 /// A pivot must have this part of the largest slope of its row when it is chosen …
 const CHOSEN: f64 = 0.3;
@@ -11,9 +14,9 @@ const LOW: f64 = 0.05;
 /// A row whose slopes have fallen to this part of what they were follows from the others.
 const FOLLOWS: f64 = 1e-8;
 
-/// An order of elimination, and the numbers of one position.
+/// An order of elimination, and the numbers of one position or of several side by side.
 #[derive(Debug, Clone)]
-pub(in super::super) struct Order {
+pub(in super::super) struct Order<S = f64> {
     pivots: Vec<Pivot>,
     removals: Vec<Removal>,
     /// Places: what is changed, and by what.
@@ -27,10 +30,10 @@ pub(in super::super) struct Order {
     /// Rows that follow from the others, with their places.
     dropped: Vec<(usize, Vec<usize>)>,
     /// The slopes, overwritten by the elimination.
-    slopes: Vec<f64>,
-    inverses: Vec<f64>,
+    slopes: Vec<S>,
+    inverses: Vec<S>,
     /// The slopes to the right of each pivot over it, with the sign changed.
-    ratios: Vec<f64>,
+    ratios: Vec<S>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -66,39 +69,12 @@ struct Entry {
 impl Order {
     /// Chooses an order for the slopes of a position.
     pub(in super::super) fn new(layout: &Layout, slopes: &[f64], columns: usize) -> Self {
-        let mut rows: Vec<Vec<Entry>> = layout
+        let sizes: Vec<f64> = layout
             .rows
             .iter()
-            .map(|row| {
-                row.iter().map(|&(column, place)| Entry { column, place, value: slopes[place] }).collect()
-            })
+            .map(|row| row.iter().fold(0.0, |most: f64, (_, place)| most.max(slopes[*place].abs())))
             .collect();
-        let mut of_column: Vec<Vec<usize>> = vec![Vec::new(); columns];
-        for (row, entries) in rows.iter().enumerate() {
-            for entry in entries {
-                of_column[entry.column].push(row);
-            }
-        }
-        let sizes: Vec<f64> = rows.iter().map(|row| largest(row)).collect();
-        let mut maker = Maker {
-            order: Self {
-                pivots: Vec::new(),
-                removals: Vec::new(),
-                updates: Vec::new(),
-                others: Vec::new(),
-                first_loop: layout.explicit.len(),
-                free: Vec::new(),
-                dropped: Vec::new(),
-                slopes: Vec::new(),
-                inverses: Vec::new(),
-                ratios: Vec::new(),
-            },
-            places: layout.places,
-            taken: vec![false; columns],
-        };
-        for &(row, column, _) in layout.explicit.iter().rev() {
-            maker.pivot(&mut rows, &mut of_column, row, column);
-        }
+        let (mut maker, mut rows, mut of_column) = Maker::<f64>::of_explicit(layout, slopes, columns);
         let mut left = layout.loops.clone();
         while !left.is_empty() {
             let mut best: Option<(usize, usize, usize, f64)> = None;
@@ -128,40 +104,7 @@ impl Order {
             left.retain(|other| *other != row);
             maker.pivot(&mut rows, &mut of_column, row, column);
         }
-        let Maker { mut order, places, taken } = maker;
-        order.free = (0..columns).filter(|column| !taken[*column]).collect();
-        order.slopes = vec![0.0; places];
-        order.ratios = vec![0.0; order.others.len()];
-        order.inverses = order.pivots.iter().map(|pivot| 1.0 / pivot.chosen).collect();
-        order
-    }
-
-    /// Eliminates the slopes of a position.
-    pub(in super::super) fn eliminate(&mut self, slopes: &[f64]) {
-        let Self { pivots, removals, updates, others, slopes: w, inverses, ratios, first_loop, .. } = self;
-        let (given, filled) = w.split_at_mut(slopes.len());
-        given.copy_from_slice(slopes);
-        filled.fill(0.0);
-        let (mut removal, mut update) = (0, 0);
-        for (index, (pivot, inverse)) in pivots.iter().zip(inverses).enumerate() {
-            // The slopes by explicit coordinates never change.
-            if index >= *first_loop {
-                *inverse = 1.0 / w[pivot.place];
-            }
-            for one in &removals[removal..pivot.removals] {
-                let factor = w[one.place] * *inverse;
-                w[one.place] = factor;
-                for &(target, source) in &updates[update..one.updates] {
-                    w[target as usize] -= factor * w[source as usize];
-                }
-                update = one.updates;
-            }
-            removal = pivot.removals;
-            let [from, to] = pivot.others;
-            for (ratio, (place, _)) in ratios[from..to].iter_mut().zip(&others[from..to]) {
-                *ratio = -w[*place as usize] * *inverse;
-            }
-        }
+        maker.done(columns)
     }
 
     /// Whether another order should be chosen: a pivot has become small in its row, or a row that was dropped says
@@ -184,75 +127,197 @@ impl Order {
         let loops = &self.pivots[self.first_loop..];
         loops.iter().any(|pivot| self.slopes[pivot.place].abs() < LOW * pivot.chosen.abs())
     }
+}
+
+impl<S: Numbers> Order<S> {
+    /// The order of the explicit coordinates alone, and what is left of the other rows: the places and columns of
+    /// each.
+    pub(in super::super) fn of_explicit(
+        layout: &Layout,
+        slopes: &[f64],
+        columns: usize,
+    ) -> (Self, Vec<Vec<(usize, usize)>>) {
+        let (maker, rows, _) = Maker::of_explicit(layout, slopes, columns);
+        let left = |row: &usize| rows[*row].iter().map(|entry| (entry.place, entry.column)).collect();
+        let left = layout.loops.iter().map(left).collect();
+        (maker.done(columns), left)
+    }
+
+    /// Eliminates the slopes of a position.
+    #[inline(always)]
+    pub(in super::super) fn eliminate(&mut self, slopes: &[S]) {
+        let Self { pivots, removals, updates, others, slopes: w, inverses, ratios, first_loop, .. } = self;
+        let (given, filled) = w.split_at_mut(slopes.len());
+        given.copy_from_slice(slopes);
+        filled.fill(S::from(0.0));
+        let (mut removal, mut update) = (0, 0);
+        for (index, (pivot, inverse)) in pivots.iter().zip(inverses).enumerate() {
+            // The slopes by explicit coordinates never change.
+            if index >= *first_loop {
+                *inverse = S::from(1.0) / w[pivot.place];
+            }
+            for one in &removals[removal..pivot.removals] {
+                let factor = w[one.place] * *inverse;
+                w[one.place] = factor;
+                for &(target, source) in &updates[update..one.updates] {
+                    w[target as usize] = w[target as usize] - factor * w[source as usize];
+                }
+                update = one.updates;
+            }
+            removal = pivot.removals;
+            let [from, to] = pivot.others;
+            for (ratio, (place, _)) in ratios[from..to].iter_mut().zip(&others[from..to]) {
+                *ratio = -w[*place as usize] * *inverse;
+            }
+        }
+    }
 
     /// A solution for the given right sides, with zero in the free columns. The right sides are overwritten.
-    pub(in super::super) fn solve(&self, right: &mut [f64], x: &mut [f64]) {
+    #[inline(always)]
+    pub(in super::super) fn solve(&self, right: &mut [S], x: &mut [S]) {
+        self.reduce(right);
+        for &column in &self.free {
+            x[column] = S::from(0.0);
+        }
+        self.complete(right, x);
+    }
+
+    /// What the elimination makes of right sides.
+    #[inline(always)]
+    pub(in super::super) fn reduce(&self, right: &mut [S]) {
         let mut removal = 0;
         for pivot in &self.pivots {
             let known = right[pivot.row];
             for one in &self.removals[removal..pivot.removals] {
-                right[one.row] -= self.slopes[one.place] * known;
+                right[one.row] = right[one.row] - self.slopes[one.place] * known;
             }
             removal = pivot.removals;
         }
-        for &column in &self.free {
-            x[column] = 0.0;
-        }
+    }
+
+    /// The other columns of a solution from the free ones and the reduced right sides.
+    #[inline(always)]
+    pub(in super::super) fn complete(&self, right: &[S], x: &mut [S]) {
         for (pivot, inverse) in self.pivots.iter().zip(&self.inverses).rev() {
-            x[pivot.column] = self.follow(pivot, right[pivot.row] * inverse, x);
+            x[pivot.column] = self.follow(pivot, right[pivot.row] * *inverse, x);
         }
     }
 
     /// The velocities that the equations leave, with 1 in one free column.
-    pub(in super::super) fn motion(&self, free: usize, x: &mut [f64]) {
+    #[inline(always)]
+    pub(in super::super) fn motion(&self, free: usize, x: &mut [S]) {
         for &column in &self.free {
-            x[column] = 0.0;
+            x[column] = S::from(0.0);
         }
-        x[self.free[free]] = 1.0;
+        x[self.free[free]] = S::from(1.0);
         for pivot in self.pivots.iter().rev() {
-            x[pivot.column] = self.follow(pivot, 0.0, x);
+            x[pivot.column] = self.follow(pivot, S::from(0.0), x);
         }
     }
 
     /// The multipliers `y` with `Aᵀ y = g`; zero for rows that follow from others. `g` is overwritten.
-    pub(in super::super) fn multipliers(&self, g: &mut [f64], y: &mut [f64]) {
-        y.fill(0.0);
+    #[inline(always)]
+    pub(in super::super) fn multipliers(&self, g: &mut [S], y: &mut [S]) {
+        y.fill(S::from(0.0));
+        self.reduce_transposed(g, y);
+        self.complete_transposed(y);
+    }
+
+    /// The first half of the multipliers: `g` becomes what is left of it for the free columns.
+    #[inline(always)]
+    pub(in super::super) fn reduce_transposed(&self, g: &mut [S], y: &mut [S]) {
         for (index, pivot) in self.pivots.iter().enumerate() {
             let z = g[pivot.column] * self.inverses[index];
             y[pivot.row] = z;
             for &(place, column) in self.others(index) {
-                g[column as usize] -= self.slopes[place as usize] * z;
+                g[column as usize] = g[column as usize] - self.slopes[place as usize] * z;
             }
         }
+    }
+
+    /// The second half, with the multipliers of the rows that have no pivot in place.
+    #[inline(always)]
+    pub(in super::super) fn complete_transposed(&self, y: &mut [S]) {
         for (index, pivot) in self.pivots.iter().enumerate().rev() {
             let from = if index == 0 { 0 } else { self.pivots[index - 1].removals };
             for one in &self.removals[from..pivot.removals] {
-                y[pivot.row] -= self.slopes[one.place] * y[one.row];
+                y[pivot.row] = y[pivot.row] - self.slopes[one.place] * y[one.row];
             }
         }
     }
 
-    /// What the column of a pivot is, from those to its right.
-    #[inline]
-    fn follow(&self, pivot: &Pivot, start: f64, x: &[f64]) -> f64 {
-        let [from, to] = pivot.others;
-        let others = self.ratios[from..to].iter().zip(&self.others[from..to]);
-        others.fold(start, |sum, (ratio, (_, column))| sum + ratio * x[*column as usize])
+    /// The slopes as the elimination leaves them.
+    #[inline(always)]
+    pub(in super::super) fn eliminated(&self, place: usize) -> S {
+        self.slopes[place]
     }
 
+    /// What the column of a pivot is, from those to its right.
+    #[inline(always)]
+    fn follow(&self, pivot: &Pivot, start: S, x: &[S]) -> S {
+        let [from, to] = pivot.others;
+        let others = self.ratios[from..to].iter().zip(&self.others[from..to]);
+        others.fold(start, |sum, (ratio, (_, column))| sum + *ratio * x[*column as usize])
+    }
+
+    #[inline(always)]
     fn others(&self, index: usize) -> &[(u32, u32)] {
         let [from, to] = self.pivots[index].others;
         &self.others[from..to]
     }
 }
 
-struct Maker {
-    order: Order,
+struct Maker<S> {
+    order: Order<S>,
     places: usize,
     taken: Vec<bool>,
 }
 
-impl Maker {
+impl<S: Numbers> Maker<S> {
+    /// Takes the explicit columns out of all rows: the maker, what is left of the rows, and the rows of each column.
+    fn of_explicit(
+        layout: &Layout,
+        slopes: &[f64],
+        columns: usize,
+    ) -> (Self, Vec<Vec<Entry>>, Vec<Vec<usize>>) {
+        let entry = |&(column, place): &(usize, usize)| Entry { column, place, value: slopes[place] };
+        let mut rows: Vec<Vec<Entry>> =
+            layout.rows.iter().map(|row| row.iter().map(entry).collect()).collect();
+        let mut of_column: Vec<Vec<usize>> = vec![Vec::new(); columns];
+        for (row, entries) in rows.iter().enumerate() {
+            for entry in entries {
+                of_column[entry.column].push(row);
+            }
+        }
+        let order = Order {
+            pivots: Vec::new(),
+            removals: Vec::new(),
+            updates: Vec::new(),
+            others: Vec::new(),
+            first_loop: layout.explicit.len(),
+            free: Vec::new(),
+            dropped: Vec::new(),
+            slopes: Vec::new(),
+            inverses: Vec::new(),
+            ratios: Vec::new(),
+        };
+        let mut maker = Self { order, places: layout.places, taken: vec![false; columns] };
+        for &(row, column, _) in layout.explicit.iter().rev() {
+            maker.pivot(&mut rows, &mut of_column, row, column);
+        }
+        (maker, rows, of_column)
+    }
+
+    /// The order as it stands, with room for its numbers.
+    fn done(self, columns: usize) -> Order<S> {
+        let Self { mut order, places, taken } = self;
+        order.free = (0..columns).filter(|column| !taken[*column]).collect();
+        order.slopes = vec![S::from(0.0); places];
+        order.ratios = vec![S::from(0.0); order.others.len()];
+        order.inverses = order.pivots.iter().map(|pivot| S::from(1.0 / pivot.chosen)).collect();
+        order
+    }
+
     /// Takes a column out of all rows but one.
     fn pivot(&mut self, rows: &mut [Vec<Entry>], of_column: &mut [Vec<usize>], row: usize, column: usize) {
         let order = &mut self.order;
