@@ -127,6 +127,11 @@ pub(crate) fn later(joints: &[Joint], t: f64) -> Vec<chain::Joint> {
     joints.iter().map(|joint| joint.plain().after(t)).collect()
 }
 
+/// A name that a person gave: it stands as it is in every language.
+pub(crate) fn given_name(name: &str) -> Text {
+    Text::new("{given_name}").with("given_name", name)
+}
+
 /// A reason with names in it; written only where somebody reads it.
 pub(crate) struct Named<'a>(pub &'static str, pub &'a str, pub Option<Cite>);
 
@@ -157,6 +162,8 @@ pub(crate) struct Worked<'a, W: Worksheet> {
     pub omega: Vec<W::Vec>,
     /// Angular acceleration of each frame.
     pub alpha: Vec<W::Vec>,
+    /// Unit vector along the axis of the last joint, in the axes used.
+    pub last_axis: W::Vec,
 }
 
 impl<'a, W: Worksheet> Worked<'a, W> {
@@ -181,7 +188,7 @@ impl<'a, W: Worksheet> Worked<'a, W> {
         let zero = W::Num::from(0.0);
         let still = W::Vec::from_components(zero, zero, zero);
         let (omega, alpha) = (vec![still], vec![still]);
-        let mut this = Self { joints, own, angles, axes, omega, alpha };
+        let mut this = Self { joints, own, angles, axes, omega, alpha, last_axis: still };
         for (n, joint) in joints.iter().enumerate() {
             let [_, rate, acceleration] = motions[n];
             // The axis is the same in the frames on both sides of the joint: that nearer to the axes used is taken.
@@ -193,6 +200,7 @@ impl<'a, W: Worksheet> Worked<'a, W> {
                 ("Axis of {name}, in axes turned by {by}", &joint.name),
                 sheet,
             );
+            this.last_axis = axis;
             let (before, turning) = (this.alpha[n], this.omega[n]);
             let omega = if n == 0 { axis * rate } else { turning + axis * rate };
             // What stands still or turns steadily is not written down.
@@ -233,6 +241,44 @@ impl<'a, W: Worksheet> Worked<'a, W> {
         this
     }
 
+    /// Velocity and acceleration of the origin of every frame, the fixed one first; `None` where it stands still.
+    pub(crate) fn origins(&self, given: &[JointGiven<W>], sheet: W) -> Vec<Option<[W::Vec; 2]>> {
+        let mut origins: Vec<Option<[W::Vec; 2]>> = vec![None];
+        for (n, (joint, this)) in self.joints.iter().zip(given).enumerate() {
+            let mut origin = origins[n];
+            // The origin of the first frame is carried by the fixed one.
+            if n > 0 && joint.offset != Vector3::zeros() {
+                let arm = self.expressed(
+                    this.offset,
+                    n,
+                    (["δ", "δ′", "δ″", "δ‴"], n + 1, "m"),
+                    (
+                        "Place of the origin of {name} in the frame before it, in axes turned by {by}",
+                        &joint.name,
+                    ),
+                    sheet,
+                );
+                let (velocity, acceleration) = carried(origin, self.omega[n], self.alpha[n], arm);
+                origin = Some([
+                    sheet.step_vector(
+                        ("v_O", n + 1),
+                        "m/s",
+                        velocity,
+                        Named("Velocity of the origin of {name}", &joint.name, Some(BEER.at("§15.5B"))),
+                    ),
+                    sheet.step_vector(
+                        ("a_O", n + 1),
+                        "m/s^2",
+                        acceleration,
+                        Named("Acceleration of the origin of {name}", &joint.name, Some(BEER.at("§15.5B"))),
+                    ),
+                ]);
+            }
+            origins.push(origin);
+        }
+        origins
+    }
+
     /// A vector with components in frame `from`, in the axes used; the last of `symbols` first.
     pub(crate) fn expressed(
         &self,
@@ -270,6 +316,20 @@ impl<'a, W: Worksheet> Worked<'a, W> {
             );
         }
         vector
+    }
+}
+
+/// Velocity and acceleration at the end of an arm from an origin that moves, or stands still.
+pub(crate) fn carried<V: Vector>(origin: Option<[V; 2]>, omega: V, alpha: V, arm: V) -> (V, V) {
+    let towards_the_axis = omega.cross(omega.cross(arm));
+    // What does not speed up is not written down.
+    let turning = (alpha.value() != Vector3::zeros()).then(|| alpha.cross(arm));
+    let about = turning.map_or(towards_the_axis, |turning| turning + towards_the_axis);
+    match origin {
+        None => (omega.cross(arm), about),
+        Some([velocity, acceleration]) => {
+            (rigid::velocity_of_point(velocity, omega, arm), acceleration + about)
+        }
     }
 }
 

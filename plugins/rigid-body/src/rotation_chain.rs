@@ -15,7 +15,7 @@ use dalembert_mechanics::{
 use nalgebra::Vector3;
 
 use crate::{
-    joints::{self, Joint, Named, Worked, seen_from},
+    joints::{self, Joint, Named, Worked, given_name, seen_from},
     scene::{Scene, View},
     sources::{BEER, MERIAM},
 };
@@ -144,40 +144,7 @@ impl RotationChain {
         if self.points.is_empty() {
             return Vec::new();
         }
-        // None for an origin that stands still.
-        let mut origins: Vec<Option<[W::Vec; 2]>> = vec![None];
-        for (n, (joint, this)) in self.joints.iter().zip(&given.joints).enumerate() {
-            let mut origin = origins[n];
-            // The origin of the first frame is carried by the fixed one.
-            if n > 0 && joint.offset != Vector3::zeros() {
-                let arm = worked.expressed(
-                    this.offset,
-                    n,
-                    (["δ", "δ′", "δ″", "δ‴"], n + 1, "m"),
-                    (
-                        "Place of the origin of {name} in the frame before it, in axes turned by {by}",
-                        &joint.name,
-                    ),
-                    sheet,
-                );
-                let (velocity, acceleration) = carried(origin, worked.omega[n], worked.alpha[n], arm);
-                origin = Some([
-                    sheet.step_vector(
-                        ("v_O", n + 1),
-                        "m/s",
-                        velocity,
-                        Named("Velocity of the origin of {name}", &joint.name, Some(BEER.at("§15.5B"))),
-                    ),
-                    sheet.step_vector(
-                        ("a_O", n + 1),
-                        "m/s^2",
-                        acceleration,
-                        Named("Acceleration of the origin of {name}", &joint.name, Some(BEER.at("§15.5B"))),
-                    ),
-                ]);
-            }
-            origins.push(origin);
-        }
+        let origins = worked.origins(&given.joints, sheet);
         let mut points = Vec::new();
         for (n, (point, this)) in self.points.iter().zip(&given.points).enumerate() {
             let frame = point.frame.0 + 1;
@@ -189,7 +156,7 @@ impl RotationChain {
                 sheet,
             );
             let (velocity, acceleration) =
-                carried(origins[frame], worked.omega[frame], worked.alpha[frame], arm);
+                joints::carried(origins[frame], worked.omega[frame], worked.alpha[frame], arm);
             let velocity = sheet.step_vector(
                 ("v", n + 1),
                 "m/s",
@@ -283,7 +250,7 @@ impl RotationChain {
         for point in &self.points {
             let place = frames[point.frame.0 + 1].point(point.place).place;
             scene.line([frames[point.frame.0 + 1].origin, place], Ink::Body);
-            scene.label(place, Text::new("{name}").with("name", &point.name));
+            scene.label(place, given_name(&point.name));
         }
         Drawing { title: "The frames of the chain".into(), shapes: scene.shapes() }
     }
@@ -306,17 +273,6 @@ impl RotationChain {
             Axis::linear("angular velocity", "rad/s"),
             vec![Series::line("ωₓ", x), Series::line("ω_y", y), Series::line("ω_z", z)],
         )
-    }
-}
-
-/// Velocity and acceleration at the end of an arm from an origin that moves, or stands still.
-fn carried<V: Vector>(origin: Option<[V; 2]>, omega: V, alpha: V, arm: V) -> (V, V) {
-    match origin {
-        None => (omega.cross(arm), alpha.cross(arm) + omega.cross(omega.cross(arm))),
-        Some([velocity, acceleration]) => (
-            rigid::velocity_of_point(velocity, omega, arm),
-            rigid::acceleration_of_point(acceleration, omega, alpha, arm),
-        ),
     }
 }
 

@@ -35,3 +35,9 @@ pub(crate) static MERIAM: Source = Source {
 /// T. Bevan, The Theory of Machines.
 pub(crate) static BEVAN: Source =
     Source { short: "Bevan", full: "T. Bevan, The Theory of Machines, 3rd ed., Longmans, 1956" };
+
+/// R. C. Hibbeler, Engineering Mechanics: Dynamics.
+pub(crate) static HIBBELER: Source = Source {
+    short: "Hibbeler",
+    full: "R. C. Hibbeler, Engineering Mechanics: Dynamics, 14th ed., Pearson, 2016",
+};
