@@ -1,19 +1,22 @@
 //! The lean of a two-wheeler in a turn, with the gyroscopic couples of its wheels and its engine.
 
-use std::{f64::consts::FRAC_PI_2, ops::ControlFlow};
+use std::{
+    f64::consts::{FRAC_PI_2, TAU},
+    ops::ControlFlow,
+};
 
 use dalembert_core::{
     About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
     register,
 };
-use dalembert_mechanics::{Real, roots};
+use dalembert_mechanics::{Real, rigid, roots};
+use nalgebra::{Rotation3, Vector3};
 
-use crate::sources::KHURMI;
+use crate::sources::{BEER, KHURMI};
 
-/// A motorcycle or a bicycle with its rider, leaning into a turn as a whole.
+/// A motorcycle or a bicycle with its rider, leaning into a turn as one rigid body.
 ///
-/// The wheels are thin and turn about level axles when upright. The moments of inertia of the frame and the part
-/// (I_a − I_t) Ω² sin θ cos θ of the wheels are neglected; they are small beside m h².
+/// The tyres are thin: the line of contact stays in the middle plane.
 #[derive(Clone, Debug, Inputs)]
 pub struct TwoWheelerLean {
     /// Mass with rider.
@@ -31,6 +34,10 @@ pub struct TwoWheelerLean {
     pub wheel_inertia: f64,
     /// Engine.
     pub engine: Option<Engine>,
+    /// Yaw less pitch moment of inertia of the whole vehicle.
+    /// With its wheels and rider, about axes through G: the one upright in the vehicle less the one across it. Books leave it out; it is small beside m h².
+    #[input("J", "kg*m^2")]
+    pub inertia_difference: Option<f64>,
     /// Radius of the turn.
     #[input("R", "m", positive)]
     pub radius: f64,
@@ -104,7 +111,7 @@ impl Analysis for TwoWheelerLean {
         title: "Lean of a two-wheeler in a turn",
         summary: "Angle at which a motorcycle leans into a turn, with the gyroscopic couples of wheels and engine, the friction it needs, and the speed for a given lean.",
         keywords: "motorcycle bicycle lean heel gyroscopic motocicleta bicicleta inclinação curva giroscópico duas rodas",
-        sources: &[&KHURMI],
+        sources: &[&KHURMI, &BEER],
         cases: include_str!("../cases/two_wheeler_lean.toml"),
     };
 
@@ -146,6 +153,17 @@ impl Analysis for TwoWheelerLean {
             inertia * (speed / given.wheel_radius) * rate * lean.cos(),
             ("Gyroscopic couple, which lifts the vehicle out of its lean", KHURMI.at("§14.10")),
         );
+        let own = given.inertia_difference.map(|difference| {
+            sheet.step(
+                "C_J",
+                "N*m",
+                difference * rate.powi(2) * lean.sin() * lean.cos(),
+                (
+                    "Couple of the turning of the leaning vehicle itself, as of a rotor without spin",
+                    BEER.at("§18.2"),
+                ),
+            )
+        });
         let centrifugal = sheet.step(
             "C_c",
             "N*m",
@@ -171,6 +189,9 @@ impl Analysis for TwoWheelerLean {
             "Friction that the tyres need: centripetal force over weight, which the lean does not change",
         );
         sheet.answer("gyroscopic_couple", "Gyroscopic couple", gyroscopic);
+        if let Some(own) = own {
+            sheet.answer("own_couple", "Couple of the turning of the leaning vehicle itself", own);
+        }
         sheet.answer("centrifugal_couple", "Couple of the centrifugal force", centrifugal);
         sheet.answer("weight_couple", "Couple of the weight", weight);
         sheet.answer("lean_without_rotors", "Lean without the gyroscopic couples", plain);
@@ -194,11 +215,13 @@ impl Analysis for TwoWheelerLean {
             sheet.answer("sliding_speed", "Speed at which the tyres slide", sliding);
         }
         sheet.verify(|| {
-            sheet.check_zero(
-                "the couples about the line of contact balance",
-                weight - centrifugal - gyroscopic,
-                weight.value().abs() + centrifugal.value() + gyroscopic.value().abs(),
-            );
+            let own = own.unwrap_or_else(|| 0.0.into());
+            let outwards = centrifugal + gyroscopic + own;
+            let size =
+                weight.value().abs() + centrifugal.value() + gyroscopic.value().abs() + own.value().abs();
+            sheet.check_zero("the couples about the line of contact balance", weight - outwards, size);
+            let spin = inertia.value() * speed.value() / self.wheel_radius;
+            self.check_by_rotation(spin, rate.value(), lean.value(), (gyroscopic + own).value(), sheet);
         });
         let (inertia, lean, speed) = (inertia.value(), lean.value(), speed.value());
         sheet.show(|| Exhibit::Plot(self.lean_over_speed(inertia, (speed, lean))));
@@ -217,8 +240,8 @@ impl TwoWheelerLean {
         speed: W::Num,
         sheet: W,
     ) -> Result<W::Num, Refusal> {
-        let lean = match self.measured {
-            Measured::CentreOfMass => {
+        let lean = match (self.measured, self.inertia_difference) {
+            (Measured::CentreOfMass, None) => {
                 let tangent = sheet.step(
                     "t",
                     "1",
@@ -228,8 +251,8 @@ impl TwoWheelerLean {
                 );
                 sheet.step("θ", "deg", tangent.atan2(W::Num::from(1.0)), "Lean from the vertical")
             }
-            Measured::Track => {
-                if self.radius <= self.centre_height {
+            (measured, _) => {
+                if measured == Measured::Track && self.radius <= self.centre_height {
                     return Err(Refusal::because(
                         "the radius of the track must be above the height of the centre of mass, which would lean over the centre of the turn",
                     ));
@@ -248,7 +271,7 @@ impl TwoWheelerLean {
                     "θ",
                     "deg",
                     found,
-                    "Lean from the vertical, searched for: the lean itself makes the circle of the centre of mass smaller",
+                    "Lean from the vertical, searched for: the couples that must balance depend on the lean itself",
                 )
             }
         };
@@ -263,8 +286,10 @@ impl TwoWheelerLean {
             Measured::Track => self.radius - self.centre_height * lean.sin(),
         };
         let centrifugal = path / self.radius.powi(2);
-        let gyroscopic = inertia / (self.mass * self.centre_height * self.wheel_radius * self.radius);
-        square / self.gravity * (centrifugal + gyroscopic)
+        let per_moment = 1.0 / (self.mass * self.centre_height);
+        let gyroscopic = inertia * per_moment / (self.wheel_radius * self.radius);
+        let own = self.inertia_difference.unwrap_or(0.0) * per_moment * lean.sin() / self.radius.powi(2);
+        square / self.gravity * (centrifugal + gyroscopic + own)
     }
 
     /// The speed at a lean, in closed form.
@@ -284,12 +309,16 @@ impl TwoWheelerLean {
                 "at that lean the centre of mass is over the centre of the turn: write a larger radius",
             ));
         }
+        let couples = given.mass * given.centre_height * path / given.radius.powi(2)
+            + inertia / (given.wheel_radius * given.radius);
+        let couples = match given.inertia_difference {
+            Some(difference) => couples + difference * lean.sin() / given.radius.powi(2),
+            None => couples,
+        };
         let square = sheet.step(
             "q",
             "m^2/s^2",
-            given.mass * given.gravity * given.centre_height * lean.tan()
-                / (given.mass * given.centre_height * path / given.radius.powi(2)
-                    + inertia / (given.wheel_radius * given.radius)),
+            given.mass * given.gravity * given.centre_height * lean.tan() / couples,
             (
                 "Square of the speed: m g h sin θ = (m Ω² R_G h + I v Ω/r) cos θ with Ω = v/R",
                 KHURMI.at("§14.10"),
@@ -303,6 +332,27 @@ impl TwoWheelerLean {
         let speed = sheet.step("v", "m/s", square.sqrt(), "Speed for that lean");
         sheet.answer("speed", "Speed for that lean", speed);
         Ok(speed)
+    }
+
+    /// A second way to the couples of wheels, engine and vehicle: the difference quotient of the angular momentum about
+    /// G. In a turn to the left the axles point left and down, x points forward.
+    fn check_by_rotation<W: Worksheet>(&self, spin: f64, rate: f64, lean: f64, couple: f64, sheet: W) {
+        let (sin, cos) = lean.sin_cos();
+        let (across, upright) = (Vector3::new(0.0, cos, -sin), Vector3::new(0.0, sin, cos));
+        let difference = self.inertia_difference.unwrap_or(0.0);
+        let tensor = upright * upright.transpose() * difference;
+        let about = Vector3::z() * rate;
+        let momentum_at = |t: f64| {
+            let vehicle = Rotation3::from_scaled_axis(about * t);
+            rigid::turned(&tensor, &vehicle) * about + vehicle * across * spin
+        };
+        let period = if rate > 0.0 { TAU / rate } else { 1.0 };
+        let Ok(derivative) = rigid::numerical_rate(momentum_at, period) else { return };
+        sheet.check_zero(
+            "the gyroscopic couples from the difference quotient of the angular momentum",
+            W::Num::from(-derivative.x - couple),
+            (spin.abs() + difference.abs() * rate) * TAU / period,
+        );
     }
 
     /// Lean against speed, with and without turning parts: the speed is closed in the lean.

@@ -65,13 +65,20 @@ fn at_the_limiting_speed_one_wheel_carries_nothing() {
 #[test]
 fn lean_and_speed_of_a_two_wheeler_lead_to_each_other() {
     for measured in ["centre-of-mass", "track"] {
-        for degrees in [0.0, 1.0, 20.0, 45.0, 60.0] {
-            let speed =
-                number(&two_wheeler(measured, &format!("lean = {{ lean = \"{degrees} deg\" }}")), "speed");
-            let solution = two_wheeler(measured, &format!("speed = {{ speed = \"{speed} m/s\" }}"));
-            let lean = number(&solution, "lean").to_degrees();
-            assert!((lean - degrees).abs() < 1e-8, "{measured}: {degrees}° and {lean}°");
-            sound(&solution);
+        for difference in
+            ["", "inertia_difference = \"-10 kg*m^2\"\n", "inertia_difference = \"20 kg*m^2\"\n"]
+        {
+            for degrees in [0.0, 1.0, 20.0, 45.0, 60.0] {
+                let given =
+                    two_wheeler(measured, difference, &format!("lean = {{ lean = \"{degrees} deg\" }}"));
+                let speed = number(&given, "speed");
+                let solution =
+                    two_wheeler(measured, difference, &format!("speed = {{ speed = \"{speed} m/s\" }}"));
+                let lean = number(&solution, "lean").to_degrees();
+                assert!((lean - degrees).abs() < 1e-8, "{measured}, {difference}: {degrees}° and {lean}°");
+                sound(&given);
+                sound(&solution);
+            }
         }
     }
 }
@@ -107,12 +114,12 @@ fn car(engine: &str, bank: f64, side: &str, speed: Option<f64>) -> Solution {
     ))
 }
 
-fn two_wheeler(measured: &str, motion: &str) -> Solution {
+fn two_wheeler(measured: &str, difference: &str, motion: &str) -> Solution {
     solve(&format!(
         "analysis = \"rigid-body/two-wheeler-lean\"\n[inputs]\nmass = \"250 kg\"\ncentre_height = \"0.6 m\"\n\
          wheel_radius = \"0.3 m\"\nwheel_inertia = \"1 kg*m^2\"\n\
          engine = {{ inertia = \"0.3 kg*m^2\", ratio = \"5\", sense = \"like\" }}\nradius = \"8 m\"\n\
-         measured = \"{measured}\"\nmotion.{motion}\n"
+         measured = \"{measured}\"\n{difference}motion.{motion}\n"
     ))
 }
 
