@@ -6,6 +6,7 @@
 
 pub mod balance;
 pub mod beam;
+pub mod elliptic;
 pub mod four_bar;
 pub mod identification;
 pub mod intervals;

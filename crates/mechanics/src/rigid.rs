@@ -13,6 +13,8 @@ pub mod primitive;
 pub mod simulate;
 pub mod supports;
 mod tensor;
+pub mod top;
+pub mod torque_free;
 
 pub use mass_properties::{BodyError, MassProperties, Principal};
 pub use tensor::{RigidError, disc_tensor, numerical_rate, rod_tensor, turned};
@@ -51,6 +53,12 @@ pub fn cylinder_diametral_inertia<S: Real>(mass: S, radius: S, height: S) -> S {
 #[inline]
 pub fn parallel_axis<S: Real>(inertia_about_g: S, mass: S, distance: S) -> S {
     inertia_about_g + mass * distance.powi(2)
+}
+
+/// Moment of inertia of a mass with a radius of gyration, `I = m k²`.
+#[inline]
+pub fn moment_by_gyration<S: Real>(mass: S, radius: S) -> S {
+    mass * radius.powi(2)
 }
 
 /// Angular momentum about G, `H_G = I_x ω_x i + I_y ω_y j + I_z ω_z k`, from the principal moments of inertia and

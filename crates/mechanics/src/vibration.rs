@@ -9,7 +9,6 @@ pub mod crankshaft;
 pub mod decay_fit;
 pub mod dry_forced;
 pub mod duffing;
-pub mod elliptic;
 pub mod free;
 pub mod friction;
 pub mod from_rest;

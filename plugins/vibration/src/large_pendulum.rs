@@ -6,7 +6,7 @@ use dalembert_core::{
     About, Analysis, Axis, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
     register,
 };
-use dalembert_mechanics::{Real, vibration::elliptic};
+use dalembert_mechanics::{Real, elliptic};
 
 use crate::sources::{ABRAMOWITZ, NAYFEH, RAO};
 

@@ -11,7 +11,7 @@ use std::{
 
 use nalgebra::{DMatrix, DVector};
 
-use super::elliptic::agm;
+use crate::elliptic::agm;
 use crate::{linalg, roots};
 
 /// Mass, damping, stiffness and the coefficient of the cube.

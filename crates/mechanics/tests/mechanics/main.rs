@@ -30,5 +30,6 @@ mod sdof;
 mod slider_crank;
 mod spring;
 mod sweep;
+mod tops;
 mod whirl;
 mod work;
