@@ -41,3 +41,13 @@ pub(crate) static HIBBELER: Source = Source {
     short: "Hibbeler",
     full: "R. C. Hibbeler, Engineering Mechanics: Dynamics, 14th ed., Pearson, 2016",
 };
+
+/// H. Goldstein, Classical Mechanics.
+pub(crate) static GOLDSTEIN: Source =
+    Source { short: "Goldstein", full: "H. Goldstein, Classical Mechanics, 2nd ed., Addison-Wesley, 1980" };
+
+/// L. D. Landau, E. M. Lifshitz, Mechanics.
+pub(crate) static LANDAU: Source = Source {
+    short: "Landau & Lifshitz",
+    full: "L. D. Landau, E. M. Lifshitz, Mechanics, 3rd ed., Pergamon, 1976",
+};

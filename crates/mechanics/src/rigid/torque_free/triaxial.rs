@@ -247,11 +247,14 @@ impl FreeBody {
     }
 }
 
-/// `H² − 2 T I_b`, b the axis of the middle moment: positive where the polhode goes around the axis of the largest.
+/// `H² − 2 T I_b`, b the axis of the middle moment: positive where the polhode goes around the axis of the largest. What
+/// is rounding beside its two terms is zero.
 fn excess(inertia: Vector3<f64>, velocity: Vector3<f64>) -> f64 {
     let mut moments: [f64; 3] = inertia.into();
     moments.sort_by(f64::total_cmp);
-    (0..3).map(|n| inertia[n] * (inertia[n] - moments[1]) * velocity[n] * velocity[n]).sum()
+    let terms = [0, 1, 2].map(|n| inertia[n] * (inertia[n] - moments[1]) * velocity[n] * velocity[n]);
+    let (sum, size) = (terms.iter().sum::<f64>(), terms.iter().map(|term| term.abs()).sum::<f64>());
+    if sum.abs() <= 8.0 * f64::EPSILON * size { 0.0 } else { sum }
 }
 
 #[cfg(test)]

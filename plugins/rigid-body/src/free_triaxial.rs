@@ -1,0 +1,546 @@
+//! Any body on which no moment acts, by Jacobi's elliptic functions.
+
+use std::f64::consts::FRAC_PI_2;
+
+use dalembert_core::{
+    About, Analysis, Axis, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+};
+use dalembert_mechanics::{
+    Real, Vector,
+    rigid::{
+        self,
+        torque_free::{FreeBody, FreeBodyError, Polhode},
+    },
+};
+use nalgebra::{Matrix3, Vector3};
+
+use crate::{
+    scene::{self, Scene, View},
+    sources::{GOLDSTEIN, LANDAU},
+};
+
+/// The body and how it was thrown.
+///
+/// The axes x, y and z are its principal axes at the mass centre; fixed axes agree with them at the start.
+#[derive(Clone, Debug, Inputs)]
+pub struct FreeTriaxial {
+    /// Principal moments of inertia.
+    pub inertia: PrincipalInertia,
+    /// Angular velocity at the start, principal axes.
+    #[input("ω₀", "rad/s")]
+    pub velocity: Vector3<f64>,
+    /// Instant.
+    /// Where it is given, angular velocity and attitude at this time after the start are answered too.
+    #[input("t", "s", nonnegative)]
+    pub instant: Option<f64>,
+}
+
+/// What is known of the moments of inertia about the mass centre.
+#[derive(Clone, Debug, Inputs)]
+pub enum PrincipalInertia {
+    /// Moments of inertia
+    Moments {
+        /// Moment of inertia about x.
+        #[input("I_x", "kg*m^2", positive)]
+        x: f64,
+        /// Moment of inertia about y.
+        #[input("I_y", "kg*m^2", positive)]
+        y: f64,
+        /// Moment of inertia about z.
+        #[input("I_z", "kg*m^2", positive)]
+        z: f64,
+    },
+    /// Mass and radii of gyration
+    Gyration {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+        /// Radius of gyration about x.
+        #[input("k_x", "m", positive)]
+        x: f64,
+        /// Radius of gyration about y.
+        #[input("k_y", "m", positive)]
+        y: f64,
+        /// Radius of gyration about z.
+        #[input("k_z", "m", positive)]
+        z: f64,
+    },
+    /// Homogeneous box
+    Cuboid {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+        /// Edge along x.
+        #[input("a", "mm", positive)]
+        x: f64,
+        /// Edge along y.
+        #[input("b", "mm", positive)]
+        y: f64,
+        /// Edge along z.
+        #[input("c", "mm", positive)]
+        z: f64,
+    },
+}
+
+register!(FreeTriaxial);
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+impl Analysis for FreeTriaxial {
+    const ABOUT: About = About {
+        id: "rigid-body/free-triaxial",
+        title: "Free motion of any body",
+        summary: "Torque-free motion of a body with three different moments of inertia by Jacobi's elliptic functions: polhode, periods, flips about the middle axis, angular velocity and attitude at an instant.",
+        keywords: "torque-free Euler Jacobi Dzhanibekov tennis racket intermediate axis polhode herpolhode Poinsot eixo intermediário polódia herpolódia raquete",
+        sources: &[&LANDAU, &GOLDSTEIN],
+        cases: include_str!("../cases/free_triaxial.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &FreeTriaxialGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let inertia = moments(&given.inertia, sheet);
+        let velocity = given.velocity;
+        let plain = inertia.map(Real::value);
+        let start = velocity.value();
+        let body = FreeBody::new(plain.into(), start).map_err(refused)?;
+        if start == Vector3::zeros() {
+            return Err(Refusal::because("the body does not turn: give an angular velocity"));
+        }
+        let omega = velocity.components();
+        let doubled = sheet.step(
+            "T",
+            "J",
+            W::Num::sum((0..3).map(|n| inertia[n] * omega[n].powi(2))) / 2.0,
+            "Kinetic energy of rotation, which stays",
+        );
+        let momentum = sheet.step_vector(
+            "H",
+            "kg*m^2/s",
+            rigid::angular_momentum(inertia, velocity),
+            "Angular momentum about the mass centre at the start, which stays as it is in fixed axes",
+        );
+        let size = sheet.step("H_G", "kg*m^2/s", momentum.magnitude(), "Its size");
+        sheet.answer("rotational_energy", "Kinetic energy of rotation", doubled);
+        sheet.answer("angular_momentum", "Size of the angular momentum", size);
+        let order = body.order();
+        if order.map(|n| plain[n]).windows(2).all(|pair| pair[0] != pair[1]) {
+            let [a, b, c] = order.map(|n| inertia[n]);
+            let growth = sheet.step(
+                "λ",
+                "1/s",
+                ((b - a) * (c - b) / (a * c)).sqrt() * omega[order[1]].abs(),
+                (
+                    Text::new(
+                        "Growth of a small disturbance of the rotation about {axis}, the middle axis, e^(λt)",
+                    )
+                    .with("axis", AXES[order[1]]),
+                    LANDAU.at("§37"),
+                ),
+            );
+            sheet.answer("growth_rate", "Growth rate beside the middle axis", growth);
+        }
+        match body.polhode() {
+            Polhode::Permanent => permanent(start, sheet),
+            Polhode::Around(axis) => self.around(&body, axis, inertia, velocity, doubled, size, sheet),
+            Polhode::Separatrix => {
+                let pace = body.pace();
+                let pace = sheet.found(
+                    "p",
+                    "1/s",
+                    pace,
+                    "H² = 2 T I with the middle moment: the body creeps from one end of the middle axis to the other, once and for ever, as tanh(p t)",
+                );
+                sheet.answer("separatrix_rate", "Rate of creeping to the middle axis", pace);
+                sheet.warn(|| {
+                    "the motion is on the separatrix: the least disturbance decides what it will do".into()
+                });
+            }
+        }
+        if let Some(t) = self.instant {
+            at_instant(&body, plain.into(), t, sheet);
+        }
+        sheet.verify(|| {
+            // Energy and angular momentum of the closed form, later on.
+            let later = 0.37 * body.period().min(1.0 / start.norm());
+            let velocity = body.velocity(later);
+            let momentum = Vector3::from(plain).component_mul(&velocity);
+            sheet.check(
+                "kinetic energy a little later",
+                W::Num::from(velocity.dot(momentum) / 2.0),
+                W::Num::from(doubled.value()),
+            );
+            let fixed = body.attitude(later) * momentum;
+            sheet.check_zero(
+                "angular momentum in fixed axes a little later",
+                W::Num::from((fixed - Vector3::from(plain).component_mul(&start)).norm()),
+                size.value(),
+            );
+        });
+        let shown = shown_time(&body, start);
+        sheet.show(|| Exhibit::Plot(components(&body, shown)));
+        sheet.show(|| Exhibit::Plot(herpolhode(&body, plain.into(), start, shown)));
+        sheet.show(|| Exhibit::Film(poinsot(&body, plain.into(), start, shown)));
+        Ok(())
+    }
+}
+
+impl FreeTriaxial {
+    /// The periodic motion around the axis of the largest or the smallest moment.
+    #[expect(clippy::too_many_arguments, reason = "the inputs and invariants of one motion")]
+    fn around<W: Worksheet>(
+        &self,
+        body: &FreeBody,
+        axis: usize,
+        inertia: [W::Num; 3],
+        velocity: W::Vec,
+        energy: W::Num,
+        momentum: W::Num,
+        sheet: W,
+    ) {
+        let order = body.order();
+        let ([i_a, i_b, i_c], [w_a, w_b, w_c]) =
+            (order.map(|n| inertia[n]), order.map(|n| velocity.components()[n]));
+        let ratio = sheet.step(
+            "D",
+            "kg*m^2",
+            momentum.powi(2) / (energy * 2.0),
+            (
+                Text::new(if i_c.value() >= i_b.value() {
+                    "H²/2T is above the middle moment: the polhode goes around {axis}, the axis of the largest moment"
+                } else {
+                    "H²/2T is below the middle moment: the polhode goes around {axis}, the axis of the smallest moment"
+                })
+                .with("axis", AXES[axis]),
+                LANDAU.at("§37"),
+            ),
+        );
+        sheet.answer("poinsot_moment", "H²/2T, to be held against the middle moment", ratio);
+        let why = |function: &'static str, n: usize| {
+            (
+                Text::new(
+                    "Largest ω_{axis}, from energy and angular momentum: ω_{axis} = ± A_{axis} {function} τ",
+                )
+                .with("axis", AXES[n])
+                .with("function", function),
+                LANDAU.at("§37"),
+            )
+        };
+        const SIZES: [&str; 3] = ["A_x", "A_y", "A_z"];
+        let [a, b, c] = order;
+        let size_a = sheet.step(
+            SIZES[a],
+            "rad/s",
+            (w_a.powi(2) + i_b * (i_c - i_b) / (i_a * (i_c - i_a)) * w_b.powi(2)).sqrt(),
+            why("cn", a),
+        );
+        let size_b = sheet.step(
+            SIZES[b],
+            "rad/s",
+            (w_b.powi(2) + i_a * (i_c - i_a) / (i_b * (i_c - i_b)) * w_a.powi(2)).sqrt(),
+            why("sn", b),
+        );
+        let size_c = sheet.step(
+            SIZES[c],
+            "rad/s",
+            (w_c.powi(2) + i_b * (i_b - i_a) / (i_c * (i_c - i_a)) * w_b.powi(2)).sqrt(),
+            why("dn", c),
+        );
+        let pace = sheet.step(
+            "p",
+            "rad/s",
+            ((i_c - i_b) * (i_c - i_a) / (i_a * i_b)).sqrt() * size_c,
+            ("Pace of the argument, τ = τ₀ + p t", LANDAU.at("§37")),
+        );
+        let modulus_squared = sheet.step(
+            "k²",
+            "1",
+            i_a * (i_b - i_a) / (i_c * (i_c - i_b)) * (size_a / size_c).powi(2),
+            ("Square of the modulus of the elliptic functions", LANDAU.at("§37")),
+        );
+        let (_, complement) = body.modulus();
+        let quarter = sheet.found(
+            "K",
+            "1",
+            body.period() * body.pace() / 4.0,
+            "Complete elliptic integral of the first kind of this modulus, by the arithmetic–geometric mean",
+        );
+        let period = sheet.step(
+            "T_ω",
+            "s",
+            quarter * 4.0 / pace,
+            ("Period of the angular velocity in axes of the body, 4 K/p", LANDAU.at("§37")),
+        );
+        let half = sheet.step(
+            "T_f",
+            "s",
+            period / 2.0,
+            "Time between two changes of sign along the middle axis: flips",
+        );
+        for (n, size) in [(a, size_a), (b, size_b), (c, size_c)] {
+            sheet.answer(("amplitude", n + 1), LARGEST[n], size);
+        }
+        sheet.answer("pace", "Pace of the elliptic functions", pace);
+        sheet.answer("modulus_squared", "Square of the modulus", modulus_squared);
+        sheet.answer("period", "Period of the angular velocity in the body", period);
+        sheet.answer("flip_interval", "Time between flips", half);
+        if let Some(first) = body.first_flip() {
+            let first = sheet.found(
+                "t₁",
+                "s",
+                first,
+                "When the component along the middle axis is zero for the first time: sn τ = 0",
+            );
+            sheet.answer("first_flip", "Time until the first flip", first);
+            sheet.verify(|| {
+                sheet.check_zero(
+                    "the component along the middle axis at that time",
+                    W::Num::from(body.velocity(first.value())[b]),
+                    size_b.value(),
+                );
+            });
+        }
+        let advance = sheet.found(
+            "Δφ",
+            "deg",
+            body.advance(),
+            (
+                Text::new("How far the axis {axis} goes about the angular momentum in one period: H/I t and an elliptic integral of the third kind")
+                    .with("axis", AXES[axis]),
+                LANDAU.at("§37"),
+            ),
+        );
+        sheet.answer("advance", "Precession in one period", advance);
+        let mean = sheet.step("Ω", "rad/s", advance / period, "Precession on average");
+        sheet.answer("mean_precession", "Precession on average", mean);
+        sheet.verify(|| {
+            sheet.check("the pace by the kernel", W::Num::from(body.pace()), W::Num::from(pace.value()));
+            // Equal weights over the period of the amplitude converge geometrically; near the separatrix slowly.
+            if complement > 1e-4 {
+                let k = |sine: f64| (1.0 - (1.0 - complement) * sine * sine).sqrt().recip();
+                sheet.check(
+                    "the complete integral by equal weights",
+                    W::Num::from(FRAC_PI_2 * mean_of(|angle| k(angle.sin()))),
+                    quarter,
+                );
+                let (moments, period) = (inertia.map(Real::value), body.period());
+                let [i_a, i_b, i_c] = order.map(|n| moments[n]);
+                let rate = |angle: f64| {
+                    let (sin, cos) = angle.sin_cos();
+                    let (h_a, h_b) = (i_a * size_a.value() * cos, i_b * size_b.value() * sin);
+                    let across = h_a * h_a + h_b * h_b;
+                    (h_a * h_a / i_a + h_b * h_b / i_b) / across * momentum.value() * k(sin)
+                };
+                let even = |a: f64, b: f64| a / b > 1e-4 && b / a > 1e-4;
+                if even(i_a * size_a.value(), i_b * size_b.value()) && i_c > 0.0 {
+                    sheet.check(
+                        "the precession of a period by equal weights",
+                        W::Num::from(mean_of(rate) * period * FRAC_PI_2 / quarter.value()),
+                        advance,
+                    );
+                }
+            }
+        });
+    }
+}
+
+const LARGEST: [&str; 3] = [
+    "Largest component of the angular velocity along x",
+    "Largest component of the angular velocity along y",
+    "Largest component of the angular velocity along z",
+];
+
+/// The mean of a function over a turn.
+fn mean_of(function: impl Fn(f64) -> f64) -> f64 {
+    const POINTS: u32 = 4000;
+    let at = |n: u32| function(4.0 * FRAC_PI_2 * f64::from(n) / f64::from(POINTS));
+    (0..POINTS).map(at).sum::<f64>() / f64::from(POINTS)
+}
+
+fn moments<W: Worksheet>(inertia: &PrincipalInertiaGiven<W>, sheet: W) -> [W::Num; 3] {
+    const SYMBOLS: [&str; 3] = ["I_x", "I_y", "I_z"];
+    match inertia {
+        PrincipalInertiaGiven::Moments { x, y, z } => [*x, *y, *z],
+        PrincipalInertiaGiven::Gyration { mass, x, y, z } => {
+            let radii = [*x, *y, *z];
+            std::array::from_fn(|n| {
+                sheet.step(
+                    SYMBOLS[n],
+                    "kg*m^2",
+                    rigid::moment_by_gyration(*mass, radii[n]),
+                    "Principal moment of inertia from its radius of gyration",
+                )
+            })
+        }
+        PrincipalInertiaGiven::Cuboid { mass, x, y, z } => {
+            let edges = [*x, *y, *z];
+            std::array::from_fn(|n| {
+                let [b, c] = [edges[(n + 1) % 3], edges[(n + 2) % 3]];
+                sheet.step(
+                    SYMBOLS[n],
+                    "kg*m^2",
+                    *mass * (b.powi(2) + c.powi(2)) / 12.0,
+                    "Principal moment of inertia of a homogeneous box",
+                )
+            })
+        }
+    }
+}
+
+/// A rotation about a principal axis goes on for ever.
+fn permanent<W: Worksheet>(start: Vector3<f64>, sheet: W) {
+    let speed = sheet.found(
+        "ω",
+        "rad/s",
+        start.norm(),
+        "H is along ω: the body turns about a principal axis, for ever as it does now",
+    );
+    sheet.answer("permanent_speed", "Angular velocity of the permanent rotation", speed);
+    sheet.warn(|| {
+        "the body turns exactly about a principal axis; about the axis of the middle moment the least disturbance would grow"
+            .into()
+    });
+}
+
+fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, sheet: W) {
+    let velocity = sheet.found_vector(
+        "ω",
+        "rad/s",
+        body.velocity(t),
+        (
+            "Angular velocity at the instant, principal axes: A cn τ, A sn τ and A dn τ with their signs",
+            LANDAU.at("§37"),
+        ),
+    );
+    sheet.answer_vector("velocity", "Angular velocity at the instant, principal axes", velocity);
+    let attitude = body.attitude(t);
+    let fixed = sheet.found_vector(
+        "ω_XYZ",
+        "rad/s",
+        attitude * body.velocity(t),
+        "The same in fixed axes, by the attitude of the body",
+    );
+    sheet.answer_vector("fixed_velocity", "Angular velocity at the instant, fixed axes", fixed);
+    const AXES: [(&str, &str, &str); 3] = [
+        ("x_axis", "e_x", "Principal axis x at the instant, fixed axes"),
+        ("y_axis", "e_y", "Principal axis y at the instant, fixed axes"),
+        ("z_axis", "e_z", "Principal axis z at the instant, fixed axes"),
+    ];
+    for (n, (name, symbol, label)) in AXES.into_iter().enumerate() {
+        let axis = sheet.found_vector(
+            symbol,
+            "1",
+            attitude.matrix().column(n).into_owned(),
+            "Attitude: nutation from H along the axis, precession by the integral of the third kind",
+        );
+        sheet.answer_vector(name, label, axis);
+    }
+    sheet.verify(|| {
+        let period = body.period().min(std::f64::consts::TAU / body.velocity(0.0).norm());
+        let speed = body.velocity(0.0).norm();
+        let Ok(rate) = rigid::numerical_rate(|time| body.velocity(t + time), period) else { return };
+        let moment =
+            inertia.component_mul(&rate) + body.velocity(t).cross(inertia.component_mul(&body.velocity(t)));
+        // Times are good to rounding: a difference quotient over a short part of a long time is not better.
+        let late = 1.0 + 1e-4 * t / period;
+        sheet.check_zero(
+            "Euler's equations without a moment, by difference quotients",
+            W::Num::from(moment.norm()),
+            inertia.amax() * speed * speed * late,
+        );
+        let side = |time: f64| body.attitude(time) * Vector3::new(0.6, 0.0, 0.8);
+        let Ok(rate) = rigid::numerical_rate(|time| side(t + time), period) else { return };
+        let turned = attitude * body.velocity(t);
+        sheet.check_zero(
+            "the attitude from its rate: the difference quotient of R against ω × R",
+            W::Num::from((rate - turned.cross(side(t))).norm()),
+            speed * late,
+        );
+    });
+}
+
+fn refused(error: FreeBodyError) -> Refusal {
+    Refusal::because(match error {
+        FreeBodyError::Triangle { axis } => Text::new(
+            "no body has a moment of inertia I_{axis} that is larger than the sum of the other two: check the moments",
+        )
+        .with("axis", AXES[axis]),
+        FreeBodyError::Moment { axis } => {
+            Text::new("the moment of inertia I_{axis} is out of range").with("axis", AXES[axis])
+        }
+        FreeBodyError::NotFinite => {
+            "the motion is beyond the range of numbers: check the sizes of what is given".into()
+        }
+    })
+}
+
+/// Two periods, or some turns of a rotation that has none.
+fn shown_time(body: &FreeBody, start: Vector3<f64>) -> f64 {
+    let turns = 8.0 * FRAC_PI_2 / start.norm();
+    if body.period().is_finite() { 2.0 * body.period() } else { 2.0 * turns }
+}
+
+fn components(body: &FreeBody, shown: f64) -> Plot {
+    let along = |axis: usize| {
+        (0..=240)
+            .map(|n| shown * f64::from(n) / 240.0)
+            .map(|t| (t, body.velocity(t)[axis]))
+            .collect::<Vec<_>>()
+    };
+    let plot = Plot::new(
+        "Angular velocity in principal axes",
+        Axis::linear("time", "s"),
+        Axis::linear("angular velocity", "rad/s"),
+        ["ω_x", "ω_y", "ω_z"].into_iter().enumerate().map(|(n, name)| Series::line(name, along(n))).collect(),
+    );
+    match body.first_flip() {
+        Some(flip) if flip <= shown => plot.mark("first flip", (flip, 0.0)),
+        _ => plot,
+    }
+}
+
+/// The tip of the angular velocity on the plane normal to the angular momentum.
+fn herpolhode(body: &FreeBody, inertia: Vector3<f64>, start: Vector3<f64>, shown: f64) -> Plot {
+    let frame = fixed_frame(inertia, start);
+    let points = (0..=400)
+        .map(|n| shown * f64::from(n) / 400.0)
+        .map(|t| frame.transpose() * (body.attitude(t) * body.velocity(t)))
+        .map(|omega| (omega.x, omega.y))
+        .collect();
+    Plot::new(
+        "Herpolhode: the tip of the angular velocity, seen along the angular momentum",
+        Axis::linear("across H", "rad/s"),
+        Axis::linear("across H and the first", "rad/s"),
+        vec![Series::line("herpolhode", points)],
+    )
+}
+
+/// Fixed axes with the third along the angular momentum; it is what all of the film is drawn in.
+fn fixed_frame(inertia: Vector3<f64>, start: Vector3<f64>) -> Matrix3<f64> {
+    let momentum = inertia.component_mul(&start).normalize();
+    let away = if momentum.x.abs() < 0.9 { Vector3::x() } else { Vector3::y() };
+    let first = (away - momentum * momentum.dot(away)).normalize();
+    Matrix3::from_columns(&[first, momentum.cross(first), momentum])
+}
+
+/// The inertia ellipsoid rolls on the plane normal to the angular momentum; the polhode is drawn on it.
+fn poinsot(body: &FreeBody, inertia: Vector3<f64>, start: Vector3<f64>, shown: f64) -> Film {
+    let frame = fixed_frame(inertia, start);
+    // The ellipsoid ω·I ω = 2T, its longest half-axis one unit.
+    let energy = start.dot(inertia.component_mul(&start));
+    let half = inertia.map(|moment| (energy / moment).sqrt());
+    let unit = half.amax();
+    let polhode: Vec<Vector3<f64>> =
+        (0..=80).map(|n| body.velocity(shown * f64::from(n) / 160.0) / unit).collect();
+    let plane = energy / inertia.component_mul(&start).norm() / unit;
+    scene::film("Poinsot: the inertia ellipsoid rolls on the plane across H", 8.0, |part| {
+        let t = shown / 2.0 * part;
+        let turn = frame.transpose() * body.attitude(t).matrix();
+        let mut scene = Scene::new(View::usual());
+        scene.floor(Vector3::z() * plane, 1.0);
+        scene.ellipsoid(Vector3::zeros(), &turn, half / unit, Ink::Body);
+        scene.axes(Vector3::zeros(), &turn, 1.2, AXES);
+        scene.line(polhode.iter().map(|point| turn * point), Ink::Motion);
+        scene.arrow(Vector3::zeros(), Vector3::z() * 1.2, Ink::Force, "H");
+        scene.arrow(Vector3::zeros(), turn * body.velocity(t) / unit, Ink::Result, "ω");
+        scene.shapes()
+    })
+}

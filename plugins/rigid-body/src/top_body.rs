@@ -1,0 +1,108 @@
+//! The body of a heavy top: what a person may know of it, and what its motion needs.
+
+use dalembert_core::{Inputs, Worksheet};
+use dalembert_mechanics::rigid;
+
+use crate::sources::BEER;
+
+/// A body of revolution that turns about a fixed point of its axis.
+#[derive(Clone, Debug, Inputs)]
+pub struct TopBody {
+    /// Mass.
+    #[input("m", "kg", positive)]
+    pub mass: f64,
+    /// Distance of the mass centre from the fixed point.
+    /// Along the axis.
+    #[input("l", "mm", positive)]
+    pub distance: f64,
+    /// Moments of inertia.
+    pub inertia: TopInertia,
+    /// Acceleration of gravity.
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+    pub gravity: f64,
+}
+
+/// What is known of the moments of inertia.
+#[derive(Clone, Debug, Inputs)]
+pub enum TopInertia {
+    /// About the axis and about the fixed point
+    AboutPoint {
+        /// Moment of inertia about the axis.
+        #[input("I_a", "kg*m^2", positive)]
+        axial: f64,
+        /// Transverse moment of inertia about the fixed point.
+        #[input("I_t", "kg*m^2", positive)]
+        transverse: f64,
+    },
+    /// About the axis and about the mass centre
+    AboutCentre {
+        /// Moment of inertia about the axis.
+        #[input("I_a", "kg*m^2", positive)]
+        axial: f64,
+        /// Transverse moment of inertia about the mass centre.
+        #[input("I_G", "kg*m^2", positive)]
+        transverse: f64,
+    },
+    /// Radii of gyration
+    Gyration {
+        /// Radius of gyration about the axis.
+        #[input("k_a", "mm", positive)]
+        axial: f64,
+        /// Transverse radius of gyration about the fixed point.
+        #[input("k_t", "mm", positive)]
+        transverse: f64,
+    },
+    /// About the axis only: a top that spins fast
+    AxialOnly {
+        /// Moment of inertia about the axis.
+        #[input("I_a", "kg*m^2", positive)]
+        axial: f64,
+    },
+}
+
+/// What the motion of a top needs of its body.
+#[derive(Clone, Copy, Debug)]
+pub struct TopMoments<N> {
+    /// Moment of inertia about the axis `I_a`.
+    pub axial: N,
+    /// Transverse moment of inertia about the fixed point `I_t`, where it is known.
+    pub transverse: Option<N>,
+    /// Moment of the weight with the axis level `K`.
+    pub couple: N,
+}
+
+impl<W: Worksheet> TopBodyGiven<W> {
+    /// Writes the moments of the body and of its weight.
+    pub fn moments(&self, sheet: W) -> TopMoments<W::Num> {
+        let couple = sheet.step(
+            "K",
+            "N*m",
+            self.mass * self.gravity * self.distance,
+            "Moment of the weight about the fixed point with the axis level; at the angle θ it is K sin θ",
+        );
+        let (axial, transverse) = match &self.inertia {
+            TopInertiaGiven::AboutPoint { axial, transverse } => (*axial, Some(*transverse)),
+            TopInertiaGiven::AboutCentre { axial, transverse } => {
+                let about_point = sheet.step(
+                    "I_t",
+                    "kg*m^2",
+                    rigid::parallel_axis(*transverse, self.mass, self.distance),
+                    ("Transverse moment of inertia about the fixed point: parallel axes", BEER.at("app. B")),
+                );
+                (*axial, Some(about_point))
+            }
+            TopInertiaGiven::Gyration { axial, transverse } => {
+                let about = |symbol, radius: W::Num, why| {
+                    sheet.step(symbol, "kg*m^2", rigid::moment_by_gyration(self.mass, radius), why)
+                };
+                let axial =
+                    about("I_a", *axial, "Moment of inertia about the axis from its radius of gyration");
+                let transverse =
+                    about("I_t", *transverse, "Transverse moment of inertia from its radius of gyration");
+                (axial, Some(transverse))
+            }
+            TopInertiaGiven::AxialOnly { axial } => (*axial, None),
+        };
+        TopMoments { axial, transverse, couple }
+    }
+}

@@ -1,0 +1,453 @@
+//! Nutation of a heavy top let go with any motion.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{
+    About, Analysis, Axis, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+};
+use dalembert_mechanics::{
+    Real,
+    rigid::top::{self, Nutation, Top, TopError, Trace},
+};
+use nalgebra::{Rotation3, Vector3};
+
+use crate::{
+    scene::{self, Scene, View},
+    sources::{BEER, GOLDSTEIN},
+    top_body::TopBody,
+};
+
+/// The top and the motion it is let go with.
+///
+/// Precession φ about the vertical, θ from the upward vertical to the axis, spin ψ about the axis; all positive
+/// counter-clockwise seen from the tip of their axis.
+#[derive(Clone, Debug, Inputs)]
+pub struct TopNutation {
+    /// The top.
+    pub body: TopBody,
+    /// Angle of the axis to the vertical at the start.
+    /// From the upward vertical: 90° with the axis level, more for a top that hangs.
+    #[input("θ₀", "deg", positive, below = 180)]
+    pub nutation: f64,
+    /// Angular velocity of the axis away from the vertical at the start.
+    #[input("θ̇₀", "rad/s", default = "0 rad/s")]
+    pub nutation_rate: f64,
+    /// Precession at the start.
+    /// Zero for a top whose axis is held still and let go.
+    #[input("φ̇₀", "rad/s", default = "0 rad/s")]
+    pub precession: f64,
+    /// What is known of the spin.
+    pub spin: TopSpin,
+    /// Instant.
+    /// Where it is given, the attitude at this time after the start is answered too.
+    #[input("t", "s", nonnegative)]
+    pub instant: Option<f64>,
+}
+
+/// What is known of the spin.
+#[derive(Clone, Debug, Inputs)]
+pub enum TopSpin {
+    /// Angular velocity about the axis
+    AxialVelocity {
+        /// Angular velocity about the axis.
+        /// Spin and the share of the precession, ψ̇ + φ̇ cos θ: what stays constant whatever the axis does.
+        #[input("ω₃", "rad/s")]
+        axial_velocity: f64,
+    },
+    /// Spin relative to the axis at the start
+    Spin {
+        /// Spin at the start.
+        /// As seen by someone who goes around with the axis.
+        #[input("ψ̇₀", "rad/s")]
+        spin: f64,
+    },
+}
+
+register!(TopNutation);
+
+impl Analysis for TopNutation {
+    const ABOUT: About = About {
+        id: "rigid-body/top-nutation",
+        title: "Heavy top: nutation",
+        summary: "A heavy top let go with any motion: the limits of its nutation, its period, the precession on average, cusps, loops or waves, and the attitude at an instant.",
+        keywords: "gyroscope spinning top nutation cusp loop pião giroscópio nutação cúspide laço potencial efetivo",
+        sources: &[&GOLDSTEIN, &BEER],
+        cases: include_str!("../cases/top_nutation.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &TopNutationGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let moments = given.body.moments(sheet);
+        let Some(transverse) = moments.transverse else {
+            return Err(Refusal::because(
+                "nutation needs the transverse moment of inertia: give it about the fixed point or the mass centre",
+            ));
+        };
+        let (axial, couple) = (moments.axial, moments.couple);
+        let (theta, theta_rate, phi_rate) = (given.nutation, given.nutation_rate, given.precession);
+        let axial_velocity = match &given.spin {
+            TopSpinGiven::AxialVelocity { axial_velocity } => *axial_velocity,
+            TopSpinGiven::Spin { spin } => sheet.step(
+                "ω₃",
+                "rad/s",
+                top::axial_velocity(*spin, phi_rate, theta),
+                ("Angular velocity about the axis: spin and the share of the precession", BEER.at("§18.3")),
+            ),
+        };
+        let own = sheet.step(
+            "H₃",
+            "kg*m^2/s",
+            axial * axial_velocity,
+            (
+                "Angular momentum about the axis: the weight has no moment about it, it stays",
+                GOLDSTEIN.at("§5-7"),
+            ),
+        );
+        let vertical = sheet.step(
+            "H_z",
+            "kg*m^2/s",
+            transverse * phi_rate * theta.sin().powi(2) + own * theta.cos(),
+            (
+                "Angular momentum about the vertical: the weight has no moment about that either",
+                GOLDSTEIN.at("§5-7"),
+            ),
+        );
+        let energy = sheet.step(
+            "E",
+            "J",
+            transverse * (theta_rate.powi(2) + (phi_rate * theta.sin()).powi(2)) / 2.0
+                + couple * theta.cos(),
+            (
+                "Energy without that of the spin, ½ I_a ω₃², which stays by itself; heights from the fixed point",
+                GOLDSTEIN.at("§5-7"),
+            ),
+        );
+        let body = Top { axial: axial.value(), transverse: transverse.value(), couple: couple.value() };
+        let motion = body
+            .released(self.nutation, self.nutation_rate, self.precession, axial_velocity.value())
+            .map_err(refused)?;
+        let trace = motion.trace();
+        let [high, low] = motion.limits();
+        let high = sheet.found(
+            "θ₁",
+            "deg",
+            high,
+            (
+                "Highest position of the axis. There θ̇ = 0: with u = cos θ, (E − K u)(1 − u²) = (H_z − H₃ u)²/(2 I_t), a cubic in u",
+                GOLDSTEIN.at("§5-7"),
+            ),
+        );
+        let low = sheet.found("θ₂", "deg", low, "Lowest position of the axis: the next zero of the cubic");
+        let third = sheet.found(
+            "u₃",
+            "1",
+            motion.third_zero(),
+            "Third zero of the cubic, above 1, where no angle is",
+        );
+        sheet.answer("highest", "Highest position of the axis, angle to the vertical", high);
+        sheet.answer("lowest", "Lowest position of the axis, angle to the vertical", low);
+        sheet.answer("third_zero", "Third zero of the cubic in cos θ", third);
+        let [rate_high, rate_low] = motion.precession_at_limits();
+        // Beside the vertical the quotient has few digits; the kernel keeps them.
+        let rate_at = |symbol, angle: W::Num, by_kernel: f64, why: &'static str| {
+            if angle.value().sin() > 1e-3 {
+                let rate = (vertical - own * angle.cos()) / (transverse * angle.sin().powi(2));
+                sheet.step(symbol, "rad/s", rate, why)
+            } else {
+                sheet.found(symbol, "rad/s", by_kernel, why)
+            }
+        };
+        let rate_high = rate_at(
+            "φ̇₁",
+            high,
+            rate_high,
+            match trace {
+                Trace::Steady => "Precession: θ stays, the top precesses steadily",
+                Trace::Wave => {
+                    "Precession at the highest position. It has the same sign at the lowest one: the axis draws waves"
+                }
+                Trace::Cusp => {
+                    "Precession at the highest position. The axis stands still there: it draws cusps"
+                }
+                Trace::Loop => {
+                    "Precession at the highest position. It has the other sign at the lowest one: the axis draws loops"
+                }
+            },
+        );
+        let rate_low = rate_at("φ̇₂", low, rate_low, "Precession at the lowest position");
+        sheet.answer(
+            "precession_at_highest",
+            match trace {
+                Trace::Steady => "Precession, which is steady",
+                Trace::Wave => "Precession at the highest position: waves",
+                Trace::Cusp => "Precession at the highest position: cusps",
+                Trace::Loop => "Precession at the highest position: loops",
+            },
+            rate_high,
+        );
+        sheet.answer("precession_at_lowest", "Precession at the lowest position", rate_low);
+        let pace = sheet.step(
+            "p",
+            "rad/s",
+            (couple * (third - low.cos()) / (transverse * 2.0)).sqrt(),
+            "Pace of the elliptic functions: cos θ goes as sn²(p t) between its limits",
+        );
+        let quarter = sheet.found(
+            "K_k",
+            "1",
+            motion.period() * pace.value() / 2.0,
+            Text::new("Complete elliptic integral of the first kind, of the modulus k = √((u₁ − u₂)/(u₃ − u₂)) = {k}")
+                .with_quantity("k", motion.modulus(), "1"),
+        );
+        let period = sheet.step(
+            "T_n",
+            "s",
+            quarter * 2.0 / pace,
+            "Period of the nutation: time from one lowest position to the next",
+        );
+        let frequency = sheet.step("f_n", "Hz", W::Num::from(TAU) / period, "Its frequency");
+        let advance = sheet.found(
+            "Δφ",
+            "deg",
+            motion.advance(),
+            "Precession in one nutation: φ̇ over time, two elliptic integrals of the third kind",
+        );
+        let mean = sheet.step("Ω", "rad/s", advance / period, "Precession on average");
+        sheet.answer("nutation_period", "Period of the nutation", period);
+        sheet.answer("nutation_frequency", "Frequency of the nutation", frequency);
+        sheet.answer("advance", "Precession in one nutation", advance);
+        sheet.answer("mean_precession", "Precession on average", mean);
+        sheet.answer("axial_angular_momentum", "Angular momentum about the axis", own);
+        sheet.answer("vertical_angular_momentum", "Angular momentum about the vertical", vertical);
+        sheet.answer("energy", "Energy without that of the spin", energy);
+        self.check(&motion, body, [own, vertical, energy].map(Real::value), sheet);
+        if let Some(t) = self.instant {
+            at_instant(&motion, t, body, [own, vertical, energy].map(Real::value), sheet);
+        }
+        let invariants = [own, vertical, energy].map(Real::value);
+        sheet.show(|| Exhibit::Plot(self.potential(&motion, body, invariants)));
+        sheet.show(|| Exhibit::Plot(over_time(&motion)));
+        sheet.show(|| Exhibit::Plot(precession_over_time(&motion)));
+        sheet.show(|| Exhibit::Plot(from_above(&motion)));
+        sheet.show(|| Exhibit::Film(film(&motion)));
+        Ok(())
+    }
+}
+
+impl TopNutation {
+    fn check<W: Worksheet>(&self, motion: &Nutation, body: Top, invariants: [f64; 3], sheet: W) {
+        let [own, vertical, energy] = invariants;
+        sheet.verify(|| {
+            let scale = energy.abs().max(body.couple);
+            let [high, low] = motion.limits();
+            for limit in [high, low] {
+                let (sin, cos) = limit.sin_cos();
+                let across = vertical - own * cos;
+                let left = 2.0 * body.transverse * (energy - body.couple * cos) * sin * sin;
+                sheet.check_zero(
+                    "the limit put back into the cubic",
+                    W::Num::from(left - across * across),
+                    2.0 * body.transverse * scale + vertical * vertical + own * own,
+                );
+            }
+            // The zeros of the cubic sum up to its second coefficient.
+            let sum = high.cos() + low.cos() + motion.third_zero();
+            let expected = energy / body.couple + own * own / (2.0 * body.transverse * body.couple);
+            sheet.check_zero(
+                "the sum of the three zeros, E/K + H₃²/(2 I_t K)",
+                W::Num::from(sum - expected),
+                expected.abs().max(1.0),
+            );
+            let start = motion.at(0.0);
+            sheet.check_zero(
+                "the angle at the start by the elliptic functions",
+                W::Num::from(start.nutation - self.nutation),
+                self.nutation.max(1e-3),
+            );
+            if let Some(advance) = by_equal_weights(motion, body, own, vertical) {
+                sheet.check_zero(
+                    "the precession in one nutation by equal weights",
+                    W::Num::from(advance - motion.advance()),
+                    advance.abs().max(motion.period() * motion.precession_at_limits()[1].abs()),
+                );
+            }
+        });
+    }
+
+    /// The effective potential `(H_z − H₃ cos θ)²/(2 I_t sin²θ) + K cos θ` beside the energy.
+    fn potential(&self, motion: &Nutation, body: Top, [own, vertical, energy]: [f64; 3]) -> Plot {
+        let [high, low] = motion.limits();
+        let margin = (0.6 * (low - high)).max(0.1);
+        let (from, to) = ((high - margin).max(0.01), (low + margin).min(std::f64::consts::PI - 0.01));
+        let at = |theta: f64| {
+            let (sin, cos) = theta.sin_cos();
+            ((vertical - own * cos) / sin).powi(2) / (2.0 * body.transverse) + body.couple * cos
+        };
+        let points = (0..=240).map(|n| from + (to - from) * f64::from(n) / 240.0).map(|x| (x, at(x)));
+        Plot::new(
+            "Effective potential against the angle of the axis",
+            Axis::linear("angle to the vertical", "deg"),
+            Axis::linear("energy", "J"),
+            vec![Series::line("effective potential", points.collect())],
+        )
+        .level("energy", energy)
+        .mark("highest", (high, at(high.max(1e-6))))
+        .mark("lowest", (low, at(low.min(std::f64::consts::PI - 1e-6))))
+    }
+}
+
+fn at_instant<W: Worksheet>(motion: &Nutation, t: f64, body: Top, invariants: [f64; 3], sheet: W) {
+    let [own, vertical, energy] = invariants;
+    let at = motion.at(t);
+    let theta = sheet.found(
+        "θ",
+        "deg",
+        at.nutation,
+        ("cos θ = u₂ + (u₁ − u₂) sn² p(t − t₂), from the lowest position on", GOLDSTEIN.at("§5-7")),
+    );
+    let theta_rate = sheet.found("θ̇", "rad/s", at.nutation_rate, "Its rate");
+    let phi = sheet.found(
+        "φ",
+        "deg",
+        at.precession,
+        "Precession since the start, by elliptic integrals of the third kind",
+    );
+    let phi_rate = sheet.found("φ̇", "rad/s", at.precession_rate, "Its rate, (H_z − H₃ cos θ)/(I_t sin²θ)");
+    let psi =
+        sheet.found("ψ", "deg", at.spin, "Spin since the start: ω₃ t less the shares of the precession");
+    sheet.answer("angle", "Angle to the vertical at the instant", theta);
+    sheet.answer("angle_rate", "Its rate at the instant", theta_rate);
+    sheet.answer("precession_angle", "Precession since the start", phi);
+    sheet.answer("precession_rate", "Precession at the instant", phi_rate);
+    sheet.answer("spin_angle", "Spin since the start", psi);
+    sheet.verify(|| {
+        let (sin, cos) = at.nutation.sin_cos();
+        let kinetic = body.transverse * (at.nutation_rate.powi(2) + (at.precession_rate * sin).powi(2)) / 2.0;
+        // At the vertical φ̇ has no value.
+        if sin > 1e-4 {
+            sheet.check_zero(
+                "energy at the instant is that at the start",
+                W::Num::from(kinetic + body.couple * cos - energy),
+                energy.abs().max(body.couple) + kinetic + own * own / body.transverse,
+            );
+        }
+        let scale = (vertical.abs() + own.abs()).max(f64::MIN_POSITIVE);
+        sheet.check_zero(
+            "so is the angular momentum about the vertical",
+            W::Num::from(if sin > 1e-4 {
+                body.transverse * at.precession_rate * sin * sin + own * cos - vertical
+            } else {
+                0.0
+            }),
+            scale,
+        );
+    });
+}
+
+/// `∫ φ̇ dt` over a nutation with `u = u₂ + (u₁ − u₂) sin²χ`; not where the axis comes near the vertical, or the period
+/// near infinity.
+fn by_equal_weights(motion: &Nutation, body: Top, own: f64, vertical: f64) -> Option<f64> {
+    const POINTS: u32 = 4000;
+    let [high, low] = motion.limits();
+    let (upper, lower, third) = (high.cos(), low.cos(), motion.third_zero());
+    let even = |a: f64, b: f64| a > 1e-3 * b;
+    let fair = even(1.0 - upper, 1.0 - lower)
+        && even(1.0 + lower, 1.0 + upper)
+        && even(third - upper, third - lower);
+    let at = |n: u32| {
+        let sine = (std::f64::consts::PI * f64::from(n) / f64::from(POINTS)).sin().powi(2);
+        let u = lower + (upper - lower) * sine;
+        let rate = (vertical - own * u) / (body.transverse * (1.0 - u * u));
+        rate / (body.couple * (third - u) / (2.0 * body.transverse)).sqrt()
+    };
+    fair.then(|| (0..POINTS).map(at).sum::<f64>() * std::f64::consts::PI / f64::from(POINTS))
+}
+
+fn refused(error: TopError) -> Refusal {
+    Refusal::because(match error {
+        TopError::Vertical => {
+            "the axis starts on the vertical, where precession is not defined: start a little beside it"
+        }
+        TopError::Creeps => {
+            "the axis creeps up to the vertical for ever: change the spin or the start a little"
+        }
+        TopError::Body | TopError::NotFinite => {
+            "the motion is beyond the range of numbers: check the sizes of what is given"
+        }
+    })
+}
+
+/// As many nutations as bring the axis once around, within reason.
+fn shown_time(motion: &Nutation) -> f64 {
+    let nutations = (TAU / motion.advance().abs()).ceil().clamp(3.0, 12.0);
+    nutations * motion.period()
+}
+
+fn over_time(motion: &Nutation) -> Plot {
+    let shown = 3.0 * motion.period();
+    let points = (0..=240).map(|n| shown * f64::from(n) / 240.0).map(|t| (t, motion.at(t).nutation));
+    let [high, low] = motion.limits();
+    Plot::new(
+        "Angle of the axis to the vertical",
+        Axis::linear("time", "s"),
+        Axis::linear("angle to the vertical", "deg"),
+        vec![Series::line("θ", points.collect())],
+    )
+    .level("highest", high)
+    .level("lowest", low)
+}
+
+fn precession_over_time(motion: &Nutation) -> Plot {
+    let shown = 3.0 * motion.period();
+    let times = (0..=240).map(|n| shown * f64::from(n) / 240.0);
+    Plot::new(
+        "Precession angle",
+        Axis::linear("time", "s"),
+        Axis::linear("angle about the vertical", "deg"),
+        vec![
+            Series::line("φ", times.clone().map(|t| (t, motion.at(t).precession)).collect()),
+            Series::line("on average", times.map(|t| (t, motion.mean_precession() * t)).collect()),
+        ],
+    )
+}
+
+/// The tip of the axis on the unit sphere.
+fn tips(motion: &Nutation, parts: u32) -> Vec<Vector3<f64>> {
+    let shown = shown_time(motion);
+    (0..=parts).map(|n| tip(motion, shown * f64::from(n) / f64::from(parts)).1).collect()
+}
+
+/// Attitude and tip of the axis at a time.
+fn tip(motion: &Nutation, time: f64) -> (Rotation3<f64>, Vector3<f64>) {
+    let at = motion.at(time);
+    let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), at.precession)
+        * Rotation3::from_axis_angle(&Vector3::x_axis(), at.nutation);
+    (turn, turn * Vector3::z())
+}
+
+fn from_above(motion: &Nutation) -> Plot {
+    Plot::new(
+        "Tip of the axis, seen from above",
+        Axis::linear("tip along X", "1"),
+        Axis::linear("tip along Y", "1"),
+        vec![Series::line("tip of a unit axis", tips(motion, 400).into_iter().map(|p| (p.x, p.y)).collect())],
+    )
+}
+
+fn film(motion: &Nutation) -> Film {
+    let shown = shown_time(motion);
+    let trace = tips(motion, 160);
+    scene::film("The axis on its way, and what its tip draws", 8.0, |part| {
+        let (turn, axis) = tip(motion, shown * part);
+        let mut scene = Scene::new(View::usual());
+        for limit in motion.limits() {
+            scene.circle(Vector3::z() * limit.cos(), Vector3::z(), limit.sin(), Ink::Faint);
+        }
+        scene.line([Vector3::zeros(), Vector3::z() * 1.2], Ink::Faint);
+        scene.line(trace.iter().copied(), Ink::Motion);
+        scene.cone(Vector3::zeros(), axis * 0.7, 0.3, Ink::Body);
+        scene.disc(axis * 0.7, turn.matrix(), 0.3, Ink::Body);
+        scene.line([axis * 0.7, axis], Ink::Body);
+        scene.label(Vector3::new(0.0, 0.05, -0.1), "O");
+        scene.shapes()
+    })
+}
