@@ -10,6 +10,7 @@ pub mod chain;
 pub mod gyroscope;
 mod mass_properties;
 pub mod primitive;
+pub mod rolling;
 pub mod simulate;
 pub mod supports;
 mod tensor;

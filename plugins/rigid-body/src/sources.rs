@@ -46,6 +46,30 @@ pub(crate) static HIBBELER: Source = Source {
 pub(crate) static GOLDSTEIN: Source =
     Source { short: "Goldstein", full: "H. Goldstein, Classical Mechanics, 2nd ed., Addison-Wesley, 1980" };
 
+/// E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration.
+pub(crate) static HAIRER_LUBICH_WANNER: Source = Source {
+    short: "Hairer, Lubich & Wanner",
+    full: "E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, 2nd ed., Springer, 2006",
+};
+
+/// E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I.
+pub(crate) static HAIRER: Source = Source {
+    short: "Hairer, Nørsett & Wanner",
+    full: "E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., Springer, 1993",
+};
+
+/// O. Brüls, A. Cardona, M. Arnold, the heavy-top benchmark.
+pub(crate) static BRULS: Source = Source {
+    short: "Brüls, Cardona & Arnold",
+    full: "O. Brüls, A. Cardona, M. Arnold, Lie group generalized-α time integration of constrained flexible multibody systems, Mechanism and Machine Theory 48 (2012), pp. 121–137",
+};
+
+/// E. J. Routh, Dynamics of a System of Rigid Bodies.
+pub(crate) static ROUTH: Source = Source {
+    short: "Routh",
+    full: "E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., Macmillan, 1905",
+};
+
 /// L. D. Landau, E. M. Lifshitz, Mechanics.
 pub(crate) static LANDAU: Source = Source {
     short: "Landau & Lifshitz",

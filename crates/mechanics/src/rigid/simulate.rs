@@ -201,7 +201,7 @@ impl Body {
             let axes = Matrix3::from_fn(|r, c| eigen.vectors[(r, c)]);
             (Vector3::from_fn(|n, _| eigen.values[n]), axes)
         };
-        if !(moments.min() > 0.0) {
+        if moments.iter().any(|moment| moment.is_nan() || *moment <= 0.0) {
             return Err(SimulateError::Inertia);
         }
         if axes.determinant() < 0.0 {
@@ -328,8 +328,7 @@ pub fn simulate_free(body: &Body, start: &Turning, radians: f64, run: &Run) -> R
     let gaps = run.samples.saturating_sub(1).max(1);
     let fastest = moments.component_mul(&omega).norm() / moments.min();
     let wanted = (run.duration / gaps as f64 * fastest / radians).ceil().max(1.0);
-    // The negation refuses NaN too.
-    if !(wanted * gaps as f64 <= run.most_steps as f64) {
+    if !wanted.is_finite() || wanted * gaps as f64 > run.most_steps as f64 {
         return Err(OdeError::TooManySteps { at: 0.0, steps: run.most_steps }.into());
     }
     let each = wanted as usize;

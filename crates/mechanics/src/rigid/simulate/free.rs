@@ -72,8 +72,7 @@ impl FreeRotation {
             return Err(SimulateError::NotFinite);
         }
         let turned = step * square.sqrt() / inertia.min();
-        // The negation refuses NaN too.
-        if !(turned <= LONGEST) {
+        if turned.is_nan() || turned > LONGEST {
             return Err(SimulateError::Step { turned });
         }
         let inverse = inertia.map(f64::recip);
@@ -179,8 +178,8 @@ impl FreeRotation {
         let (mixed, omega_square) = (momentum.dot(&omega), omega.norm_squared());
         let (square, energy) = ((self.square - momentum.norm_squared()) / 2.0, (self.energy - mixed) / 2.0);
         let off = 2.0 * square.abs() / self.square + 2.0 * energy.abs() / self.energy;
-        // Less is rounding of the invariants themselves, or NaN for a body at rest.
-        if !(off > ROUNDING) {
+        // NaN for a body at rest; less is rounding of the invariants themselves.
+        if off.is_nan() || off <= ROUNDING {
             return;
         }
         let whole = self.square * omega_square;

@@ -1,0 +1,425 @@
+//! The motion of a rigid body in space: free, about a fixed point, under torques.
+
+mod inputs;
+mod pictures;
+
+use std::array;
+
+use dalembert_core::{About, Analysis, Refusal, Text, Worksheet, register};
+use dalembert_mechanics::{
+    Vector,
+    ode::OdeError,
+    rigid::{
+        self,
+        simulate::{self as follow, Body, Loads, Run, Sample, SimulateError, Turning},
+    },
+};
+use nalgebra::Vector3;
+
+pub use self::inputs::{
+    Attitude, BodyAxis, Carrier, Course, Ends, Instant, Moments, Motion, Pivot, Place, TorqueRow, Velocity,
+};
+use self::inputs::{MomentsGiven, MotionGiven, PivotGiven};
+use crate::sources::{BRULS, GOLDSTEIN, HAIRER, HAIRER_LUBICH_WANNER};
+
+/// Error that each step may add, in parts of a radian and of the largest momentum.
+const TOLERANCE: f64 = 1e-13;
+/// Part of a radian that a step of a free motion turns by at most.
+const RADIANS: f64 = 0.05;
+/// Steps before a motion is given up, and those up to which a free motion is followed a second way.
+const STEPS: usize = 40_000;
+const FREE_STEPS: usize = 200_000;
+const CHECKED: f64 = 100.0;
+/// Moments of a motion that are shown.
+const MOMENTS: usize = 481;
+
+register!(Motion);
+
+impl Analysis for Motion {
+    const ABOUT: About = About {
+        id: "rigid-body/motion",
+        title: "Motion of a rigid body in space",
+        summary: "A body that turns freely, about a fixed point under gravity, or under torques: attitude and angular velocity over time, with the drift of energy and angular momentum.",
+        keywords: "simulation simulação free body corpo livre fixed point ponto fixo heavy top pião torque torque-free Euler quaternion movimento atitude giroscópio polhode tumbling",
+        sources: &[&GOLDSTEIN, &HAIRER_LUBICH_WANNER, &HAIRER, &BRULS],
+        cases: include_str!("../cases/motion.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &MotionGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let (body, loads) = (self.body()?, self.loads());
+        let from = Turning { attitude: self.attitude.turned()?, omega_body: self.omega_body()? };
+        self.start(given, sheet, &body, &loads, &from)?;
+        sheet.keep_going()?;
+        let ends: Vec<follow::End> = self.end.end(self.axis).into_iter().collect();
+        let cancelled = || sheet.keep_going().is_err();
+        let run = Run {
+            duration: self.duration,
+            tolerance: TOLERANCE,
+            samples: MOMENTS,
+            ends: &ends,
+            most_steps: STEPS,
+            cancelled: &cancelled,
+        };
+        let free = loads.torques.is_empty() && body.arm == Vector3::zeros() && ends.is_empty();
+        let moved = if free {
+            follow::simulate_free(&body, &from, RADIANS, &Run { most_steps: FREE_STEPS, ..run })
+        } else {
+            follow::simulate(&body, &from, &loads, &run)
+        };
+        sheet.keep_going()?;
+        let moved = moved.map_err(|error| refusal(&error))?;
+        self.finish(sheet, &body, &moved, free);
+        if free {
+            self.second_way(sheet, &body, &from, &run, &moved);
+        }
+        if moved.ended.is_none() && !ends.is_empty() {
+            sheet.warn(|| "the motion does not come to its end within the duration; make this longer".into());
+        }
+        self.show(sheet, &body, &moved);
+        Ok(())
+    }
+}
+
+impl Motion {
+    /// Momentum, energy and accelerations with which the motion begins.
+    fn start<W: Worksheet>(
+        &self,
+        given: &MotionGiven<W>,
+        sheet: W,
+        body: &Body,
+        loads: &Loads,
+        from: &Turning,
+    ) -> Result<(), Refusal> {
+        let omega = sheet.found_vector(
+            "ω",
+            "rad/s",
+            from.omega_body,
+            "Angular velocity at the start, in the axes of the body",
+        );
+        let principal = self.principal(given, sheet);
+        let momentum = momentum(sheet, body, principal, omega);
+        let kinetic = sheet.step(
+            "T_0",
+            "J",
+            rigid::rotational_energy(omega, momentum),
+            ("Kinetic energy of the turning at the start: T = ω · H/2", GOLDSTEIN.at("§5.3")),
+        );
+        let moment = body.inertia * body.acceleration(from, loads).map_err(|error| refusal(&error))?
+            + from.omega_body.cross(body.inertia * from.omega_body);
+        let about = sheet.found_vector(
+            "M",
+            "N*m",
+            clean(moment, moment.norm()),
+            "Moment of weight and torques about the point at the start, in the axes of the body",
+        );
+        let alpha = principal.map(|moments| euler_acceleration(moments, omega, about));
+        let why = (
+            "Angular acceleration at the start, from Euler's equations M = J α + ω × (J ω), in the axes of the body",
+            GOLDSTEIN.at("§5.5"),
+        );
+        let alpha = match alpha {
+            Some(alpha) => sheet.step_vector("α", "rad/s^2", alpha, why),
+            None => {
+                let alpha = body.acceleration(from, loads).map_err(|error| refusal(&error))?;
+                sheet.found_vector("α", "rad/s^2", clean(alpha, alpha.norm()), why)
+            }
+        };
+        sheet.verify(|| {
+            let left = body.inertia * alpha.value() + from.omega_body.cross(body.inertia * from.omega_body);
+            let size = (body.inertia * alpha.value()).norm() + moment.norm();
+            sheet.check_zero("Euler's equations at the start", (left - moment).norm().into(), size);
+        });
+        let weight = match given.pivot {
+            PivotGiven::MassCentre {} => None,
+            PivotGiven::FixedPoint { mass, centre, gravity, .. } => Some((mass, centre, gravity)),
+            PivotGiven::Origin { gravity } => {
+                let mass = sheet.found("m", "kg", body.mass, "Mass of the body as it is described");
+                let reason = "Mass centre of the body as it is described, from its origin";
+                let centre = sheet.found_vector("r_G", "m", clean(body.arm, body.arm.norm()), reason);
+                Some((mass, centre, gravity))
+            }
+        };
+        if let Some((mass, centre, gravity)) = weight {
+            let up = from.attitude.inverse() * Vector3::z();
+            let up =
+                sheet.found_vector("n", "1", up, "The upward vertical at the start, in the axes of the body");
+            let potential = sheet.step(
+                "V_0",
+                "J",
+                mass * gravity * centre.dot(up),
+                "Potential energy at the start, from the level of the fixed point",
+            );
+            let energy = sheet.step("E", "J", kinetic + potential, "Energy at the start");
+            sheet.answer("energy", "Energy at the start", energy);
+            let acceleration = sheet.step_vector(
+                "a_G",
+                "m/s^2",
+                alpha.cross(centre) + omega.cross(omega.cross(centre)),
+                "Acceleration of the mass centre at the start: α × r + ω × (ω × r), in the axes of the body",
+            );
+            sheet.answer_vector(
+                "initial_acceleration",
+                "Acceleration of the mass centre at the start",
+                acceleration,
+            );
+        } else {
+            sheet.answer("energy", "Energy at the start", kinetic);
+        }
+        sheet.answer_vector("momentum_body", "Angular momentum at the start, axes of the body", momentum);
+        sheet.answer_vector("alpha_body", "Angular acceleration at the start, axes of the body", alpha);
+        Ok(())
+    }
+
+    /// The principal moments about the point, where the axes of the body are principal there.
+    fn principal<W: Worksheet>(&self, given: &MotionGiven<W>, sheet: W) -> Option<[W::Num; 3]> {
+        let moments = match given.moments {
+            MomentsGiven::Principal { x, y, z } => [x, y, z],
+            MomentsGiven::Revolution { axial, transverse } => [transverse, transverse, axial],
+            MomentsGiven::Tensor { .. } | MomentsGiven::Described { .. } => return None,
+        };
+        let (PivotGiven::FixedPoint { mass, centre, .. }, Pivot::FixedPoint { about, .. }) =
+            (&given.pivot, &self.pivot)
+        else {
+            return Some(moments);
+        };
+        let off_axes = centre.value().iter().filter(|part| **part != 0.0).count();
+        match about {
+            Place::FixedPoint => Some(moments),
+            Place::MassCentre if off_axes > 1 => None,
+            Place::MassCentre => {
+                let distance = sheet.step(
+                    "d",
+                    "m",
+                    centre.magnitude(),
+                    "Distance of the mass centre from the fixed point",
+                );
+                let reason = "Parallel axes: the moment about the fixed point is larger by m d² across the line to the mass centre, and the same along it";
+                let symbols = ["J_x", "J_y", "J_z"];
+                Some(array::from_fn(|n| {
+                    let along = centre.value()[n] != 0.0;
+                    let moment =
+                        if along { moments[n] } else { rigid::parallel_axis(moments[n], *mass, distance) };
+                    sheet.step(symbols[n], "kg*m^2", moment, reason)
+                }))
+            }
+        }
+    }
+
+    /// Where the motion comes to, and how exactly.
+    fn finish<W: Worksheet>(&self, sheet: W, body: &Body, moved: &follow::Motion, free: bool) {
+        let last = moved.samples.last().expect("a motion has its start");
+        let how = if free {
+            (
+                Text::new(
+                    "The momentum in the body follows Ḣ = H × ω by the Gauss method of order 6, which keeps energy and |H|; the attitude follows by exponentials of the mean angular velocity",
+                ),
+                HAIRER_LUBICH_WANNER.at("§IV.2.1, §VII.5"),
+            )
+        } else {
+            (
+                Text::new(
+                    "Attitude (a unit quaternion) and angular momentum are followed by the method of Dormand and Prince of order 8, whose step holds the error; for a body of revolution in axes that do not spin with it",
+                ),
+                HAIRER.at("§II.5"),
+            )
+        };
+        let time = sheet.found("t", "s", last.time, how);
+        sheet.answer("time", "Time at the end", time);
+        let most = |of: fn(&Sample) -> Vector3<f64>| {
+            moved.samples.iter().map(|sample| of(sample).norm()).fold(0.0, f64::max)
+        };
+        let fastest = most(|sample| sample.omega);
+        let vector = |symbol: &'static str, unit: &'static str, value, reason: &'static str| {
+            sheet.found_vector(symbol, unit, value, reason)
+        };
+        let in_body = vector(
+            "ω_xyz",
+            "rad/s",
+            clean(last.turning.omega_body, fastest),
+            "Angular velocity at the end, in the axes of the body",
+        );
+        sheet.answer_vector("omega_body", "Angular velocity at the end, axes of the body", in_body);
+        let in_space = vector(
+            "ω_XYZ",
+            "rad/s",
+            clean(last.omega, fastest),
+            "Angular velocity at the end, in the fixed axes",
+        );
+        sheet.answer_vector("omega", "Angular velocity at the end, fixed axes", in_space);
+        let momentum = vector(
+            "H_XYZ",
+            "kg*m^2/s",
+            clean(last.momentum, most(|sample| sample.momentum)),
+            "Angular momentum about the point at the end, in the fixed axes",
+        );
+        sheet.answer_vector("momentum", "Angular momentum at the end, fixed axes", momentum);
+        let quaternion = last.turning.attitude.into_inner();
+        let scalar =
+            sheet.found("q0", "1", quaternion.w, "Attitude at the end as a unit quaternion: its real part");
+        sheet.answer("quaternion_real", "Attitude at the end, unit quaternion, real part", scalar);
+        let parts =
+            vector("q", "1", clean(quaternion.imag(), 1.0), "The other three parts of that quaternion");
+        sheet.answer_vector("quaternion", "Attitude at the end, unit quaternion, the other parts", parts);
+        let axis = last.turning.attitude * self.axis.vector();
+        let axis =
+            vector("a", "1", clean(axis, 1.0), "Direction of the followed axis of the body at the end");
+        sheet.answer_vector("axis", "Direction of the axis at the end", axis);
+        let [least, most_tilt] = self.tilts(moved);
+        let least =
+            sheet.found("θ_min", "deg", least, "Least angle of the axis to the vertical Z on the way");
+        sheet.answer("least_tilt", "Least angle of the axis to Z", least);
+        let largest =
+            sheet.found("θ_max", "deg", most_tilt, "Largest angle of the axis to the vertical Z on the way");
+        sheet.answer("largest_tilt", "Largest angle of the axis to Z", largest);
+        if body.arm != Vector3::zeros() {
+            let centre = last.turning.attitude * body.arm;
+            let centre = vector(
+                "r_G",
+                "m",
+                clean(centre, body.arm.norm()),
+                "Mass centre at the end, from the fixed point",
+            );
+            sheet.answer_vector("centre", "Mass centre at the end, fixed axes", centre);
+        }
+        let kinetic = sheet.found("T", "J", last.kinetic, "Kinetic energy of the turning at the end");
+        sheet.answer("kinetic_energy", "Kinetic energy at the end", kinetic);
+        self.drift(sheet, body, moved);
+    }
+
+    /// How far energy and angular momentum are kept.
+    fn drift<W: Worksheet>(&self, sheet: W, body: &Body, moved: &follow::Motion) {
+        let weight = (body.arm != Vector3::zeros()).then(Vector3::z);
+        let (energy, momentum) = (moved.energy_drift(), moved.momentum_drift(weight));
+        let bound = sheet.found(
+            "δ_E",
+            "1",
+            next_power(energy),
+            "Bound of |T + V − W − E₀| over the motion, in parts of the largest energy",
+        );
+        sheet.answer("energy_drift", "Energy kept to within", bound);
+        let reason = if weight.is_some() {
+            "Bound of |H_Z − ∫M_Z dt − H_Z0| over the motion, in parts of the largest |H|: the weight has no moment about the vertical"
+        } else {
+            "Bound of |H − ∫M dt − H₀| over the motion, in parts of the largest |H|"
+        };
+        let bound = sheet.found("δ_H", "1", next_power(momentum), reason);
+        sheet.answer("momentum_drift", "Angular momentum kept to within", bound);
+        if energy.max(momentum) > 1e-9 {
+            sheet.warn(|| "energy and angular momentum are not kept to nine digits: the last digits of the motion are doubtful".into());
+        } else {
+            sheet.check_zero("the energy balance T + V − W over the motion", energy.into(), 1.0);
+            sheet.check_zero("the balance of angular momentum over the motion", momentum.into(), 1.0);
+        }
+    }
+
+    /// A free motion followed with steps that only hold the error.
+    fn second_way<W: Worksheet>(
+        &self,
+        sheet: W,
+        body: &Body,
+        from: &Turning,
+        run: &Run,
+        moved: &follow::Motion,
+    ) {
+        sheet.verify(|| {
+            if from.omega_body.norm() * self.duration > CHECKED {
+                return;
+            }
+            let Ok(other) = follow::simulate(body, from, &Loads::default(), &Run { samples: 2, ..*run })
+            else {
+                return;
+            };
+            let (Some(a), Some(b)) = (moved.samples.last(), other.samples.last()) else { return };
+            sheet.check_zero(
+                "the attitude at the end by the method of Dormand and Prince",
+                a.turning.attitude.angle_to(&b.turning.attitude).into(),
+                1.0,
+            );
+        });
+    }
+
+    /// The least and the largest angle of the axis to the vertical, between the samples by cubics.
+    fn tilts(&self, moved: &follow::Motion) -> [f64; 2] {
+        let axis = self.axis.vector();
+        let height = |sample: &Sample| {
+            let axis = sample.turning.attitude * axis;
+            (axis.z, sample.omega.cross(axis).z)
+        };
+        let angle = |sample: &Sample| (sample.turning.attitude * axis).angle(&Vector3::z());
+        let angles = moved.samples.iter().map(angle);
+        let (mut least, mut most) =
+            (angles.clone().fold(f64::INFINITY, f64::min), angles.fold(f64::NEG_INFINITY, f64::max));
+        for pair in moved.samples.windows(2) {
+            let step = pair[1].time - pair[0].time;
+            let ((u, du), (v, dv)) = (height(&pair[0]), height(&pair[1]));
+            let (du, dv) = (du * step, dv * step);
+            if du * dv >= 0.0 {
+                continue;
+            }
+            // The zero of the slope of the cubic through both heights with both slopes.
+            let (a, b) = (3.0 * (du + dv - 2.0 * (v - u)), 2.0 * (3.0 * (v - u) - 2.0 * du - dv));
+            let root = (b * b - 4.0 * a * du).max(0.0).sqrt();
+            let s = -2.0 * du / (b + root.copysign(b));
+            let other = if a == 0.0 { s } else { -(b + root.copysign(b)) / (2.0 * a) };
+            for s in [s, other] {
+                if (0.0..=1.0).contains(&s) {
+                    let (c, d) = (3.0 * (v - u) - 2.0 * du - dv, du + dv - 2.0 * (v - u));
+                    let angle = (u + s * (du + s * (c + s * d))).clamp(-1.0, 1.0).acos();
+                    (least, most) = (least.min(angle), most.max(angle));
+                }
+            }
+        }
+        [least, most]
+    }
+}
+
+/// `H = J ω`, in principal axes where they are known, otherwise with the rows of the tensor.
+fn momentum<W: Worksheet>(sheet: W, body: &Body, principal: Option<[W::Num; 3]>, omega: W::Vec) -> W::Vec {
+    let why = ("Angular momentum about the point at the start: H = J ω", GOLDSTEIN.at("§5.1"));
+    if let Some(moments) = principal {
+        return sheet.step_vector("H", "kg*m^2/s", rigid::angular_momentum(moments, omega), why);
+    }
+    let row = |n: usize, symbol: &'static str| {
+        let row = clean(body.inertia.row(n).transpose(), body.inertia.amax());
+        let reason = "Row of the inertia tensor about the point: J = J_G + m (r² 1 − r rᵀ)";
+        sheet.found_vector(symbol, "kg*m^2", row, reason)
+    };
+    let rows = [row(0, "J_1"), row(1, "J_2"), row(2, "J_3")];
+    let [x, y, z] = rows.map(|row| row.dot(omega));
+    sheet.step_vector("H", "kg*m^2/s", W::Vec::from_components(x, y, z), why)
+}
+
+/// `α = J⁻¹ (M − ω × Jω)` in principal axes.
+fn euler_acceleration<V: Vector>([x, y, z]: [V::Scalar; 3], omega: V, moment: V) -> V {
+    let ([omega_x, omega_y, omega_z], [moment_x, moment_y, moment_z]) =
+        (omega.components(), moment.components());
+    V::from_components(
+        (moment_x + (y - z) * omega_y * omega_z) / x,
+        (moment_y + (z - x) * omega_z * omega_x) / y,
+        (moment_z + (x - y) * omega_x * omega_y) / z,
+    )
+}
+
+/// The power of ten that bounds a drift, from 10⁻¹² on: what is less is rounding.
+fn next_power(drift: f64) -> f64 {
+    10.0_f64.powi((-12..0).find(|power| drift <= 10.0_f64.powi(*power)).unwrap_or(0))
+}
+
+/// What is rounding alone beside the largest is zero.
+fn clean(vector: Vector3<f64>, largest: f64) -> Vector3<f64> {
+    vector.map(|x| if x.abs() > 1e-12 * largest { x } else { 0.0 })
+}
+
+fn refusal(error: &SimulateError) -> Refusal {
+    match error {
+        SimulateError::Inertia => Refusal::because(
+            "these are not the moments of inertia of a body: the principal moments must all be positive; correct the moments or the products of inertia",
+        ),
+        SimulateError::Motion(OdeError::TooManySteps { .. }) => Refusal::because(
+            "the motion asks for too many steps: the body turns too often in this duration; make it shorter",
+        ),
+        SimulateError::NotFinite | SimulateError::Step { .. } | SimulateError::Motion(_) => Refusal::because(
+            "the motion cannot be followed with these numbers: they are too large or too small beside each other",
+        ),
+    }
+}

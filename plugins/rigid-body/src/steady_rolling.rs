@@ -1,0 +1,329 @@
+//! A disc or hoop that rolls steadily on a circle, inclined to the floor.
+
+use std::f64::consts::FRAC_PI_2;
+
+use dalembert_core::{
+    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    register,
+};
+use dalembert_mechanics::{
+    Real,
+    rigid::rolling::{self, Rolling},
+};
+
+use crate::{
+    sources::{HIBBELER, ROUTH},
+    wheel::{self, Wheel},
+};
+
+/// A disc or hoop that rolls without slip on a level floor, its centre on a circle.
+///
+/// It leans inwards, towards the centre of that circle. The axes 1, 2 and 3 through its centre G precess with it but do
+/// not spin: 1 horizontal in its plane, 2 in its plane away from the contact, 3 along its axis.
+#[derive(Clone, Debug, Inputs)]
+pub struct SteadyRolling {
+    /// Mass.
+    #[input("m", "kg", positive, default = "1 kg")]
+    pub mass: f64,
+    /// Radius of the circle that touches the floor.
+    #[input("r", "m", positive)]
+    pub radius: f64,
+    /// It is a.
+    pub wheel: Wheel,
+    /// Known.
+    pub known: Known,
+    /// Coefficient of friction between it and the floor.
+    #[input("μ", "1", nonnegative)]
+    pub friction: Option<f64>,
+    /// Acceleration of gravity.
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+    pub gravity: f64,
+}
+
+/// What is known of the motion.
+#[derive(Clone, Debug, Inputs)]
+pub enum Known {
+    /// Angle and circle of the centre
+    CentreCircle {
+        /// Angle of its plane to the floor.
+        #[input("θ", "deg", above = 0, below = 90)]
+        inclination: f64,
+        /// Radius of the circle of the centre.
+        #[input("a", "m", nonnegative)]
+        radius: f64,
+    },
+    /// Angle and circle on the floor
+    FloorCircle {
+        /// Angle of its plane to the floor.
+        #[input("θ", "deg", above = 0, below = 90)]
+        inclination: f64,
+        /// Radius of the circle on the floor.
+        #[input("R", "m", positive)]
+        radius: f64,
+    },
+    /// Angle and precession
+    Precession {
+        /// Angle of its plane to the floor.
+        #[input("θ", "deg", above = 0, below = 90)]
+        inclination: f64,
+        /// Precession.
+        #[input("Ω", "rad/s", positive)]
+        precession: f64,
+    },
+    /// Circle of the centre and its speed
+    Speed {
+        /// Radius of the circle of the centre.
+        #[input("a", "m", positive)]
+        radius: f64,
+        /// Speed of the centre.
+        #[input("v", "m/s", positive)]
+        speed: f64,
+    },
+}
+
+register!(SteadyRolling);
+
+impl Analysis for SteadyRolling {
+    const ABOUT: About = About {
+        id: "rigid-body/steady-rolling",
+        title: "Disc or hoop rolling steadily on a circle",
+        summary: "Precession, angle or circle of a disc or hoop that rolls without slip, inclined to the floor: spin, normal force, the friction it needs, and whether the motion is stable.",
+        keywords: "rolling disc hoop coin wheel circle precession lean rolamento disco aro moeda roda circunferência precessão inclinação sem deslizamento hibbeler 21-69",
+        sources: &[&ROUTH, &HIBBELER],
+        cases: include_str!("../cases/steady_rolling.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &SteadyRollingGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let (mass, radius, gravity) = (given.mass, given.radius, given.gravity);
+        let moments = wheel::moments(&given.wheel, mass, radius, sheet);
+        let disc = Rolling {
+            mass: self.mass,
+            radius: self.radius,
+            axial: moments[0].value(),
+            transverse: moments[1].value(),
+            gravity: self.gravity,
+        };
+        let precession = |inclination: W::Num, centre: W::Num| {
+            let squared =
+                rolling::steady_precession_squared(mass, radius, moments, gravity, inclination, centre);
+            sheet.step(
+                "φ̇",
+                "rad/s",
+                squared.sqrt(),
+                (
+                    "Moments about the horizontal diameter: (I_a + m r²) ω₂ ω₃ − I_t ω₂ φ̇ cos θ + m g r cos θ = 0 with ω₂ = φ̇ sin θ and ω₃ = −φ̇ a/r",
+                    ROUTH.at("ch. V"),
+                ),
+            )
+        };
+        let (inclination, centre, precession) = match given.known {
+            KnownGiven::CentreCircle { inclination, radius: centre } => {
+                (inclination, centre, precession(inclination, centre))
+            }
+            KnownGiven::FloorCircle { inclination, radius: floor } => {
+                let centre = sheet.step(
+                    "a",
+                    "m",
+                    floor - radius * inclination.cos(),
+                    "The centre stands inwards of the contact by r cos θ",
+                );
+                if centre.value() < 0.0 {
+                    return Err(Refusal::because(
+                        "the circle on the floor is so small that the centre would be beyond its axis; make the circle or the angle larger",
+                    ));
+                }
+                (inclination, centre, precession(inclination, centre))
+            }
+            KnownGiven::Precession { inclination, precession } => {
+                let centre = sheet.step(
+                    "a",
+                    "m",
+                    rolling::steady_centre_radius(mass, radius, moments, gravity, inclination, precession),
+                    (
+                        "Moments about the horizontal diameter, solved for the circle of the centre",
+                        ROUTH.at("ch. V"),
+                    ),
+                );
+                if centre.value() < 0.0 {
+                    sheet.warn(|| {
+                        "the precession is so fast that the centre circles on the far side of the axis: the radius a is negative".into()
+                    });
+                }
+                (inclination, centre, precession)
+            }
+            KnownGiven::Speed { radius: centre, speed } => {
+                let precession =
+                    sheet.step("φ̇", "rad/s", speed / centre, "The centre goes round once in 2π a/v");
+                let found = disc.steady_inclinations(centre.value(), precession.value());
+                let Some(&angle) = found.first() else {
+                    return Err(Refusal::because(
+                        "no angle was found at which it rolls so; the speed is too small or too large beside the circle",
+                    ));
+                };
+                let inclination = sheet.found(
+                    "θ",
+                    "deg",
+                    angle,
+                    "Zero of the moments about the horizontal diameter: φ̇² sin θ ((I_a + m r²) a/r + I_t cos θ) = m g r cos θ",
+                );
+                (inclination, centre, precession)
+            }
+        };
+        let lean = sheet.step("λ", "deg", inclination * -1.0 + FRAC_PI_2, "Lean from the vertical");
+        let floor = sheet.step(
+            "R",
+            "m",
+            centre + radius * inclination.cos(),
+            "Radius of the circle on the floor: the contact stands outwards of the centre",
+        );
+        let speed = sheet.step("v", "m/s", (centre * precession).abs(), "Speed of the centre");
+        let third = sheet.step(
+            "ω₃",
+            "rad/s",
+            -(precession * centre / radius),
+            "No slip: the contact rests, v = −r ω₃ along 1",
+        );
+        let second = sheet.step(
+            "ω₂",
+            "rad/s",
+            precession * inclination.sin(),
+            "Component of the angular velocity along the diameter through the contact",
+        );
+        let spin = sheet.step(
+            "ψ̇",
+            "rad/s",
+            third - precession * inclination.cos(),
+            "Spin, against the axes that precess: ω₃ = ψ̇ + φ̇ cos θ",
+        );
+        let normal = sheet.step("N", "N", mass * gravity, "Normal force: the centre keeps its height");
+        let force = sheet.step(
+            "F",
+            "N",
+            mass * centre * precession.powi(2),
+            "Friction, towards the axis of the circle: it turns the velocity of the centre",
+        );
+        let demand =
+            sheet.step("μ_min", "1", force.abs() / normal, "Coefficient of friction that this needs");
+        let stiffness = sheet.step(
+            "K",
+            "1/s^2",
+            rolling::tilting_stiffness(mass, radius, moments, gravity, inclination, [second, third]),
+            "Small oscillations of the angle, ε̈ + K ε = 0, with dω₂/dθ = (I_a/I_t) ω₃ − ω₂ cot θ and dω₃/dθ = m r² ω₂/(I_a + m r²)",
+        );
+        sheet.answer("precession", "Precession", precession);
+        sheet.answer("inclination", "Angle of its plane to the floor", inclination_named(sheet, inclination));
+        sheet.answer("lean", "Lean from the vertical", lean);
+        sheet.answer("centre_radius", "Radius of the circle of the centre", named(sheet, centre));
+        sheet.answer("floor_radius", "Radius of the circle on the floor", floor);
+        sheet.answer("speed", "Speed of the centre", speed);
+        sheet.answer("spin", "Spin", spin);
+        sheet.answer("axial_omega", "Angular velocity about the axis", third);
+        sheet.answer("normal", "Normal force", normal);
+        sheet.answer("friction", "Friction towards the axis of the circle", force);
+        sheet.answer("friction_needed", "Coefficient of friction needed", demand);
+        sheet.answer("stiffness", "Stiffness of small oscillations", stiffness);
+        if stiffness.value() > 0.0 {
+            let period =
+                sheet.step("ω_n", "rad/s", stiffness.sqrt(), "Stable: angular frequency of the wobble");
+            sheet.answer("wobble", "Angular frequency of the wobble", period);
+        } else {
+            sheet.warn(|| "the steady motion is unstable: the angle runs away from it".into());
+        }
+        if self.friction.is_some_and(|friction| friction < demand.value()) {
+            sheet.warn(|| {
+                Text::new("it would slip: the motion needs a coefficient of friction of {needed}")
+                    .with_quantity("needed", demand.value(), "1")
+            });
+        }
+        sheet.verify(|| {
+            let omega = [0.0, second.value(), third.value()];
+            let rates = disc.accelerations(inclination.value(), omega);
+            let scale = self.gravity / self.radius + second.value().powi(2) + third.value().powi(2);
+            sheet.check_zero(
+                "the equations of the rolling disc leave the angle as it is",
+                rates[0].into(),
+                scale,
+            );
+            let (other, [_, across]) = disc.contact_forces(inclination.value(), omega);
+            sheet.check_zero(
+                "the normal force from m a_G",
+                W::Num::from(normal.value() - other),
+                normal.value(),
+            );
+            sheet.check_zero(
+                "the friction from m a_G",
+                W::Num::from(force.value() - across),
+                normal.value() + force.value().abs(),
+            );
+        });
+        let (angle, circle) = (inclination.value(), centre.value());
+        sheet.show(|| Exhibit::Drawing(self.picture(angle, circle)));
+        sheet.show(|| Exhibit::Plot(precessions(&disc, angle, circle, precession.value())));
+        Ok(())
+    }
+}
+
+/// An input as an answer.
+fn named<W: Worksheet>(sheet: W, value: W::Num) -> W::Num {
+    sheet.step("a", "m", value, "Radius of the circle of the centre")
+}
+
+fn inclination_named<W: Worksheet>(sheet: W, value: W::Num) -> W::Num {
+    sheet.step("θ", "deg", value, "Angle of its plane to the floor")
+}
+
+/// The precession over the angle, on the same circle of the centre.
+fn precessions(disc: &Rolling, angle: f64, circle: f64, precession: f64) -> Plot {
+    let at = |n: u16| {
+        let angle = FRAC_PI_2 * f64::from(n) / 180.0;
+        let moments = [disc.axial, disc.transverse];
+        let squared = rolling::steady_precession_squared(
+            disc.mass,
+            disc.radius,
+            moments,
+            disc.gravity,
+            angle,
+            circle.max(0.0),
+        );
+        (angle, squared.sqrt())
+    };
+    Plot::new(
+        "Precession over the angle, on the same circle of the centre",
+        Axis::linear("angle of the plane to the floor", "deg"),
+        Axis::linear("precession", "rad/s"),
+        vec![Series::line("φ̇", (18..=178).map(at).collect())],
+    )
+    .mark("this motion", (angle, precession))
+}
+
+impl SteadyRolling {
+    /// The vertical plane through the axis of the circle and the contact.
+    fn picture(&self, angle: f64, circle: f64) -> Drawing {
+        let (sin, cos) = angle.sin_cos();
+        let radius = self.radius;
+        // The axis of the circle is x = 0; the disc leans towards it.
+        let centre = (-circle, radius * sin);
+        let contact = (centre.0 - radius * cos, 0.0);
+        let top = (centre.0 + radius * cos, 2.0 * radius * sin);
+        let reach = (circle.abs() + radius).max(2.0 * radius);
+        let arrow = 0.8 * radius;
+        let shapes = vec![
+            DrawnShape::Ground((-1.2 * reach - 0.3 * radius, 0.0), (0.4 * reach, 0.0)),
+            DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, 2.4 * radius)], Ink::Faint),
+            DrawnShape::Polyline(vec![contact, top], Ink::Body),
+            DrawnShape::Circle(centre, 0.04 * radius, Ink::Body),
+            DrawnShape::Polyline(vec![centre, (0.0, centre.1)], Ink::Faint),
+            DrawnShape::Label((centre.0 / 2.0, centre.1 + 0.1 * radius), "a".into()),
+            DrawnShape::Label((centre.0, centre.1 + 0.15 * radius), "G".into()),
+            DrawnShape::Arrow(contact, (contact.0, arrow), Ink::Force),
+            DrawnShape::Label((contact.0 - 0.1 * radius, arrow), "N".into()),
+            DrawnShape::Arrow(contact, (contact.0 + arrow, 0.0), Ink::Force),
+            DrawnShape::Label((contact.0 + arrow, 0.12 * radius), "F".into()),
+            DrawnShape::Arrow(centre, (centre.0, centre.1 - arrow), Ink::Force),
+            DrawnShape::Label((centre.0 + 0.08 * radius, centre.1 - arrow), "m g".into()),
+            DrawnShape::Arrow((0.0, 2.4 * radius), (0.0, 2.9 * radius), Ink::Motion),
+            DrawnShape::Label((0.08 * radius, 2.9 * radius), "φ̇".into()),
+        ];
+        Drawing { title: "The disc seen along its horizontal diameter".into(), shapes }
+    }
+}

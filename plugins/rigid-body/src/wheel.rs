@@ -1,0 +1,51 @@
+//! A disc or hoop that rolls, as a person describes it.
+
+use dalembert_core::{Inputs, Worksheet};
+use dalembert_mechanics::{Real, rigid};
+
+/// A body of revolution that touches the floor with one circle about its centre.
+#[derive(Clone, Debug, Inputs)]
+pub enum Wheel {
+    /// Thin disc
+    Disc,
+    /// Thin hoop
+    Hoop,
+    /// Moments of inertia given
+    /// Through the mass centre, which is the centre of the circle.
+    Moments {
+        /// About its axis.
+        #[input("I_a", "kg*m^2", positive)]
+        axial: f64,
+        /// About a diameter.
+        #[input("I_t", "kg*m^2", positive)]
+        transverse: f64,
+    },
+    /// Radii of gyration given
+    Radii {
+        /// About its axis.
+        #[input("k_a", "m", positive)]
+        axial: f64,
+        /// About a diameter.
+        #[input("k_t", "m", positive)]
+        transverse: f64,
+    },
+}
+
+/// The moments of inertia `[I_a, I_t]` of a wheel.
+pub(crate) fn moments<W: Worksheet>(
+    wheel: &WheelGiven<W>,
+    mass: W::Num,
+    radius: W::Num,
+    sheet: W,
+) -> [W::Num; 2] {
+    let reason = ["Moment of inertia about the axis", "Moment of inertia about a diameter"];
+    let moments = match *wheel {
+        WheelGiven::Disc {} => {
+            [rigid::disc_axial_inertia(mass, radius), rigid::disc_diametral_inertia(mass, radius)]
+        }
+        WheelGiven::Hoop {} => [mass * radius.powi(2), mass * radius.powi(2) / 2.0],
+        WheelGiven::Moments { axial, transverse } => return [axial, transverse],
+        WheelGiven::Radii { axial, transverse } => [mass * axial.powi(2), mass * transverse.powi(2)],
+    };
+    [sheet.step("I_a", "kg*m^2", moments[0], reason[0]), sheet.step("I_t", "kg*m^2", moments[1], reason[1])]
+}
