@@ -280,6 +280,25 @@ impl Principal {
         self.axes.matrix().column(n).into()
     }
 
+    /// The angular velocity that goes with an angular momentum, `I⁻¹ H = Σ (u · H)/I_u u`, rad/s. About an axis without
+    /// moment of inertia only a body without momentum there turns, and it is taken not to.
+    ///
+    /// # Errors
+    /// [`BodyError::NoInertia`], [`BodyError::NotFinite`].
+    pub fn angular_velocity(&self, momentum: Vector3<f64>) -> Result<Vector3<f64>, BodyError> {
+        let mut omega = Vector3::zeros();
+        for n in 0..3 {
+            let (axis, moment) = (self.axis(n), self.moments[n]);
+            let along = axis.dot(&momentum);
+            if moment > MISSED * self.moments.amax() {
+                omega += axis * (along / moment);
+            } else if along.abs() > MISSED * momentum.norm() {
+                return Err(BodyError::NoInertia { axis: axis.into() });
+            }
+        }
+        if omega.iter().all(|x| x.is_finite()) { Ok(omega) } else { Err(BodyError::NotFinite) }
+    }
+
     /// Whether two of the moments are equal, and the axis of the third: the axis of (dynamic) symmetry. `None` also
     /// when all three are equal.
     pub fn symmetry_axis(&self) -> Option<usize> {

@@ -466,16 +466,16 @@ impl<S: Real> Primitive<S> {
         }
     }
 
-    /// Coordinates of a named point in the axes of the shape, m; `None` where the shape has no such point.
-    pub fn anchor<V: Vector<Scalar = S>>(self, anchor: Anchor) -> Option<V> {
+    /// From a named point of the shape to its mass centre, in the axes of the shape, m; `None` where the shape has no
+    /// such point.
+    pub fn from_anchor<V: Vector<Scalar = S>>(self, anchor: Anchor) -> Option<V> {
         let zero = S::from(0.0);
         let origin = V::from_components(zero, zero, zero);
         let along_z = |z: S| Some(V::from_components(zero, zero, z));
-        let in_plane = |x: S, y: S| Some(V::from_components(x, y, zero));
         match (anchor, self) {
-            (Anchor::Origin, _) => Some(origin),
-            (Anchor::MassCentre, _) => Some(self.centre().unwrap_or(origin)),
-            (
+            (Anchor::MassCentre, _) => Some(origin),
+            (Anchor::Origin, _)
+            | (
                 Anchor::NearEnd,
                 Self::Cone { .. }
                 | Self::ConicalShell { .. }
@@ -483,26 +483,33 @@ impl<S: Real> Primitive<S> {
                 | Self::Hemisphere { .. }
                 | Self::HemisphericalShell { .. },
             )
-            | (Anchor::Corner, Self::RightTriangularPlate { .. } | Self::Tetrahedron { .. }) => Some(origin),
-            (
-                Anchor::FarEnd,
-                Self::Cone { height, .. }
-                | Self::ConicalShell { height, .. }
-                | Self::Paraboloid { height, .. },
-            ) => along_z(height),
-            (Anchor::FarEnd, Self::Hemisphere { radius } | Self::HemisphericalShell { radius }) => {
-                along_z(radius)
+            | (Anchor::Corner, Self::RightTriangularPlate { .. } | Self::Tetrahedron { .. }) => {
+                Some(self.centre().unwrap_or(origin))
             }
-            (Anchor::NearEnd, Self::Arc { radius, .. }) => in_plane(radius, zero),
-            (Anchor::FarEnd, Self::Arc { radius, angle }) => {
-                in_plane(radius * angle.cos(), radius * angle.sin())
+            (Anchor::FarEnd, Self::Cone { height, .. }) => along_z(-(height / 4.0)),
+            (Anchor::FarEnd, Self::ConicalShell { height, .. } | Self::Paraboloid { height, .. }) => {
+                along_z(-(height / 3.0))
             }
-            (Anchor::Corner, Self::RectangularPlate { a, b }) => in_plane(-(a / 2.0), -(b / 2.0)),
-            (Anchor::Corner, Self::Box { a, b, c }) => {
-                Some(V::from_components(-(a / 2.0), -(b / 2.0), -(c / 2.0)))
+            (Anchor::FarEnd, Self::Hemisphere { radius }) => along_z(-(radius * 5.0 / 8.0)),
+            (Anchor::FarEnd, Self::HemisphericalShell { radius }) => along_z(-(radius / 2.0)),
+            (Anchor::NearEnd, Self::Arc { radius, .. }) => {
+                Some(self.centre::<V>()? - V::from_components(radius, zero, zero))
             }
-            (Anchor::NearEnd, _) => along_z(-self.half_height()?),
-            (Anchor::FarEnd, _) => along_z(self.half_height()?),
+            (Anchor::FarEnd, Self::Arc { radius, angle }) => Some(
+                self.centre::<V>()? - V::from_components(radius * angle.cos(), radius * angle.sin(), zero),
+            ),
+            (Anchor::Corner, Self::RectangularPlate { a, b }) => {
+                Some(V::from_components(a / 2.0, b / 2.0, zero))
+            }
+            (Anchor::Corner, Self::Box { a, b, c }) => Some(V::from_components(a / 2.0, b / 2.0, c / 2.0)),
+            (Anchor::NearEnd, Self::HalfCylinder { radius, height }) => {
+                Some(V::from_components(zero, radius * 4.0 / (3.0 * PI), height / 2.0))
+            }
+            (Anchor::FarEnd, Self::HalfCylinder { radius, height }) => {
+                Some(V::from_components(zero, radius * 4.0 / (3.0 * PI), -(height / 2.0)))
+            }
+            (Anchor::NearEnd, _) => along_z(self.half_height()?),
+            (Anchor::FarEnd, _) => along_z(-self.half_height()?),
             (Anchor::Corner, _) => None,
         }
     }
@@ -546,8 +553,7 @@ impl<S: Real> Primitive<S> {
             Self::Box { c, .. } => Some(c / 2.0),
             Self::Cylinder { height, .. }
             | Self::HollowCylinder { height, .. }
-            | Self::Tube { height, .. }
-            | Self::HalfCylinder { height, .. } => Some(height / 2.0),
+            | Self::Tube { height, .. } => Some(height / 2.0),
             Self::Sphere { radius } | Self::SphericalShell { radius } => Some(radius),
             Self::HollowSphere { outer, .. } => Some(outer),
             Self::Ellipsoid { c, .. } => Some(c),

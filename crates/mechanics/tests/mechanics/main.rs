@@ -24,6 +24,7 @@ mod planar;
 mod polynomial;
 mod real;
 mod rigid;
+mod rigid_body;
 mod rigid_motion;
 mod roots;
 mod sdof;

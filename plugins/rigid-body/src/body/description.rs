@@ -21,17 +21,17 @@ pub enum Body {
     /// Known by its inertia matrix
     Matrix {
         /// Mass.
-        #[input("m", "kg", positive)]
+        #[input("m_0", "kg", positive)]
         mass: f64,
         /// Position of the mass centre G.
-        #[input("r_G", "m", default = "(0; 0; 0) m")]
+        #[input("r_0", "m", default = "(0; 0; 0) m")]
         centre: Vector3<f64>,
         /// Moments of inertia Iₓ, I_y, I_z.
-        #[input("I", "kg*m^2")]
+        #[input("I_0", "kg*m^2")]
         moments: Vector3<f64>,
         /// Products of inertia I_yz, I_zx, I_xy.
         /// I_xy = ∫ xy dm; in the inertia matrix they stand with a minus sign.
-        #[input("P", "kg*m^2", default = "(0; 0; 0) kg*m^2")]
+        #[input("P_0", "kg*m^2", default = "(0; 0; 0) kg*m^2")]
         products: Vector3<f64>,
         /// They are taken about.
         about: TakenAbout,
@@ -39,10 +39,10 @@ pub enum Body {
     /// Known by its radii of gyration
     Radii {
         /// Mass.
-        #[input("m", "kg", positive)]
+        #[input("m_0", "kg", positive)]
         mass: f64,
         /// Position of the mass centre G.
-        #[input("r_G", "m", default = "(0; 0; 0) m")]
+        #[input("r_0", "m", default = "(0; 0; 0) m")]
         centre: Vector3<f64>,
         /// Radii of gyration about the axes through G.
         /// Iₓ = m kₓ², and so on; the axes are principal ones.
@@ -196,7 +196,7 @@ impl Body {
         let whole = match self {
             Body::Parts { parts } => {
                 let parts = parts.iter().map(Part::properties).collect::<Result<Vec<_>, _>>()?;
-                MassProperties::composite(&parts).map_err(|error| refused(&error, "the body"))?
+                MassProperties::composite(&parts).map_err(|error| refused(&error, "this body"))?
             }
             Body::Matrix { mass, centre, moments, products, about } => {
                 let tensor = MassProperties::tensor(*moments, *products);
@@ -212,7 +212,7 @@ impl Body {
                 inertia: Matrix3::from_diagonal(&(radii.component_mul(radii) * *mass)),
             },
         };
-        whole.check().map_err(|error| refused(&error, "the body"))?;
+        whole.check().map_err(|error| refused(&error, "this body"))?;
         Ok(whole)
     }
 }
@@ -231,9 +231,9 @@ impl Part {
             | (Amount::PerVolume { density }, Extent::Volume(extent)) => density * extent,
             _ => return Err(self.misfilled()),
         };
-        let own = self.shape.mass_properties(mass);
-        let anchor = self.shape.anchor(self.reference.anchor()).ok_or_else(|| self.without_point())?;
-        let there = own.moved(-anchor).turned(&self.rotation()?).moved(self.position + self.middle());
+        let centre = self.shape.from_anchor(self.reference.anchor()).ok_or_else(|| self.without_point())?;
+        let own = MassProperties { mass, centre, inertia: self.shape.tensor(mass) };
+        let there = own.turned(&self.rotation()?).moved(self.position + self.middle());
         there.check().map_err(|error| refused_part(&error, &self.name))?;
         Ok(match self.presence {
             Presence::Material => there,
@@ -254,6 +254,15 @@ impl Part {
     /// # Errors
     /// A refusal that names the part.
     pub fn rotation(&self) -> Result<Rotation3<f64>, Refusal> {
+        // What is left of terms that cancel is nothing: axes along those of the body are so exactly.
+        let clean = |x: f64| {
+            let whole = x.round();
+            if (x - whole).abs() < 1e-15 { whole + 0.0 } else { x }
+        };
+        Ok(Rotation3::from_matrix_unchecked(self.direction()?.matrix().map(clean)))
+    }
+
+    fn direction(&self) -> Result<Rotation3<f64>, Refusal> {
         if let Some((from, to)) = self.shape.ends() {
             if !matches!(self.direction, Direction::Same) {
                 return Err(named(
@@ -369,7 +378,7 @@ fn named(why: &'static str, name: &str) -> Refusal {
 }
 
 /// Why numbers are no body, in the words of the form; `whose` is a sentence part such as "the body".
-pub fn refused(error: &BodyError, whose: &'static str) -> Refusal {
+pub(crate) fn refused(error: &BodyError, whose: &'static str) -> Refusal {
     Refusal::NoAnswer(told(error).with_text("name", whose))
 }
 

@@ -8,7 +8,7 @@ use dalembert_mechanics::{
         primitive::{Anchor, Extent, OwnInertia, Primitive, ShapeError},
     },
 };
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 /// The shape of a part, in axes of its own.
 #[derive(Clone, Debug, Inputs)]
@@ -373,23 +373,20 @@ impl Shape {
         self.described().extent(|from, to| (to - from).norm())
     }
 
-    /// Mass properties in the own axes, about their origin.
-    pub(super) fn mass_properties(&self, mass: f64) -> MassProperties {
-        let described = self.described();
-        let length = self.ends().map_or(0.0, |(from, to)| (to - from).norm());
-        let OwnInertia { moments, products } = described.inertia(mass, length);
-        let products = products.map_or_else(Vector3::zeros, Vector3::from);
-        MassProperties {
-            mass,
-            centre: described.centre(),
-            inertia: MassProperties::tensor(moments.into(), products),
-        }
+    /// Inertia tensor about the mass centre in the own axes.
+    pub(super) fn tensor(&self, mass: f64) -> Matrix3<f64> {
+        let OwnInertia { moments, products } = self.described().inertia(mass, self.length());
+        MassProperties::tensor(moments.into(), products.map_or_else(Vector3::zeros, Vector3::from))
     }
 
-    /// A named point in the own axes.
-    pub(super) fn anchor(&self, anchor: Anchor) -> Option<Vector3<f64>> {
-        let length = self.ends().map_or(0.0, |(from, to)| (to - from).norm());
-        self.described().anchor(anchor, length)
+    /// From a named point to the mass centre, in the own axes.
+    pub(super) fn from_anchor(&self, anchor: Anchor) -> Option<Vector3<f64>> {
+        self.described().from_anchor(anchor, self.length())
+    }
+
+    /// The length of a rod between two points; else nothing.
+    fn length(&self) -> f64 {
+        self.ends().map_or(0.0, |(from, to)| (to - from).norm())
     }
 
     /// The ends of a rod between two points.
@@ -417,16 +414,6 @@ impl<V: Vector> Described<V> {
         }
     }
 
-    /// The mass centre in the own axes. (That of a rod between two points is placed in the frame.)
-    pub(super) fn centre(self) -> V {
-        let zero = V::Scalar::from(0.0);
-        let origin = V::from_components(zero, zero, zero);
-        match self {
-            Described::Primitive(shape) => shape.centre().unwrap_or(origin),
-            _ => origin,
-        }
-    }
-
     /// Moments and products of inertia about the mass centre in the own axes; `length` is that of a rod between
     /// two points.
     pub(super) fn inertia(self, mass: V::Scalar, length: V::Scalar) -> OwnInertia<V::Scalar> {
@@ -443,13 +430,13 @@ impl<V: Vector> Described<V> {
         }
     }
 
-    /// A named point in the own axes.
-    pub(super) fn anchor(self, anchor: Anchor, length: V::Scalar) -> Option<V> {
+    /// From a named point to the mass centre, in the own axes; `length` is that of a rod between two points.
+    pub(super) fn from_anchor(self, anchor: Anchor, length: V::Scalar) -> Option<V> {
         match self {
-            Described::Primitive(shape) => shape.anchor(anchor),
-            // Its own origin lies where the two points are counted from: see `Part::place`.
-            Described::Between(..) => Primitive::Rod { length }.anchor(anchor),
-            Described::Radii(_) | Described::Matrix(..) => Primitive::Particle.anchor(anchor),
+            Described::Primitive(shape) => shape.from_anchor(anchor),
+            // Where its two points are counted from is no place in its own axes: see `Part::middle`.
+            Described::Between(..) => Primitive::Rod { length }.from_anchor(anchor),
+            Described::Radii(_) | Described::Matrix(..) => Primitive::Particle.from_anchor(anchor),
         }
     }
 

@@ -1,0 +1,237 @@
+//! The motion of a body at one moment, as a person gives it.
+
+use dalembert_core::{Inputs, Refusal, Worksheet};
+use dalembert_mechanics::{Real, Vector, rigid};
+use nalgebra::Vector3;
+
+use super::{Worked, refused};
+use crate::sources::{BEER, MERIAM};
+
+/// How a body turns.
+#[derive(Clone, Debug, Inputs)]
+pub enum Turning {
+    /// Angular velocity
+    Vector {
+        /// Angular velocity.
+        #[input("ω_0", "rad/s", default = "(0; 0; 0) rad/s")]
+        omega: Vector3<f64>,
+    },
+    /// About an axis
+    Axis {
+        /// Any vector along the axis.
+        #[input("e_ω", "1")]
+        axis: Vector3<f64>,
+        /// Angular speed, right-handed about it.
+        #[input("ω_0", "rad/s")]
+        speed: f64,
+    },
+    /// Two of its points are at rest
+    /// It turns about the line through them: a disc rolling on the floor about a fixed point of its axle.
+    RestingPoints {
+        /// Position of the first.
+        #[input("r_1", "m", default = "(0; 0; 0) m")]
+        first: Vector3<f64>,
+        /// Position of the second.
+        #[input("r_2", "m")]
+        second: Vector3<f64>,
+        /// Any vector along an axis of the body.
+        #[input("e_ω", "1")]
+        axis: Vector3<f64>,
+        /// Component of the angular velocity along it.
+        #[input("ω_0", "rad/s")]
+        speed: f64,
+    },
+    /// Angular momentum about the mass centre
+    Momentum {
+        /// Angular momentum.
+        #[input("H_0", "kg*m^2/s")]
+        momentum: Vector3<f64>,
+    },
+}
+
+/// What is known of how a body moves on.
+#[derive(Clone, Debug, Inputs)]
+pub enum Going {
+    /// Velocity of the mass centre
+    MassCentre {
+        /// Velocity of the mass centre.
+        #[input("v_0", "m/s", default = "(0; 0; 0) m/s")]
+        velocity: Vector3<f64>,
+    },
+    /// A point is fixed
+    Fixed {
+        /// Position of the point.
+        #[input("r_F", "m", default = "(0; 0; 0) m")]
+        point: Vector3<f64>,
+    },
+    /// Velocity of a point
+    Point {
+        /// Position of the point.
+        #[input("r_P", "m")]
+        point: Vector3<f64>,
+        /// Its velocity.
+        #[input("v_P", "m/s")]
+        velocity: Vector3<f64>,
+    },
+    /// Carried by an arm that turns about a point
+    /// The body may spin on the arm as it likes: the arm alone moves its mass centre.
+    Carried {
+        /// Position of the point.
+        #[input("r_F", "m", default = "(0; 0; 0) m")]
+        point: Vector3<f64>,
+        /// Angular velocity of the arm.
+        #[input("Ω", "rad/s")]
+        omega: Vector3<f64>,
+    },
+    /// Fallen from rest
+    Fallen {
+        /// Height of the fall.
+        #[input("h", "m", nonnegative)]
+        height: f64,
+        /// Acceleration of gravity.
+        #[input("g", "m/s^2", default = "(0; 0; -9.81) m/s^2")]
+        gravity: Vector3<f64>,
+    },
+}
+
+impl Turning {
+    /// The angular velocity, written down.
+    ///
+    /// # Errors
+    /// A refusal in words.
+    pub(crate) fn work<W: Worksheet>(
+        &self,
+        given: &TurningGiven<W>,
+        body: &Worked<W>,
+        sheet: W,
+    ) -> Result<W::Vec, Refusal> {
+        match (self, given) {
+            (Turning::Vector { .. }, TurningGiven::Vector { omega }) => {
+                Ok(sheet.step_vector("ω", "rad/s", *omega, "Angular velocity"))
+            }
+            (Turning::Axis { axis: along, .. }, TurningGiven::Axis { axis, speed }) => {
+                directed(*along)?;
+                Ok(sheet.step_vector(
+                    "ω",
+                    "rad/s",
+                    *axis * *speed / axis.magnitude(),
+                    "Angular velocity, along its axis",
+                ))
+            }
+            (
+                Turning::RestingPoints { first: a, second: b, axis: along, .. },
+                TurningGiven::RestingPoints { first, second, axis, speed },
+            ) => {
+                directed(*along)?;
+                let (line, along) = (b - a, *along / along.amax());
+                if line.dot(along).abs() <= 1e-12 * line.norm() * along.norm() {
+                    return Err(Refusal::because(
+                        "the line through the two resting points is at right angles to the axis of the body: an angular velocity along it has no component there; look at the points or give the angular velocity itself",
+                    ));
+                }
+                let line = sheet.step_vector(
+                    "e_r",
+                    "m",
+                    *second - *first,
+                    "The instantaneous axis: the line through the two points at rest",
+                );
+                Ok(sheet.step_vector(
+                    "ω",
+                    "rad/s",
+                    line * (*speed * axis.magnitude() / line.dot(*axis)),
+                    ("Angular velocity: along the instantaneous axis, with the given component along the axis of the body", BEER.at("§15.6A")),
+                ))
+            }
+            (Turning::Momentum { momentum }, TurningGiven::Momentum { .. }) => {
+                let principal =
+                    body.properties.check_turnable().map_err(|error| refused(&error, "this body"))?;
+                let omega =
+                    principal.angular_velocity(*momentum).map_err(|error| refused(&error, "this body"))?;
+                Ok(sheet.found_vector(
+                    "ω",
+                    "rad/s",
+                    omega,
+                    ("Angular velocity from H_G = I ω", MERIAM.at("§7/7")),
+                ))
+            }
+            _ => Err(Refusal::because("the rotation is not described")),
+        }
+    }
+}
+
+impl Going {
+    /// The velocity of the mass centre, written down.
+    ///
+    /// # Errors
+    /// A refusal in words.
+    pub(crate) fn work<W: Worksheet>(
+        &self,
+        given: &GoingGiven<W>,
+        body: &Worked<W>,
+        omega: W::Vec,
+        sheet: W,
+    ) -> Result<W::Vec, Refusal> {
+        Ok(match (self, given) {
+            (Going::MassCentre { .. }, GoingGiven::MassCentre { velocity }) => {
+                sheet.step_vector("v_G", "m/s", *velocity, "Velocity of the mass centre")
+            }
+            (Going::Fixed { .. }, GoingGiven::Fixed { point }) => {
+                let arm = sheet.step_vector("ρ", "m", body.centre - *point, "From the fixed point to G");
+                sheet.step_vector(
+                    "v_G",
+                    "m/s",
+                    omega.cross(arm),
+                    ("Velocity of the mass centre: G turns about the fixed point", BEER.at("§15.6B")),
+                )
+            }
+            (Going::Point { .. }, GoingGiven::Point { point, velocity }) => {
+                let arm = sheet.step_vector("ρ", "m", body.centre - *point, "From the point to G");
+                sheet.step_vector(
+                    "v_G",
+                    "m/s",
+                    rigid::velocity_of_point(*velocity, omega, arm),
+                    ("Velocity of the mass centre, from that of the point", BEER.at("§15.6B")),
+                )
+            }
+            (Going::Carried { .. }, GoingGiven::Carried { point, omega: arm_omega }) => {
+                let arm = sheet.step_vector(
+                    "ρ",
+                    "m",
+                    body.centre - *point,
+                    "Along the arm, from its fixed point to G",
+                );
+                sheet.step_vector(
+                    "v_G",
+                    "m/s",
+                    arm_omega.cross(arm),
+                    ("Velocity of the mass centre, which turns with the arm", BEER.at("§15.6A")),
+                )
+            }
+            (Going::Fallen { gravity: down, .. }, GoingGiven::Fallen { height, gravity }) => {
+                directed(*down)?;
+                let speed = sheet.step(
+                    "v_h",
+                    "m/s",
+                    (gravity.magnitude() * *height * 2.0).sqrt(),
+                    "Speed after the fall, from m g h = m v²/2",
+                );
+                sheet.step_vector(
+                    "v_G",
+                    "m/s",
+                    *gravity * (speed / gravity.magnitude()),
+                    "Velocity of the mass centre, along gravity",
+                )
+            }
+            _ => return Err(Refusal::because("the motion of the body is not described")),
+        })
+    }
+}
+
+/// A vector along which something lies has a length.
+pub(crate) fn directed(vector: Vector3<f64>) -> Result<(), Refusal> {
+    if vector.amax() > 0.0 && vector.iter().all(|x| x.is_finite()) {
+        Ok(())
+    } else {
+        Err(Refusal::because("a direction has no length: write any vector along it, such as (0; 0; 1)"))
+    }
+}

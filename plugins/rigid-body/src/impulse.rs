@@ -1,0 +1,146 @@
+//! A blow, a body that sticks, or a constraint that takes hold at once: the motion just after it.
+
+mod after;
+
+use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
+use nalgebra::Vector3;
+
+use crate::{
+    body::{Body, Going, Turning},
+    sources::{BEER, HIBBELER, MERIAM, RIUL},
+};
+
+/// A rigid body, its motion before, and what happens to it in a time so short that it does not move meanwhile.
+#[derive(Clone, Debug, Inputs)]
+pub struct Impulse {
+    /// The body.
+    pub body: Body,
+    /// Its rotation before.
+    pub turning: Turning,
+    /// Its motion before.
+    pub going: Going,
+    /// Blows.
+    pub blows: Vec<Blow>,
+    /// Projectiles that stick.
+    pub projectiles: Vec<Projectile>,
+    /// What holds it from then on.
+    pub hold: Hold,
+    /// Angular speed that is wanted after.
+    /// About an axis, from rest: the mass is found with which the body, in the same shape, turns as fast.
+    #[input("ω*", "rad/s", positive)]
+    pub wanted_speed: Option<f64>,
+}
+
+/// A blow at a point of the body.
+#[derive(Clone, Debug, Inputs)]
+pub struct Blow {
+    /// Name.
+    pub name: String,
+    /// Position of the point that is struck.
+    #[input("r_J", "m")]
+    pub point: Vector3<f64>,
+    /// How hard.
+    pub strength: Strength,
+}
+
+/// How hard a blow is.
+#[derive(Clone, Debug, Inputs)]
+pub enum Strength {
+    /// Impulse
+    Impulse {
+        /// Impulse.
+        #[input("J", "N*s")]
+        impulse: Vector3<f64>,
+    },
+    /// Force for a short time
+    Force {
+        /// Mean force.
+        #[input("F", "N")]
+        force: Vector3<f64>,
+        /// Duration.
+        #[input("Δt", "s", positive)]
+        duration: f64,
+    },
+}
+
+/// A small body that hits the body and sticks in it.
+#[derive(Clone, Debug, Inputs)]
+pub struct Projectile {
+    /// Name.
+    pub name: String,
+    /// Mass.
+    #[input("m_p", "kg", positive)]
+    pub mass: f64,
+    /// Velocity.
+    #[input("v_p", "m/s")]
+    pub velocity: Vector3<f64>,
+    /// Position of the point that it hits.
+    #[input("r_p", "m")]
+    pub point: Vector3<f64>,
+    /// Its mass afterwards.
+    pub mass_after: MassAfter,
+}
+
+/// Whether the mass of a projectile counts once it sticks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum MassAfter {
+    /// Part of the body
+    Kept,
+    /// Neglected
+    /// Its momentum counts, its mass and its inertia do not.
+    Neglected,
+}
+
+/// What holds the body after.
+#[derive(Clone, Debug, Inputs)]
+pub enum Hold {
+    /// Nothing
+    Nothing,
+    /// A point is held fast
+    /// A ball-and-socket, a hook: any rotation about it is free.
+    Point {
+        /// Position of the point.
+        #[input("r_C", "m", default = "(0; 0; 0) m")]
+        point: Vector3<f64>,
+    },
+    /// An axis is held fast
+    /// A hinge, a shaft, an edge that is seized.
+    Axis {
+        /// Position of a point on it.
+        #[input("r_C", "m", default = "(0; 0; 0) m")]
+        point: Vector3<f64>,
+        /// Any vector along it.
+        #[input("e_C", "1")]
+        axis: Vector3<f64>,
+    },
+    /// A point hits a smooth surface
+    Surface {
+        /// Position of the point.
+        #[input("r_C", "m")]
+        point: Vector3<f64>,
+        /// Any vector normal to the surface, out of it.
+        #[input("n_C", "1", default = "(0; 0; 1)")]
+        normal: Vector3<f64>,
+        /// Coefficient of restitution.
+        #[input("ε", "1", min = 0, max = 1, default = "0")]
+        restitution: f64,
+    },
+}
+
+register!(Impulse);
+
+impl Analysis for Impulse {
+    const ABOUT: About = About {
+        id: "rigid-body/impulse",
+        title: "Impulse on a body in space",
+        summary: "Motion of a body just after a blow, a projectile that sticks or a constraint that takes hold; impulsive reactions and energy.",
+        keywords: "impulse impact blow sudden constraint projectile meteorite impulsive reaction instantaneous axis screw torque-free precession \
+                   impulso impacto choque percussão projétil reação impulsiva eixo instantâneo precessão",
+        sources: &[&BEER, &HIBBELER, &MERIAM, &RIUL],
+        cases: include_str!("../cases/impulse.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &ImpulseGiven<W>, sheet: W) -> Result<(), Refusal> {
+        self.follow(given, sheet)
+    }
+}

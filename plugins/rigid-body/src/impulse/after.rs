@@ -1,0 +1,680 @@
+//! The solution: momenta before, what is given, momenta after.
+
+use dalembert_core::{Drawing, Exhibit, Ink, Refusal, Text, Why, Worksheet};
+use dalembert_mechanics::{
+    Real, Vector,
+    rigid::{MassProperties, Principal},
+};
+use nalgebra::{Matrix3, Vector3};
+
+use super::{Hold, HoldGiven, Impulse, ImpulseGiven, MassAfter, Strength, StrengthGiven};
+use crate::{
+    body::{Worked, about_line, about_point, crossed, directed, gained, matrix_times, refused, transferred},
+    scene::{Scene, View},
+    sources::{BEER, HIBBELER, MERIAM},
+};
+
+/// A reason that names a blow or a projectile; written only where somebody reads it.
+struct Named<'a>(&'static str, &'a str);
+
+impl From<Named<'_>> for Why {
+    fn from(Named(reason, name): Named<'_>) -> Self {
+        Why { reason: Text::new(reason).with("name", name), cite: None }
+    }
+}
+
+/// What is given to the body from outside: an impulse at a point.
+struct Given<W: Worksheet> {
+    impulse: W::Vec,
+    point: W::Vec,
+}
+
+/// The motion just after.
+struct After<W: Worksheet> {
+    omega: W::Vec,
+    velocity: W::Vec,
+    /// Impulse of what holds the body, and where.
+    reaction: Option<(W::Vec, Vector3<f64>)>,
+    /// Its impulsive couple.
+    couple: Option<W::Vec>,
+}
+
+/// Below this share of the largest moment a product of inertia is rounding.
+const NO_PRODUCT: f64 = 1e-13;
+
+impl Impulse {
+    pub(super) fn follow<W: Worksheet>(&self, given: &ImpulseGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let body = self.body.work(&given.body, sheet)?;
+        let omega = self.turning.work(&given.turning, &body, sheet)?;
+        let velocity = self.going.work(&given.going, &body, omega, sheet)?;
+        let kept: Vec<bool> = self.projectiles.iter().map(|one| one.mass_after == MassAfter::Kept).collect();
+        let before = sheet.step("|v_G|", "m/s", velocity.magnitude(), "Speed of the mass centre before");
+        sheet.answer("speed_before", "Speed of the mass centre before", before);
+        let gifts = self.gifts(given, sheet);
+        let before = body.momentum(omega);
+        let momentum = sheet.step_vector(
+            "H_G",
+            "kg*m^2/s",
+            before,
+            ("Angular momentum about G before", BEER.at("§18.1A")),
+        );
+        let linear = sheet.step_vector("L", "kg*m/s", velocity * body.mass, "Linear momentum before");
+
+        // With projectiles that stay, the body after is another one.
+        let joined = if kept.contains(&true) { Some(self.joined(given, &body, sheet)?) } else { None };
+        let arm = match &joined {
+            Some(joined) => Some(sheet.step_vector(
+                "d_G",
+                "m",
+                body.centre - joined.centre,
+                "From the mass centre after to that before",
+            )),
+            None => None,
+        };
+        let after_body = joined.as_ref().unwrap_or(&body);
+        let about = match arm {
+            Some(arm) => momentum + arm.cross(linear),
+            None => momentum,
+        };
+        let linear_after = sheet.step_vector(
+            "L′",
+            "kg*m/s",
+            <W::Vec as Vector>::sum(std::iter::once(linear).chain(gifts.iter().map(|one| one.impulse))),
+            ("Linear momentum after, without what the supports give: L + Σ J", BEER.at("§18.1B")),
+        );
+        let moments: Vec<W::Vec> =
+            gifts.iter().map(|one| (one.point - after_body.centre).cross(one.impulse)).collect();
+        let momentum_after = sheet.step_vector(
+            "H_G′",
+            "kg*m^2/s",
+            <W::Vec as Vector>::sum(std::iter::once(about).chain(moments)),
+            (
+                "Angular momentum about G after, without what the supports give: H_G + Σ r × J",
+                BEER.at("§18.1B"),
+            ),
+        );
+        let after = self.after(given, after_body, linear_after, momentum_after, sheet)?;
+        sheet.answer_vector("angular_velocity", "Angular velocity just after", after.omega);
+        let speed = sheet.step("|ω′|", "rad/s", after.omega.magnitude(), "Angular speed just after");
+        sheet.answer("angular_speed", "Angular speed just after", speed);
+        sheet.answer_vector("centre_velocity", "Velocity of the mass centre just after", after.velocity);
+        let fast =
+            sheet.step("|v_G′|", "m/s", after.velocity.magnitude(), "Speed of the mass centre just after");
+        sheet.answer("centre_speed", "Speed of the mass centre just after", fast);
+        if let Some((reaction, _)) = after.reaction {
+            sheet.answer_vector("reaction", "Impulse of what holds the body", reaction);
+        }
+        if let Some(couple) = after.couple {
+            sheet.answer_vector("reaction_couple", "Impulsive couple of what holds the axis", couple);
+        }
+        self.energies(given, &body, after_body, [omega, velocity], &after, sheet);
+        axis(after_body, &after, sheet);
+        if matches!(self.hold, Hold::Nothing | Hold::Surface { .. }) {
+            precession(after_body, &after, sheet)?;
+        }
+        self.wanted_mass(given, &body, momentum.value(), &after, sheet)?;
+        self.check(&body, after_body, [omega.value(), velocity.value()], &gifts, &after, sheet);
+        let (turns, goes) = (after.omega.value(), after.velocity.value());
+        sheet.show(|| Exhibit::Drawing(self.drawn(after_body, &gifts, turns, goes)));
+        Ok(())
+    }
+
+    /// All impulses from outside.
+    fn gifts<W: Worksheet>(&self, given: &ImpulseGiven<W>, sheet: W) -> Vec<Given<W>> {
+        let mut all = Vec::new();
+        for (row, (blow, this)) in (1..).zip(self.blows.iter().zip(&given.blows)) {
+            let impulse = match (&blow.strength, &this.strength) {
+                (Strength::Force { .. }, StrengthGiven::Force { force, duration }) => sheet.step_vector(
+                    ("J", row),
+                    "N*s",
+                    *force * *duration,
+                    Named("Impulse of {name}: mean force times duration", &blow.name),
+                ),
+                (_, StrengthGiven::Impulse { impulse }) => *impulse,
+                (_, StrengthGiven::Force { force, duration }) => *force * *duration,
+            };
+            all.push(Given { impulse, point: this.point });
+        }
+        for (row, (one, this)) in (1..).zip(self.projectiles.iter().zip(&given.projectiles)) {
+            let impulse = sheet.step_vector(
+                ("L_p", row),
+                "kg*m/s",
+                this.velocity * this.mass,
+                Named("Linear momentum that {name} brings", &one.name),
+            );
+            all.push(Given { impulse, point: this.point });
+        }
+        all
+    }
+
+    /// The body together with the projectiles that stay in it.
+    fn joined<W: Worksheet>(
+        &self,
+        given: &ImpulseGiven<W>,
+        body: &Worked<W>,
+        sheet: W,
+    ) -> Result<Worked<W>, Refusal> {
+        let stay = || {
+            self.projectiles
+                .iter()
+                .zip(&given.projectiles)
+                .filter(|(one, _)| one.mass_after == MassAfter::Kept)
+        };
+        let mass = sheet.step(
+            "m′",
+            "kg",
+            Real::sum(std::iter::once(body.mass).chain(stay().map(|(_, this)| this.mass))),
+            "Mass with the projectiles",
+        );
+        let centre = sheet.step_vector(
+            "r_G′",
+            "m",
+            <W::Vec as Vector>::sum(
+                std::iter::once(body.centre * body.mass)
+                    .chain(stay().map(|(_, this)| this.point * this.mass)),
+            ) / mass,
+            "Mass centre with the projectiles",
+        );
+        let arms: Vec<(W::Num, W::Vec)> = std::iter::once((body.mass, body.centre - centre))
+            .chain(stay().map(|(_, this)| (this.mass, this.point - centre)))
+            .collect();
+        let inertia = |symbol: &'static str, own: W::Num, gain: &dyn Fn(W::Num, W::Vec) -> Option<W::Num>| {
+            let value = arms.iter().fold(own, |sum, (mass, arm)| gained(sum, gain(*mass, *arm)));
+            sheet.step(
+                symbol,
+                "kg*m^2",
+                value,
+                ("Inertia about the mass centre after, by parallel axes", MERIAM.at("App. B")),
+            )
+        };
+        let [x, y, z] = body.moments;
+        let [yz, zx, xy] = body.products;
+        let moments = [
+            inertia("I_x′", x, &|mass, arm| transferred(mass, arm, 0)),
+            inertia("I_y′", y, &|mass, arm| transferred(mass, arm, 1)),
+            inertia("I_z′", z, &|mass, arm| transferred(mass, arm, 2)),
+        ];
+        let products = [
+            inertia("I_yz′", yz, &|mass, arm| crossed(mass, arm, 0)),
+            inertia("I_zx′", zx, &|mass, arm| crossed(mass, arm, 1)),
+            inertia("I_xy′", xy, &|mass, arm| crossed(mass, arm, 2)),
+        ];
+        let parts: Vec<MassProperties> = std::iter::once(body.properties)
+            .chain(stay().map(|(one, _)| MassProperties::particle(one.mass, one.point)))
+            .collect();
+        let properties = MassProperties::composite(&parts).map_err(|error| refused(&error, "this body"))?;
+        Ok(Worked { mass, centre, moments, products, properties })
+    }
+
+    /// The motion after: free, or held.
+    fn after<W: Worksheet>(
+        &self,
+        given: &ImpulseGiven<W>,
+        body: &Worked<W>,
+        linear: W::Vec,
+        momentum: W::Vec,
+        sheet: W,
+    ) -> Result<After<W>, Refusal> {
+        let free = |symbols: [&'static str; 2]| -> Result<[W::Vec; 2], Refusal> {
+            let omega = turning(symbols[0], body.moments, body.products, momentum, "G", sheet)?;
+            let velocity = sheet.step_vector(
+                symbols[1],
+                "m/s",
+                linear / body.mass,
+                "Velocity of the mass centre just after",
+            );
+            Ok([omega, velocity])
+        };
+        match (&self.hold, &given.hold) {
+            (Hold::Point { point: at }, HoldGiven::Point { point }) => {
+                let arm =
+                    sheet.step_vector("ρ", "m", body.centre - *point, "From the point that is held to G");
+                let about = about_point(body, *point, sheet);
+                let momentum = sheet.step_vector(
+                    "H_C",
+                    "kg*m^2/s",
+                    momentum + arm.cross(linear),
+                    ("Angular momentum about the point that is held: the impulse there has no moment about it", BEER.at("§18.1B")),
+                );
+                let [x, y, z, yz, zx, xy] = about;
+                let omega = turning("ω′", [x, y, z], [yz, zx, xy], momentum, "C", sheet)?;
+                let (velocity, reaction) = held(body, omega, arm, linear, sheet);
+                Ok(After { omega, velocity, reaction: Some((reaction, *at)), couple: None })
+            }
+            (Hold::Axis { point: at, axis: along }, HoldGiven::Axis { point, axis }) => {
+                directed(*along)?;
+                let cosines =
+                    sheet.step_vector("λ", "1", *axis / axis.magnitude(), "Direction cosines of the axis");
+                let arm =
+                    sheet.step_vector("ρ", "m", body.centre - *point, "From the point on the axis to G");
+                let momentum = sheet.step_vector(
+                    "H_C",
+                    "kg*m^2/s",
+                    momentum + arm.cross(linear),
+                    "Angular momentum about the point on the axis, without what the axis gives",
+                );
+                let component = sheet.step(
+                    "H_λ",
+                    "kg*m^2/s",
+                    momentum.dot(cosines),
+                    (
+                        "Angular momentum about the axis: what holds it has no moment about it",
+                        BEER.at("§18.1B"),
+                    ),
+                );
+                let through_g = sheet.step(
+                    "I_λG",
+                    "kg*m^2",
+                    about_line(body.moments, body.products, cosines),
+                    ("Moment of inertia about the parallel line through G", MERIAM.at("App. B/2")),
+                );
+                let inertia = sheet.step(
+                    "I_λ",
+                    "kg*m^2",
+                    through_g + body.mass * arm.cross(cosines).magnitude().powi(2),
+                    ("Moment of inertia about the axis", MERIAM.at("App. B/1")),
+                );
+                if inertia.value() <= 0.0 {
+                    return Err(Refusal::because(
+                        "the body has no moment of inertia about the axis that is held: how fast it turns there stays open; give it a thickness",
+                    ));
+                }
+                let omega = sheet.step_vector(
+                    "ω′",
+                    "rad/s",
+                    cosines * (component / inertia),
+                    ("Angular velocity just after: H_λ = I_λ ω′ along the axis", BEER.at("§18.1B")),
+                );
+                sheet.answer("axis_inertia", "Moment of inertia about the axis", inertia);
+                sheet.answer("axis_momentum", "Angular momentum about the axis", component);
+                let (velocity, reaction) = held(body, omega, arm, linear, sheet);
+                let couple = sheet.step_vector(
+                    "C",
+                    "N*m*s",
+                    matrix_times(body.moments, body.products, omega) + arm.cross(velocity * body.mass)
+                        - momentum,
+                    "Impulsive couple of the axis: what the angular momentum about the point on it gains",
+                );
+                Ok(After { omega, velocity, reaction: Some((reaction, *at)), couple: Some(couple) })
+            }
+            (
+                Hold::Surface { point: at, normal: out, .. },
+                HoldGiven::Surface { point, normal, restitution },
+            ) => {
+                directed(*out)?;
+                let [omega, velocity] = free(["ω₀", "v_G0"])?;
+                let cosines =
+                    sheet.step_vector("n", "1", *normal / normal.magnitude(), "Unit normal of the surface");
+                let arm = sheet.step_vector("ρ", "m", *point - body.centre, "From G to the point that hits");
+                let approach = sheet.step(
+                    "u_n",
+                    "m/s",
+                    (velocity + omega.cross(arm)).dot(cosines),
+                    "Velocity of the point along the normal, before the surface acts",
+                );
+                if approach.value() >= 0.0 {
+                    return Err(Refusal::because(
+                        "the point does not move towards the surface: look at its normal, which points out of the surface, and at the motion before",
+                    ));
+                }
+                let lever =
+                    sheet.step_vector("q", "m", arm.cross(cosines), "Lever of an impulse along the normal");
+                let turned = turning("w", body.moments, body.products, lever, "G", sheet)?;
+                let mobility = sheet.step(
+                    "1/m_e",
+                    "1/kg",
+                    W::Num::from(1.0) / body.mass + lever.dot(turned),
+                    "Velocity that a unit impulse along the normal gives to the point",
+                );
+                let size = sheet.step(
+                    "J_n",
+                    "N*s",
+                    -((*restitution + 1.0) * approach / mobility),
+                    (
+                        "Impulse of the surface: the point leaves with ε times the velocity of its approach",
+                        MERIAM.at("§3/12"),
+                    ),
+                );
+                let reaction = sheet.step_vector("R", "N*s", cosines * size, "Impulse of the surface");
+                let omega =
+                    sheet.step_vector("ω′", "rad/s", omega + turned * size, "Angular velocity just after");
+                let velocity = sheet.step_vector(
+                    "v_G′",
+                    "m/s",
+                    velocity + reaction / body.mass,
+                    "Velocity of the mass centre just after",
+                );
+                Ok(After { omega, velocity, reaction: Some((reaction, *at)), couple: None })
+            }
+            _ => {
+                let [omega, velocity] = free(["ω′", "v_G′"])?;
+                Ok(After { omega, velocity, reaction: None, couple: None })
+            }
+        }
+    }
+
+    /// Kinetic energy before and after.
+    fn energies<W: Worksheet>(
+        &self,
+        given: &ImpulseGiven<W>,
+        body: &Worked<W>,
+        after_body: &Worked<W>,
+        [omega, velocity]: [W::Vec; 2],
+        after: &After<W>,
+        sheet: W,
+    ) {
+        let energy = |body: &Worked<W>, omega: W::Vec, velocity: W::Vec| {
+            (body.mass * velocity.dot(velocity) + omega.dot(body.momentum(omega))) / 2.0
+        };
+        let own = energy(body, omega, velocity);
+        let brought: Vec<W::Num> =
+            given.projectiles.iter().map(|this| this.mass * this.velocity.dot(this.velocity) / 2.0).collect();
+        let first = sheet.step(
+            "T",
+            "J",
+            Real::sum(std::iter::once(own).chain(brought)),
+            "Kinetic energy before, with that of the projectiles",
+        );
+        let second =
+            sheet.step("T′", "J", energy(after_body, after.omega, after.velocity), "Kinetic energy after");
+        let change = sheet.step("ΔT", "J", second - first, "Change of the kinetic energy");
+        sheet.answer("energy_before", "Kinetic energy before", first);
+        sheet.answer("energy_after", "Kinetic energy after", second);
+        sheet.answer("energy_change", "Change of the kinetic energy", change);
+    }
+
+    /// With which mass the body would turn as fast as is wanted.
+    fn wanted_mass<W: Worksheet>(
+        &self,
+        given: &ImpulseGiven<W>,
+        body: &Worked<W>,
+        before: Vector3<f64>,
+        after: &After<W>,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let Some(wanted) = given.wanted_speed else { return Ok(()) };
+        let moves = before != Vector3::zeros() || body.mass.value() == 0.0;
+        if !matches!(self.hold, Hold::Axis { .. }) || moves || !self.projectiles.is_empty() {
+            return Err(Refusal::because(
+                "the mass for an angular speed is found for a body at rest that is held by an axis and struck by blows: leave the wanted angular speed out otherwise",
+            ));
+        }
+        let mass = sheet.step(
+            "m*",
+            "kg",
+            body.mass * after.omega.magnitude() / wanted,
+            "Mass with which the body, in the same shape, turns as fast as is wanted: ω′ goes with 1/m",
+        );
+        sheet.answer("wanted_mass", "Mass for the wanted angular speed", mass);
+        Ok(())
+    }
+
+    /// Momenta about the origin, the constraint, and the work of the impulses.
+    fn check<W: Worksheet>(
+        &self,
+        body: &Worked<W>,
+        after_body: &Worked<W>,
+        [omega, velocity]: [Vector3<f64>; 2],
+        gifts: &[Given<W>],
+        after: &After<W>,
+        sheet: W,
+    ) {
+        sheet.verify(|| {
+            let (first, second) = (&body.properties, &after_body.properties);
+            let (turns, goes) = (after.omega.value(), after.velocity.value());
+            let about_origin = |body: &MassProperties, omega: Vector3<f64>, velocity: Vector3<f64>| {
+                body.inertia * omega + body.centre.cross(velocity * body.mass)
+            };
+            let mut terms = vec![about_origin(second, turns, goes), -about_origin(first, omega, velocity)];
+            terms.extend(gifts.iter().map(|one| -one.point.value().cross(one.impulse.value())));
+            if let Some((reaction, at)) = after.reaction {
+                terms.push(-at.cross(reaction.value()));
+            }
+            if let Some(couple) = after.couple {
+                terms.push(-couple.value());
+            }
+            let size = terms.iter().map(|term| term.norm()).sum::<f64>();
+            sheet.check_zero(
+                "the angular momentum about O: after − before = Σ r × J with all reactions",
+                terms.iter().sum::<Vector3<f64>>().norm().into(),
+                size,
+            );
+            let at = |point: Vector3<f64>,
+                      omega: Vector3<f64>,
+                      velocity: Vector3<f64>,
+                      centre: Vector3<f64>| { velocity + omega.cross(point - centre) };
+            if let (Hold::Point { point } | Hold::Axis { point, .. }, Some(_)) = (&self.hold, after.reaction)
+            {
+                let left = at(*point, turns, goes, second.centre);
+                sheet.check_zero(
+                    "the velocity of the point that is held, which is zero",
+                    left.norm().into(),
+                    goes.norm() + turns.norm() * (point - second.centre).norm(),
+                );
+            }
+            if self.projectiles.is_empty() {
+                // The work of an impulse is its product with the mean of the velocities before and after.
+                let work = |impulse: Vector3<f64>, point: Vector3<f64>| {
+                    impulse
+                        .dot(at(point, turns, goes, second.centre) + at(point, omega, velocity, first.centre))
+                        / 2.0
+                };
+                let mut terms: Vec<f64> =
+                    gifts.iter().map(|one| work(one.impulse.value(), one.point.value())).collect();
+                if let Some((reaction, point)) = after.reaction {
+                    terms.push(work(reaction.value(), point));
+                }
+                if let Some(couple) = after.couple {
+                    terms.push(couple.value().dot(turns + omega) / 2.0);
+                }
+                let energy = |body: &MassProperties, omega: Vector3<f64>, velocity: Vector3<f64>| {
+                    (body.mass * velocity.norm_squared() + omega.dot(body.inertia * omega)) / 2.0
+                };
+                terms.push(energy(first, omega, velocity));
+                terms.push(-energy(second, turns, goes));
+                let size = terms.iter().map(|term| term.abs()).sum::<f64>();
+                sheet.check_zero(
+                    "the change of the kinetic energy from the work of the impulses, J · (v + v′)/2",
+                    terms.iter().sum::<f64>().into(),
+                    size,
+                );
+            }
+        });
+    }
+
+    fn drawn<W: Worksheet>(
+        &self,
+        body: &Worked<W>,
+        gifts: &[Given<W>],
+        omega: Vector3<f64>,
+        velocity: Vector3<f64>,
+    ) -> Drawing {
+        let mut scene = Scene::new(View::usual());
+        if let Ok(principal) = body.properties.check() {
+            let size = self.body.draw(&mut scene, &body.properties, &principal);
+            scene.axes(Vector3::zeros(), &Matrix3::identity(), 0.5 * size, ["x", "y", "z"]);
+            let along = |vector: Vector3<f64>| {
+                vector.try_normalize(0.0).map_or_else(Vector3::zeros, |unit| unit * (0.7 * size))
+            };
+            for one in gifts {
+                let arrow = along(one.impulse.value());
+                scene.arrow(one.point.value() - arrow, arrow, Ink::Force, "J");
+            }
+            let centre = body.properties.centre;
+            scene.arrow(centre, along(omega), Ink::Result, "ω′");
+            scene.arrow(centre, along(velocity), Ink::Motion, "v_G′");
+            scene.label(centre, "G");
+        }
+        Drawing {
+            title: "The body, the impulses on it and its motion just after".into(),
+            shapes: scene.shapes(),
+        }
+    }
+}
+
+/// Solves `I x = H` for a body without products of inertia by components, else by its principal axes.
+fn turning<W: Worksheet>(
+    symbol: &'static str,
+    moments: [W::Num; 3],
+    products: [W::Num; 3],
+    momentum: W::Vec,
+    about: &'static str,
+    sheet: W,
+) -> Result<W::Vec, Refusal> {
+    let unit = if symbol == "w" { "1/(kg*m)" } else { "rad/s" };
+    let largest = moments.iter().fold(0.0f64, |largest, moment| largest.max(moment.value().abs()));
+    let diagonal = products.iter().all(|product| product.value().abs() <= NO_PRODUCT * largest);
+    let thick = moments.iter().all(|moment| moment.value() > 1e-9 * largest);
+    if diagonal && thick {
+        let [x, y, z] = momentum.components();
+        return Ok(sheet.step_vector(
+            symbol,
+            unit,
+            W::Vec::from_components(x / moments[0], y / moments[1], z / moments[2]),
+            ("The axes are principal: each component over its moment of inertia", BEER.at("§18.1A")),
+        ));
+    }
+    let tensor = MassProperties::tensor(
+        Vector3::from(moments.map(Real::value)),
+        Vector3::from(products.map(Real::value)),
+    );
+    let solved = Principal::of(&tensor).and_then(|principal| principal.angular_velocity(momentum.value()));
+    let solved = solved.map_err(|error| refused(&error, "this body"))?;
+    let why = if about == "G" {
+        "The three equations I ω = H about G, with the products of inertia"
+    } else {
+        "The three equations I ω = H about the point that is held, with the products of inertia"
+    };
+    let found = sheet.found_vector(symbol, unit, solved, (why, HIBBELER.at("§21.2")));
+    sheet.verify(|| {
+        let left = tensor * solved - momentum.value();
+        sheet.check_zero(
+            "the solution put into I ω = H",
+            left.norm().into(),
+            momentum.value().norm().max(f64::MIN_POSITIVE),
+        );
+    });
+    Ok(found)
+}
+
+/// A body that turns about a point at rest: velocity of G, and the impulse at the point.
+fn held<W: Worksheet>(
+    body: &Worked<W>,
+    omega: W::Vec,
+    arm: W::Vec,
+    linear: W::Vec,
+    sheet: W,
+) -> (W::Vec, W::Vec) {
+    let velocity = sheet.step_vector(
+        "v_G′",
+        "m/s",
+        omega.cross(arm),
+        "Velocity of the mass centre just after: G turns about the point that is held",
+    );
+    let reaction = sheet.step_vector(
+        "R",
+        "N*s",
+        velocity * body.mass - linear,
+        ("Impulsive reaction: what the linear momentum still lacks", BEER.at("§18.1B")),
+    );
+    (velocity, reaction)
+}
+
+/// The instantaneous axis: its direction, its point nearest to G, and the sliding along it.
+fn axis<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet: W) {
+    let (omega, velocity) = (after.omega, after.velocity);
+    let spin = omega.value().norm();
+    let reach =
+        body.properties.centre.norm() + (body.properties.inertia.trace() / body.properties.mass).sqrt();
+    if spin * reach <= 1e-12 * velocity.value().norm() || spin == 0.0 {
+        return;
+    }
+    let along =
+        sheet.step_vector("λ′", "1", omega / omega.magnitude(), "Direction of the instantaneous axis");
+    sheet.answer_vector("axis_direction", "Direction of the instantaneous axis", along);
+    let point = sheet.step_vector(
+        "r_I",
+        "m",
+        body.centre + omega.cross(velocity) / omega.dot(omega),
+        ("Point of the instantaneous axis nearest to G: r_G + ω × v_G/ω²", BEER.at("§15.6B")),
+    );
+    sheet.answer_vector("axis_point", "Point of the instantaneous axis nearest to the mass centre", point);
+    let sliding =
+        sheet.step("v_s", "m/s", along.dot(velocity), "Velocity of sliding along the instantaneous axis");
+    sheet.answer("sliding", "Velocity along the instantaneous axis", sliding);
+}
+
+/// The free motion of a body of revolution afterwards.
+fn precession<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet: W) -> Result<(), Refusal> {
+    let principal = body.properties.check().map_err(|error| refused(&error, "this body"))?;
+    let omega = after.omega.value();
+    let Some(alone) = principal.symmetry_axis() else { return Ok(()) };
+    let across = principal.moments[(alone + 1) % 3];
+    let unit = principal.axis(alone);
+    if omega == Vector3::zeros() || across <= 0.0 {
+        return Ok(());
+    }
+    // The axis is taken in the sense in which the body spins about it.
+    let unit = if unit.dot(omega) < 0.0 { -unit } else { unit };
+    let axis = sheet.found_vector(
+        "u",
+        "1",
+        unit,
+        (
+            "Two principal moments are equal: the axis of the third, in the sense of the spin",
+            BEER.at("§18.3C"),
+        ),
+    );
+    let axial = sheet.found("I_a", "kg*m^2", principal.moments[alone], "Moment of inertia about this axis");
+    let transverse = sheet.found("I_t", "kg*m^2", across, "Moment of inertia across it");
+    let momentum = sheet.step_vector(
+        "H",
+        "kg*m^2/s",
+        body.momentum(after.omega),
+        "Angular momentum about G: it keeps its direction, about which the axis now precesses",
+    );
+    let to_axis = |vector: W::Vec| axis.cross(vector).magnitude().atan2(axis.dot(vector));
+    let gamma =
+        sheet.step("γ", "deg", to_axis(after.omega), ("Angle between the axis and ω", BEER.at("§18.3C")));
+    let theta = sheet.step(
+        "θ",
+        "deg",
+        to_axis(momentum),
+        ("Angle between the axis and H: the nutation", BEER.at("§18.3C")),
+    );
+    let rate = sheet.step(
+        "φ̇",
+        "rad/s",
+        momentum.magnitude() / transverse,
+        ("Rate of precession about H", BEER.at("§18.3C")),
+    );
+    let spin = sheet.step(
+        "ψ̇",
+        "rad/s",
+        axis.dot(after.omega) * (transverse - axial) / transverse,
+        ("Rate of spin about the axis, ψ̇ = ω_a − φ̇ cos θ", BEER.at("§18.3C")),
+    );
+    sheet.answer("body_cone", "Angle between the axis of the body and ω", gamma);
+    sheet.answer("nutation", "Angle between the axis of the body and H", theta);
+    sheet.answer("precession_rate", "Rate of precession", rate);
+    sheet.answer("spin_rate", "Rate of spin", spin);
+    sheet.verify(|| {
+        let along = momentum.value().normalize();
+        let sum = along * rate.value() + unit * spin.value();
+        sheet.check_zero(
+            "the angular velocity put together from precession and spin",
+            (sum - omega).norm().into(),
+            rate.value().abs() + spin.value().abs(),
+        );
+    });
+    if theta.value() > 1e-9 {
+        sheet.warn(|| {
+            Text::new(if spin.value() < 0.0 {
+                "from then on the axis precesses against the spin (retrograde precession: the axial moment of inertia is the larger one)"
+            } else {
+                "from then on the axis precesses in the sense of the spin (direct precession: the axial moment of inertia is the smaller one)"
+            })
+        });
+    }
+    Ok(())
+}
