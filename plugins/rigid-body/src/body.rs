@@ -344,8 +344,9 @@ fn listed(parts: &[Part], whole: &MassProperties) -> TableExhibit {
         ],
         rows: parts
             .iter()
-            .filter_map(|part| {
-                let name = Text::new("{name}").with("name", &part.name);
+            .zip(1..)
+            .filter_map(|(part, number)| {
+                let name = Text::new("{number}, {name}").with("number", number).with("name", &part.name);
                 Some(row(name.into(), &part.properties().ok()?))
             })
             .collect(),

@@ -25,10 +25,10 @@ pub enum Shape {
     /// Slender rod between two points
     /// The points as seen from the reference point.
     RodBetween {
-        /// From.
+        /// First end.
         #[input("a", "m")]
         from: Vector3<f64>,
-        /// To.
+        /// Last end.
         #[input("b", "m")]
         to: Vector3<f64>,
     },

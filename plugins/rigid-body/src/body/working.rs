@@ -168,7 +168,7 @@ impl Body {
         };
         let mass = match self {
             Body::Parts { .. } => mass,
-            _ => sheet.step("m", "kg", mass, "Mass of the body"),
+            _ => sheet.step("m", "kg", mass, "Mass of this body"),
         };
         let centre = match self {
             Body::Parts { .. } => centre,
