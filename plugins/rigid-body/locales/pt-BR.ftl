@@ -1713,9 +1713,7 @@ position-from-o-in-the-axes-of-the-moving-frame = Posição a partir de O, nos e
 mass-of-the-whole-body = Massa do corpo inteiro
 moment-of-inertia-of-the-body-about-g = Momento de inércia do corpo em relação a G
 product-of-inertia-of-the-body-about-g-such-as-i-xy-xy-dm = Produto de inércia do corpo em relação a G, como I_xy = ∫ xy dm
-angular-momentum-about-g = Momento angular em relação a G
 mass-centre-g-from-the-origin-of-the-last-frame-in-the-axes-of-the-moving-frame = Centro de massa G a partir da origem do último referencial, nos eixos do referencial móvel
-velocity-of-the-mass-centre = Velocidade do centro de massa
 acceleration-of-the-mass-centre = Aceleração do centro de massa
 mass-centre-g-from-the-point-of-the-moments = Centro de massa G a partir do ponto dos momentos
 angular-momentum-about-the-point = Momento angular em relação ao ponto
