@@ -1847,3 +1847,52 @@ the-supports-leave-the-body-free-to-move-along-axis-and-this-motion-with-these-l
 the-supports-leave-the-body-free-to-turn-about-axis-and-this-motion-with-these-loads-needs-a-moment = os apoios deixam o corpo livre para girar em torno de { $axis }, e este movimento com estas cargas precisa ali de um momento: acrescente um apoio ou um acionamento, ou deixe achar a aceleração
 the-supports-leave-count-of-the-six-motions-free-no-load-works-in-them-now-but-nothing-would-hold-the = os apoios deixam livres { $count } dos seis movimentos: nenhuma carga trabalha neles agora, mas nada seguraria o corpo ali
 the-wire-name-would-have-to-push-it-goes-slack-and-the-motion-is-another = o fio { $name } teria de empurrar: ele afrouxa, e o movimento é outro
+
+# rigid-body/dynamic-equilibrium
+hinged-body-on-a-turning-shaft = Corpo articulado em um eixo que gira
+the-angle-at-which-a-rod-plate-or-particle-hinged-to-a-turning-shaft-stands-out-by-itself-or-the = O ângulo em que uma haste, placa ou partícula articulada a um eixo que gira se mantém por si, ou a velocidade para um ângulo; sua estabilidade e as forças da articulação.
+forces-grow-with-it-angle-and-speed-do-not-depend-on-it = As forças crescem com ela; ângulo e velocidade não dependem dela.
+distance-of-the-pin-from-the-axis-of-the-shaft = Distância do pino ao eixo de rotação
+what-is-known = O que é conhecido
+slender-rod-or-plate-hung-by-an-edge = Haste delgada, ou placa suspensa por uma aresta
+length = Comprimento
+particle-on-a-light-rod = Partícula em uma haste leve
+body-symmetrical-about-the-line-from-the-pin-to-g = Corpo simétrico em relação à linha do pino a G
+distance-of-g-from-the-pin = Distância de G ao pino
+radius-of-gyration-along-the-line-m-k-dm-from-the-pin = Raio de giração ao longo da linha: m k² = ∫ ξ² dm a partir do pino
+radius-of-gyration-across-the-line-m-k-dm = Raio de giração transversal à linha: m k² = ∫ η² dm
+angle-of-the-body = Ângulo do corpo
+angle-to-the-vertical = Ângulo com a vertical
+the-inertia-forces-grow-with-dm-dm = As forças de inércia crescem com ∫ ξ² dm − ∫ η² dm
+largest-moment-of-the-weight-about-the-pin = Maior momento do peso em relação ao pino
+speed-from-which-the-body-leaves-the-vertical-cos-1 = Velocidade a partir da qual o corpo deixa a vertical: cos θ = 1
+speed-from-which-the-body-leaves-the-vertical = Velocidade a partir da qual o corpo deixa a vertical
+distance-of-g-from-the-axis-of-the-shaft = Distância de G ao eixo de rotação
+force-of-the-pin-towards-the-shaft-it-holds-g-on-its-circle = Força do pino em direção ao eixo: mantém G em seu círculo
+force-of-the-pin-upwards = Força do pino para cima
+force-of-the-pin-towards-the-shaft = Força do pino em direção ao eixo
+the-moments-of-the-inertia-forces-and-of-the-weight-about-the-pin = os momentos das forças de inércia e do peso em relação ao pino
+the-potential-of-weight-and-centrifugal-forces-has-no-slope-there = o potencial do peso e das forças centrífugas não tem inclinação ali
+dm-along-the-line-from-the-pin = ∫ ξ² dm ao longo da linha, a partir do pino
+dm-across-the-line = ∫ η² dm transversal à linha
+the-lengths-and-the-speed-are-too-far-apart-for-an-angle-to-be-found = os comprimentos e a velocidade são díspares demais para se achar um ângulo
+a-body-hinged-on-the-axis-itself-hangs-straight-down-at-every-speed-give-another-angle-or-the-speed = um corpo articulado no próprio eixo pende na vertical em qualquer velocidade: dê outro ângulo, ou a velocidade
+moment-of-the-inertia-forces-about-the-pin-for-each = Momento das forças de inércia em relação ao pino, para cada ω²
+no-speed-holds-the-body-at-this-angle-the-inertia-forces-lift-it-away-from-the-shaft-and-never-to-the = nenhuma velocidade mantém o corpo neste ângulo: as forças de inércia o afastam do eixo, e nunca até o nível do pino
+speed-at-which-the-moments-about-the-pin-cancel = Velocidade em que os momentos em relação ao pino se cancelam
+moments-about-the-pin-d-sin-cos-m-g-r-sin-so-this-is-cos = Momentos em relação ao pino: D ω² sen θ cos θ = m g r sen θ, logo isto é cos θ
+angle-at-which-the-body-stands-out = Ângulo em que o corpo se mantém
+too-slow-to-leave-the-vertical-cos-would-be-more-than-1 = Lento demais para deixar a vertical: cos θ seria maior que 1
+root-of-m-a-r-cos-d-sin-cos-m-g-r-sin-between-hanging-and-level = Raiz de ω² (m a r cos θ + D sen θ cos θ) = m g r sen θ entre pendente e horizontal
+how-fast-the-moment-grows-that-brings-the-body-back = Quão depressa cresce o momento que traz o corpo de volta
+circular-frequency-of-small-swings-about-this-angle-with-the-speed-kept = Frequência circular das pequenas oscilações em torno deste ângulo, mantida a velocidade
+circular-frequency-of-small-swings = Frequência circular das pequenas oscilações
+the-body-does-not-stay-at-this-angle-a-small-push-drives-it-further-away = o corpo não permanece neste ângulo: um pequeno empurrão o afasta ainda mais
+the-body-and-the-shaft = O corpo e o eixo
+couple-that-would-hold-the-body-at-an-angle = Binário que manteria o corpo em um ângulo
+equilibrium = Equilíbrio
+angle-against-the-speed-of-the-shaft = Ângulo em função da velocidade do eixo
+
+# rigid-body/rate-of-change, rigid-body/rotation-chain
+how-the-turning-of-the-body-relative-to-the-moving-frame-carries-along = Como o giro do corpo relativo ao referencial móvel arrasta ω
+angular-velocity-of-name-about-its-fixed-axis = Velocidade angular de { $name }, em torno do seu eixo fixo

@@ -218,7 +218,11 @@ impl<'a, W: Worksheet> Worked<'a, W> {
                 "rad/s",
                 omega,
                 Named(
-                    "Angular velocity of {name}: relative angular velocities add",
+                    if n == 0 {
+                        "Angular velocity of {name}, about its fixed axis"
+                    } else {
+                        "Angular velocity of {name}: relative angular velocities add"
+                    },
                     &joint.name,
                     Some(BEER.at("§15.5A")),
                 ),
@@ -343,7 +347,7 @@ fn motion<W: Worksheet>(n: usize, given: &JointGiven<W>, sheet: W) -> [W::Num; 3
             let phase = turn * time / period;
             let swing = amplitude * phase.sin();
             [
-                sheet.step(("θ", n), "rad", middle + swing, "Angle of the swing at this time"),
+                sheet.step(("θ", n), "deg", middle + swing, "Angle of the swing at this time"),
                 sheet.step(
                     ("θ̇", n),
                     "rad/s",

@@ -2,6 +2,7 @@
 
 pub mod body;
 pub mod dipping_rail;
+pub mod dynamic_equilibrium;
 pub mod edge_mill;
 pub mod free_axisymmetric;
 pub mod free_triaxial;

@@ -215,10 +215,16 @@ impl RateOfChange {
                     "Angular velocity of the body relative to the moving frame",
                 )
             };
+            let across = sheet.step_vector(
+                "ε",
+                "rad/s^2",
+                relative.cross(omega),
+                "How the turning of the body relative to the moving frame carries ω along",
+            );
             let changing = sheet.step_vector(
                 "Ḣ_I",
                 "N*m",
-                relative.cross(momentum) - inertia.times(relative.cross(omega)),
+                relative.cross(momentum) - inertia.times(across),
                 "What the change of the moments and products of inertia in these axes adds; nothing for a body of revolution about its own axis",
             );
             seen = seen + changing;

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Reference, Refusal, Series, TableExhibit,
-    Text, Worksheet,
+    About, Analysis, Axis, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Reference, Refusal, Series,
+    TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
     register,
 };
@@ -12,11 +12,11 @@ use dalembert_mechanics::{
     Vector,
     rigid::{self, chain},
 };
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::{
     joints::{self, Joint, Named, Worked, given_name, seen_from},
-    scene::{Scene, View},
+    scene::{self, Scene, View},
     sources::{BEER, MERIAM},
 };
 
@@ -71,6 +71,9 @@ impl Axes {
         }
     }
 }
+
+/// Time of the film on the screen, s.
+const SHOWN: f64 = 6.0;
 
 register!(RotationChain);
 
@@ -127,7 +130,7 @@ impl Analysis for RotationChain {
         let points = self.points(given, &worked, sheet);
         sheet.verify(|| self.check_by_differences(&frames, &worked, &points, sheet));
         sheet.show(|| Exhibit::Table(orientation(&self.joints, &frames, axes)));
-        sheet.show(|| Exhibit::Drawing(self.drawing(&frames)));
+        sheet.show(|| Exhibit::Film(self.film(&frames)));
         sheet.show(|| Exhibit::Plot(self.over_time(&frames[axes], axes)));
         Ok(())
     }
@@ -231,15 +234,17 @@ impl RotationChain {
     }
 
     /// The frames with their axes, the angular velocity and the angular acceleration of the last.
-    fn drawing(&self, frames: &[chain::Frame]) -> Drawing {
+    fn shapes(&self, frames: &[chain::Frame]) -> Vec<DrawnShape> {
         let mut scene = Scene::new(View::usual());
-        let reach = frames.iter().map(|frame| frame.origin.norm()).fold(0.0f64, f64::max);
+        let offsets: f64 = self.joints.iter().map(|joint| joint.offset.norm()).sum();
+        let reach = self.points.iter().map(|point| point.place.norm()).fold(offsets, f64::max);
         let length = if reach > 0.0 { reach / 2.0 } else { 1.0 };
-        scene.axes(Vector3::zeros(), &nalgebra::Matrix3::identity(), length, ["X", "Y", "Z"]);
+        scene.axes(Vector3::zeros(), &Matrix3::identity(), length, ["X", "Y", "Z"]);
         scene.line(frames.iter().map(|frame| frame.origin), Ink::Body);
         for (joint, frame) in self.joints.iter().zip(&frames[1..]) {
-            let axis = frame.rotation * joint.axis.try_normalize(0.0).unwrap_or_else(Vector3::z);
-            scene.line([frame.origin - axis * length * 0.3, frame.origin + axis * length * 0.3], Ink::Body);
+            // The frames have been found sound: every axis has a length.
+            let axis = frame.rotation * (joint.axis / joint.axis.amax()).normalize();
+            scene.line([-0.3, 0.3].map(|end| frame.origin + axis * length * end), Ink::Body);
         }
         let last = &frames[frames.len() - 1];
         scene.axes(last.origin, last.rotation.matrix(), length, ["x", "y", "z"]);
@@ -248,11 +253,21 @@ impl RotationChain {
         scene.arrow(last.origin, along(last.angular_velocity), Ink::Motion, "ω");
         scene.arrow(last.origin, along(last.angular_acceleration), Ink::Result, "α");
         for point in &self.points {
-            let place = frames[point.frame.0 + 1].point(point.place).place;
-            scene.line([frames[point.frame.0 + 1].origin, place], Ink::Body);
+            let frame = &frames[point.frame.0 + 1];
+            let place = frame.point(point.place).place;
+            scene.line([frame.origin, place], Ink::Body);
             scene.label(place, given_name(&point.name));
         }
-        Drawing { title: "The frames of the chain".into(), shapes: scene.shapes() }
+        scene.shapes()
+    }
+
+    /// The frames while the joints go on with their accelerations.
+    fn film(&self, now: &[chain::Frame]) -> Film {
+        let span = chain::period(&joints::later(&self.joints, 0.0));
+        scene::film("The frames of the chain", SHOWN, |part| {
+            let later = chain::frames(&joints::later(&self.joints, part * span));
+            self.shapes(later.as_deref().unwrap_or(now))
+        })
     }
 
     /// Components of the angular velocity of the last frame while the joints go on with their accelerations.

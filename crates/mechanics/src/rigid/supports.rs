@@ -123,6 +123,10 @@ impl Supports {
     /// # Errors
     /// [`SupportError::Indeterminate`] when unknowns balance among themselves; [`SupportError::Data`].
     pub fn new(unknowns: Vec<Unknown>) -> Result<Self, SupportError> {
+        let finite = |of: Wrench| of.force.iter().chain(of.moment.iter()).all(|x| x.is_finite());
+        if !unknowns.iter().all(|unknown| finite(unknown.wrench())) {
+            return Err(RigidError::NotFinite.into());
+        }
         let length = unknowns.iter().fold(0.0f64, |length, unknown| match unknown {
             Unknown::Force { at, .. } => length.max(at.amax()),
             Unknown::Couple { .. } => length,
