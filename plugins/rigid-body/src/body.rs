@@ -3,6 +3,7 @@
 mod description;
 mod motion;
 mod outline;
+mod part;
 mod shape;
 mod working;
 
@@ -37,7 +38,7 @@ use crate::{
 /// The axes xyz are fixed in the body, with their origin O wherever it is convenient.
 #[derive(Clone, Debug, Inputs)]
 pub struct RigidBody {
-    /// The body.
+    /// Body.
     pub body: Body,
     /// Position of a point A.
     /// The inertia is also wanted about the axes through it.
@@ -85,7 +86,8 @@ impl Analysis for RigidBody {
         self.radii(&body, sheet);
         let principal = body.properties.check().map_err(|error| refused(&error, "this body"))?;
         show_principal(&body, &principal, sheet);
-        let about = about_point(&body, given.point, sheet);
+        let arm = sheet.step_vector("d_A", "m", body.centre - given.point, "From A to G");
+        let about = about_point(&body, arm, &POINT_A, sheet);
         let names = [
             "point_inertia_x",
             "point_inertia_y",
@@ -142,38 +144,43 @@ const ABOUT_A: [&str; 6] = [
     "Product of inertia I_xy about A",
 ];
 
-/// Moments and products of inertia about a point of the body.
-pub(crate) fn about_point<W: Worksheet>(body: &Worked<W>, point: W::Vec, sheet: W) -> [W::Num; 6] {
+/// What the inertia about a point is called.
+pub(crate) struct AboutPoint {
+    /// The symbols of the moments and products.
+    pub(crate) symbols: [&'static str; 6],
+    /// The reason of a moment.
+    pub(crate) moment: &'static str,
+    /// The reason of a product.
+    pub(crate) product: &'static str,
+}
+
+const POINT_A: AboutPoint = AboutPoint {
+    symbols: ["I_Ax", "I_Ay", "I_Az", "I_Ayz", "I_Azx", "I_Axy"],
+    moment: "Parallel axes: moment of inertia about an axis through A",
+    product: "Parallel axes: product of inertia about A",
+};
+
+/// Moments and products of inertia about a point of the body, from which `arm` leads to G.
+pub(crate) fn about_point<W: Worksheet>(
+    body: &Worked<W>,
+    arm: W::Vec,
+    named: &AboutPoint,
+    sheet: W,
+) -> [W::Num; 6] {
     let [x, y, z] = body.moments;
     let [yz, zx, xy] = body.products;
-    let arm = sheet.step_vector("d_A", "m", body.centre - point, "From A to G");
     if arm.value() == Vector3::zeros() {
         return [x, y, z, yz, zx, xy];
     }
-    let moment = |symbol: &'static str, own: W::Num, n: usize| {
-        sheet.step(
-            symbol,
-            "kg*m^2",
-            gained(own, transferred(body.mass, arm, n)),
-            ("Parallel axes: moment of inertia about an axis through A", MERIAM.at("App. B/1")),
-        )
+    let moment = |own: W::Num, n: usize| {
+        let value = gained(own, transferred(body.mass, arm, n));
+        sheet.step(named.symbols[n], "kg*m^2", value, (named.moment, MERIAM.at("App. B/1")))
     };
-    let product = |symbol: &'static str, own: W::Num, n: usize| {
-        sheet.step(
-            symbol,
-            "kg*m^2",
-            gained(own, crossed(body.mass, arm, n)),
-            ("Parallel axes: product of inertia about A", MERIAM.at("App. B/2")),
-        )
+    let product = |own: W::Num, n: usize| {
+        let value = gained(own, crossed(body.mass, arm, n));
+        sheet.step(named.symbols[n + 3], "kg*m^2", value, (named.product, MERIAM.at("App. B/2")))
     };
-    [
-        moment("I_Ax", x, 0),
-        moment("I_Ay", y, 1),
-        moment("I_Az", z, 2),
-        product("I_Ayz", yz, 0),
-        product("I_Azx", zx, 1),
-        product("I_Axy", xy, 2),
-    ]
+    [moment(x, 0), moment(y, 1), moment(z, 2), product(yz, 0), product(zx, 1), product(xy, 2)]
 }
 
 /// Principal moments and axes.

@@ -1,6 +1,7 @@
 //! A blow, a body that sticks, or a constraint that takes hold at once: the motion just after it.
 
 mod after;
+mod free;
 
 use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
 use nalgebra::Vector3;
@@ -13,7 +14,7 @@ use crate::{
 /// A rigid body, its motion before, and what happens to it in a time so short that it does not move meanwhile.
 #[derive(Clone, Debug, Inputs)]
 pub struct Impulse {
-    /// The body.
+    /// Body.
     pub body: Body,
     /// Its rotation before.
     pub turning: Turning,

@@ -13,7 +13,7 @@ use crate::{
 /// A rigid body and its motion at one moment, in axes Oxyz that lie along those of the body at that moment.
 #[derive(Clone, Debug, Inputs)]
 pub struct Momentum {
-    /// The body.
+    /// Body.
     pub body: Body,
     /// Its rotation.
     pub turning: Turning,
@@ -55,7 +55,7 @@ impl Analysis for Momentum {
         let linear =
             sheet.step_vector("L", "kg*m/s", velocity * body.mass, ("Linear momentum", RIUL.at("eq. 22")));
         sheet.answer_vector("linear_momentum", "Linear momentum", linear);
-        let size = sheet.step("|L|", "kg*m/s", linear.magnitude(), "Magnitude of the linear momentum");
+        let size = sheet.step("L_m", "kg*m/s", linear.magnitude(), "Magnitude of the linear momentum");
         sheet.answer("linear_momentum_size", "Magnitude of the linear momentum", size);
 
         let about_g = sheet.step_vector(
@@ -66,7 +66,7 @@ impl Analysis for Momentum {
         );
         sheet.answer_vector("momentum_g", "Angular momentum about G", about_g);
         let size =
-            sheet.step("|H_G|", "kg*m^2/s", about_g.magnitude(), "Magnitude of the angular momentum about G");
+            sheet.step("H_m", "kg*m^2/s", about_g.magnitude(), "Magnitude of the angular momentum about G");
         sheet.answer("momentum_g_size", "Magnitude of the angular momentum about G", size);
         if omega.value() != Vector3::zeros() {
             let angle = sheet.step(
@@ -94,7 +94,7 @@ impl Analysis for Momentum {
         );
         sheet.answer_vector("momentum_a", "Angular momentum about A", about_a);
         let size =
-            sheet.step("|H_A|", "kg*m^2/s", about_a.magnitude(), "Magnitude of the angular momentum about A");
+            sheet.step("H_Am", "kg*m^2/s", about_a.magnitude(), "Magnitude of the angular momentum about A");
         sheet.answer("momentum_a_size", "Magnitude of the angular momentum about A", size);
         if let (Some(line), Some(given)) = (&self.line, &given.line) {
             line_momentum(line, given, &body, about_g, linear, sheet)?;

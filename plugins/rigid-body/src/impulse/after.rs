@@ -7,9 +7,12 @@ use dalembert_mechanics::{
 };
 use nalgebra::{Matrix3, Vector3};
 
-use super::{Hold, HoldGiven, Impulse, ImpulseGiven, MassAfter, Strength, StrengthGiven};
+use super::{Hold, HoldGiven, Impulse, ImpulseGiven, MassAfter, Strength, StrengthGiven, free};
 use crate::{
-    body::{Worked, about_line, about_point, crossed, directed, gained, matrix_times, refused, transferred},
+    body::{
+        AboutPoint, Worked, about_line, about_point, crossed, directed, gained, matrix_times, refused,
+        transferred,
+    },
     scene::{Scene, View},
     sources::{BEER, HIBBELER, MERIAM},
 };
@@ -30,9 +33,9 @@ struct Given<W: Worksheet> {
 }
 
 /// The motion just after.
-struct After<W: Worksheet> {
-    omega: W::Vec,
-    velocity: W::Vec,
+pub(super) struct After<W: Worksheet> {
+    pub(super) omega: W::Vec,
+    pub(super) velocity: W::Vec,
     /// Impulse of what holds the body, and where.
     reaction: Option<(W::Vec, Vector3<f64>)>,
     /// Its impulsive couple.
@@ -42,13 +45,19 @@ struct After<W: Worksheet> {
 /// Below this share of the largest moment a product of inertia is rounding.
 const NO_PRODUCT: f64 = 1e-13;
 
+const POINT_C: AboutPoint = AboutPoint {
+    symbols: ["I_Cx", "I_Cy", "I_Cz", "I_Cyz", "I_Czx", "I_Cxy"],
+    moment: "Parallel axes: moment of inertia about an axis through the point that is held",
+    product: "Parallel axes: product of inertia about the point that is held",
+};
+
 impl Impulse {
     pub(super) fn follow<W: Worksheet>(&self, given: &ImpulseGiven<W>, sheet: W) -> Result<(), Refusal> {
         let body = self.body.work(&given.body, sheet)?;
         let omega = self.turning.work(&given.turning, &body, sheet)?;
         let velocity = self.going.work(&given.going, &body, omega, sheet)?;
         let kept: Vec<bool> = self.projectiles.iter().map(|one| one.mass_after == MassAfter::Kept).collect();
-        let before = sheet.step("|v_G|", "m/s", velocity.magnitude(), "Speed of the mass centre before");
+        let before = sheet.step("v", "m/s", velocity.magnitude(), "Speed of the mass centre before");
         sheet.answer("speed_before", "Speed of the mass centre before", before);
         let gifts = self.gifts(given, sheet);
         let before = body.momentum(omega);
@@ -62,16 +71,8 @@ impl Impulse {
 
         // With projectiles that stay, the body after is another one.
         let joined = if kept.contains(&true) { Some(self.joined(given, &body, sheet)?) } else { None };
-        let arm = match &joined {
-            Some(joined) => Some(sheet.step_vector(
-                "d_G",
-                "m",
-                body.centre - joined.centre,
-                "From the mass centre after to that before",
-            )),
-            None => None,
-        };
-        let after_body = joined.as_ref().unwrap_or(&body);
+        let arm = joined.as_ref().map(|(_, arm)| *arm);
+        let after_body = joined.as_ref().map_or(&body, |(joined, _)| joined);
         let about = match arm {
             Some(arm) => momentum + arm.cross(linear),
             None => momentum,
@@ -95,11 +96,11 @@ impl Impulse {
         );
         let after = self.after(given, after_body, linear_after, momentum_after, sheet)?;
         sheet.answer_vector("angular_velocity", "Angular velocity just after", after.omega);
-        let speed = sheet.step("|ω′|", "rad/s", after.omega.magnitude(), "Angular speed just after");
+        let speed = sheet.step("ω_1", "rad/s", after.omega.magnitude(), "Angular speed just after");
         sheet.answer("angular_speed", "Angular speed just after", speed);
         sheet.answer_vector("centre_velocity", "Velocity of the mass centre just after", after.velocity);
         let fast =
-            sheet.step("|v_G′|", "m/s", after.velocity.magnitude(), "Speed of the mass centre just after");
+            sheet.step("v_1", "m/s", after.velocity.magnitude(), "Speed of the mass centre just after");
         sheet.answer("centre_speed", "Speed of the mass centre just after", fast);
         if let Some((reaction, _)) = after.reaction {
             sheet.answer_vector("reaction", "Impulse of what holds the body", reaction);
@@ -108,9 +109,9 @@ impl Impulse {
             sheet.answer_vector("reaction_couple", "Impulsive couple of what holds the axis", couple);
         }
         self.energies(given, &body, after_body, [omega, velocity], &after, sheet);
-        axis(after_body, &after, sheet);
+        free::axis(after_body, &after, sheet);
         if matches!(self.hold, Hold::Nothing | Hold::Surface { .. }) {
-            precession(after_body, &after, sheet)?;
+            free::precession(after_body, &after, sheet)?;
         }
         self.wanted_mass(given, &body, momentum.value(), &after, sheet)?;
         self.check(&body, after_body, [omega.value(), velocity.value()], &gifts, &after, sheet);
@@ -147,13 +148,13 @@ impl Impulse {
         all
     }
 
-    /// The body together with the projectiles that stay in it.
+    /// The body together with the projectiles that stay in it, and the way from its mass centre to that before.
     fn joined<W: Worksheet>(
         &self,
         given: &ImpulseGiven<W>,
         body: &Worked<W>,
         sheet: W,
-    ) -> Result<Worked<W>, Refusal> {
+    ) -> Result<(Worked<W>, W::Vec), Refusal> {
         let stay = || {
             self.projectiles
                 .iter()
@@ -175,8 +176,18 @@ impl Impulse {
             ) / mass,
             "Mass centre with the projectiles",
         );
-        let arms: Vec<(W::Num, W::Vec)> = std::iter::once((body.mass, body.centre - centre))
-            .chain(stay().map(|(_, this)| (this.mass, this.point - centre)))
+        let own =
+            sheet.step_vector("d_0", "m", body.centre - centre, "From the mass centre after to that before");
+        let arms: Vec<(W::Num, W::Vec)> = std::iter::once((body.mass, own))
+            .chain((1..).zip(stay()).map(|(row, (one, this))| {
+                let arm = sheet.step_vector(
+                    ("d", row),
+                    "m",
+                    this.point - centre,
+                    Named("From the mass centre after to {name}", &one.name),
+                );
+                (this.mass, arm)
+            }))
             .collect();
         let inertia = |symbol: &'static str, own: W::Num, gain: &dyn Fn(W::Num, W::Vec) -> Option<W::Num>| {
             let value = arms.iter().fold(own, |sum, (mass, arm)| gained(sum, gain(*mass, *arm)));
@@ -203,7 +214,7 @@ impl Impulse {
             .chain(stay().map(|(one, _)| MassProperties::particle(one.mass, one.point)))
             .collect();
         let properties = MassProperties::composite(&parts).map_err(|error| refused(&error, "this body"))?;
-        Ok(Worked { mass, centre, moments, products, properties })
+        Ok((Worked { mass, centre, moments, products, properties }, own))
     }
 
     /// The motion after: free, or held.
@@ -229,7 +240,7 @@ impl Impulse {
             (Hold::Point { point: at }, HoldGiven::Point { point }) => {
                 let arm =
                     sheet.step_vector("ρ", "m", body.centre - *point, "From the point that is held to G");
-                let about = about_point(body, *point, sheet);
+                let about = about_point(body, arm, &POINT_C, sheet);
                 let momentum = sheet.step_vector(
                     "H_C",
                     "kg*m^2/s",
@@ -321,7 +332,7 @@ impl Impulse {
                     sheet.step_vector("q", "m", arm.cross(cosines), "Lever of an impulse along the normal");
                 let turned = turning("w", body.moments, body.products, lever, "G", sheet)?;
                 let mobility = sheet.step(
-                    "1/m_e",
+                    "κ",
                     "1/kg",
                     W::Num::from(1.0) / body.mass + lever.dot(turned),
                     "Velocity that a unit impulse along the normal gives to the point",
@@ -369,12 +380,12 @@ impl Impulse {
         let own = energy(body, omega, velocity);
         let brought: Vec<W::Num> =
             given.projectiles.iter().map(|this| this.mass * this.velocity.dot(this.velocity) / 2.0).collect();
-        let first = sheet.step(
-            "T",
-            "J",
-            Real::sum(std::iter::once(own).chain(brought)),
-            "Kinetic energy before, with that of the projectiles",
-        );
+        let reason = if brought.is_empty() {
+            "Kinetic energy before"
+        } else {
+            "Kinetic energy before, with that of the projectiles"
+        };
+        let first = sheet.step("T", "J", Real::sum(std::iter::once(own).chain(brought)), reason);
         let second =
             sheet.step("T′", "J", energy(after_body, after.omega, after.velocity), "Kinetic energy after");
         let change = sheet.step("ΔT", "J", second - first, "Change of the kinetic energy");
@@ -524,13 +535,15 @@ fn turning<W: Worksheet>(
     let unit = if symbol == "w" { "1/(kg*m)" } else { "rad/s" };
     let largest = moments.iter().fold(0.0f64, |largest, moment| largest.max(moment.value().abs()));
     let diagonal = products.iter().all(|product| product.value().abs() <= NO_PRODUCT * largest);
-    let thick = moments.iter().all(|moment| moment.value() > 1e-9 * largest);
-    if diagonal && thick {
-        let [x, y, z] = momentum.components();
+    let size = momentum.value().norm();
+    let components = momentum.components();
+    let thin = |n: usize| moments[n].value() <= 1e-9 * largest;
+    if diagonal && (0..3).all(|n| !thin(n) || components[n].value().abs() <= 1e-9 * size) {
+        let over = |n: usize| if thin(n) { W::Num::from(0.0) } else { components[n] / moments[n] };
         return Ok(sheet.step_vector(
             symbol,
             unit,
-            W::Vec::from_components(x / moments[0], y / moments[1], z / moments[2]),
+            W::Vec::from_components(over(0), over(1), over(2)),
             ("The axes are principal: each component over its moment of inertia", BEER.at("§18.1A")),
         ));
     }
@@ -578,103 +591,4 @@ fn held<W: Worksheet>(
         ("Impulsive reaction: what the linear momentum still lacks", BEER.at("§18.1B")),
     );
     (velocity, reaction)
-}
-
-/// The instantaneous axis: its direction, its point nearest to G, and the sliding along it.
-fn axis<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet: W) {
-    let (omega, velocity) = (after.omega, after.velocity);
-    let spin = omega.value().norm();
-    let reach =
-        body.properties.centre.norm() + (body.properties.inertia.trace() / body.properties.mass).sqrt();
-    if spin * reach <= 1e-12 * velocity.value().norm() || spin == 0.0 {
-        return;
-    }
-    let along =
-        sheet.step_vector("λ′", "1", omega / omega.magnitude(), "Direction of the instantaneous axis");
-    sheet.answer_vector("axis_direction", "Direction of the instantaneous axis", along);
-    let point = sheet.step_vector(
-        "r_I",
-        "m",
-        body.centre + omega.cross(velocity) / omega.dot(omega),
-        ("Point of the instantaneous axis nearest to G: r_G + ω × v_G/ω²", BEER.at("§15.6B")),
-    );
-    sheet.answer_vector("axis_point", "Point of the instantaneous axis nearest to the mass centre", point);
-    let sliding =
-        sheet.step("v_s", "m/s", along.dot(velocity), "Velocity of sliding along the instantaneous axis");
-    sheet.answer("sliding", "Velocity along the instantaneous axis", sliding);
-}
-
-/// The free motion of a body of revolution afterwards.
-fn precession<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet: W) -> Result<(), Refusal> {
-    let principal = body.properties.check().map_err(|error| refused(&error, "this body"))?;
-    let omega = after.omega.value();
-    let Some(alone) = principal.symmetry_axis() else { return Ok(()) };
-    let across = principal.moments[(alone + 1) % 3];
-    let unit = principal.axis(alone);
-    if omega == Vector3::zeros() || across <= 0.0 {
-        return Ok(());
-    }
-    // The axis is taken in the sense in which the body spins about it.
-    let unit = if unit.dot(omega) < 0.0 { -unit } else { unit };
-    let axis = sheet.found_vector(
-        "u",
-        "1",
-        unit,
-        (
-            "Two principal moments are equal: the axis of the third, in the sense of the spin",
-            BEER.at("§18.3C"),
-        ),
-    );
-    let axial = sheet.found("I_a", "kg*m^2", principal.moments[alone], "Moment of inertia about this axis");
-    let transverse = sheet.found("I_t", "kg*m^2", across, "Moment of inertia across it");
-    let momentum = sheet.step_vector(
-        "H",
-        "kg*m^2/s",
-        body.momentum(after.omega),
-        "Angular momentum about G: it keeps its direction, about which the axis now precesses",
-    );
-    let to_axis = |vector: W::Vec| axis.cross(vector).magnitude().atan2(axis.dot(vector));
-    let gamma =
-        sheet.step("γ", "deg", to_axis(after.omega), ("Angle between the axis and ω", BEER.at("§18.3C")));
-    let theta = sheet.step(
-        "θ",
-        "deg",
-        to_axis(momentum),
-        ("Angle between the axis and H: the nutation", BEER.at("§18.3C")),
-    );
-    let rate = sheet.step(
-        "φ̇",
-        "rad/s",
-        momentum.magnitude() / transverse,
-        ("Rate of precession about H", BEER.at("§18.3C")),
-    );
-    let spin = sheet.step(
-        "ψ̇",
-        "rad/s",
-        axis.dot(after.omega) * (transverse - axial) / transverse,
-        ("Rate of spin about the axis, ψ̇ = ω_a − φ̇ cos θ", BEER.at("§18.3C")),
-    );
-    sheet.answer("body_cone", "Angle between the axis of the body and ω", gamma);
-    sheet.answer("nutation", "Angle between the axis of the body and H", theta);
-    sheet.answer("precession_rate", "Rate of precession", rate);
-    sheet.answer("spin_rate", "Rate of spin", spin);
-    sheet.verify(|| {
-        let along = momentum.value().normalize();
-        let sum = along * rate.value() + unit * spin.value();
-        sheet.check_zero(
-            "the angular velocity put together from precession and spin",
-            (sum - omega).norm().into(),
-            rate.value().abs() + spin.value().abs(),
-        );
-    });
-    if theta.value() > 1e-9 {
-        sheet.warn(|| {
-            Text::new(if spin.value() < 0.0 {
-                "from then on the axis precesses against the spin (retrograde precession: the axial moment of inertia is the larger one)"
-            } else {
-                "from then on the axis precesses in the sense of the spin (direct precession: the axial moment of inertia is the smaller one)"
-            })
-        });
-    }
-    Ok(())
 }

@@ -1,0 +1,324 @@
+//! A part of a body, written down step by step: its mass, its mass centre, its inertia in the axes of the body.
+
+use dalembert_core::{Refusal, Worksheet};
+use dalembert_mechanics::{
+    Real, Vector,
+    rigid::primitive::{Extent, OwnInertia},
+};
+use nalgebra::{Matrix3, Vector3};
+
+use super::{
+    Amount, AmountGiven, Direction, DirectionGiven, Part, PartGiven, Presence, ReferencePoint,
+    shape::Described,
+    working::{MOMENTS, Named, PAIRS, PRODUCTS, Piece},
+};
+use crate::sources::MERIAM;
+
+const OWN_MOMENTS: [&str; 3] = ["I_1", "I_2", "I_3"];
+const OWN_PRODUCTS: [&str; 3] = ["I_23", "I_31", "I_12"];
+
+impl Part {
+    /// Writes down a part; `row` is 0 for a part that is the whole body, whose symbols then carry no number.
+    pub(super) fn work<W: Worksheet>(
+        &self,
+        given: &PartGiven<W>,
+        row: usize,
+        sheet: W,
+    ) -> Result<Piece<W>, Refusal> {
+        let shape = given.shape.described();
+        let length = match shape {
+            Described::Between(from, to) => Some(sheet.step(
+                ("L", row),
+                "m",
+                (to - from).magnitude(),
+                Named("Length of {name}", &self.name, None),
+            )),
+            _ => None,
+        };
+        let mass = self.mass(given, shape, length, row, sheet)?;
+        let length = length.unwrap_or_else(|| 0.0.into());
+        let rotation = *self.rotation()?.matrix();
+        let turned = !shape.is_ball() && rotation != Matrix3::identity();
+        let axes = if turned { self.axes(given, shape, rotation, row, sheet) } else { None };
+
+        let arm = shape.from_anchor(self.reference.anchor(), length).ok_or_else(|| self.without_point())?;
+        let arm = match shape {
+            Described::Between(from, to) if self.reference == ReferencePoint::Origin => {
+                Some((from + to) / 2.0.into())
+            }
+            _ if arm.value() == Vector3::zeros() => None,
+            _ if rotation == Matrix3::identity() => Some(arm),
+            _ => {
+                let arm = sheet.step_vector(
+                    ("s", row),
+                    "m",
+                    arm,
+                    Named(
+                        "From the reference point of {name} to its mass centre, in its own axes",
+                        &self.name,
+                        Some(MERIAM.at("table D/4")),
+                    ),
+                );
+                Some(along(axes, rotation, arm))
+            }
+        };
+        let centre = match arm {
+            Some(arm) => given.position + arm,
+            None => given.position,
+        };
+        let centre = if arm.is_some() || row == 0 {
+            sheet.step_vector(
+                ("r_G", row),
+                "m",
+                centre,
+                Named("Mass centre of {name}", &self.name, Some(MERIAM.at("table D/4"))),
+            )
+        } else {
+            centre
+        };
+        let (moments, products) =
+            self.inertia(shape.inertia(mass, length), shape, axes, rotation, row, sheet);
+        let named = axes.is_some() || (!turned && !shape.is_round());
+        Ok(Piece { mass, centre, moments, products, named })
+    }
+
+    fn mass<W: Worksheet>(
+        &self,
+        given: &PartGiven<W>,
+        shape: Described<W::Vec>,
+        length: Option<W::Num>,
+        row: usize,
+        sheet: W,
+    ) -> Result<W::Num, Refusal> {
+        let hole = self.presence == Presence::Hole;
+        let named = |reason: &'static str| Named(reason, &self.name, None);
+        let extent = shape.extent(|from, to| length.unwrap_or_else(|| (to - from).magnitude()));
+        let (density, extent) = match (&self.amount, &given.amount, extent) {
+            (Amount::Mass { .. }, AmountGiven::Mass { mass }, _) => {
+                return Ok(match (hole, row) {
+                    (true, _) => {
+                        sheet.step(("m_h", row), "kg", -*mass, named("Mass of {name}, which is taken away"))
+                    }
+                    (false, 0) => sheet.step("m", "kg", *mass, named("Mass of {name}")),
+                    (false, _) => *mass,
+                });
+            }
+            (Amount::PerLength { .. }, AmountGiven::PerLength { density }, Extent::Length(extent)) => {
+                let plain = matches!(&self.shape, super::Shape::Rod { .. }) || length.is_some();
+                let extent = if plain {
+                    extent
+                } else {
+                    sheet.step(("s", row), "m", extent, named("Length of {name}"))
+                };
+                (*density, extent)
+            }
+            (Amount::PerArea { .. }, AmountGiven::PerArea { density }, Extent::Area(extent)) => {
+                (*density, sheet.step(("A", row), "m^2", extent, named("Area of {name}")))
+            }
+            (Amount::PerVolume { .. }, AmountGiven::PerVolume { density }, Extent::Volume(extent)) => {
+                (*density, sheet.step(("V", row), "m^3", extent, named("Volume of {name}")))
+            }
+            _ => return Err(self.misfilled()),
+        };
+        Ok(if hole {
+            sheet.step(("m", row), "kg", -(density * extent), named("Mass of {name}, which is taken away"))
+        } else {
+            sheet.step(("m", row), "kg", density * extent, named("Mass of {name}"))
+        })
+    }
+
+    /// The own axes in the frame of the body: of a shape of revolution the third one only. `None` where they lie
+    /// along x, y and z in some order.
+    fn axes<W: Worksheet>(
+        &self,
+        given: &PartGiven<W>,
+        shape: Described<W::Vec>,
+        rotation: Matrix3<f64>,
+        row: usize,
+        sheet: W,
+    ) -> Option<[W::Vec; 3]> {
+        let column = |n: usize| -> Vector3<f64> { rotation.column(n).into() };
+        let lies_along = |axis: Vector3<f64>| axis.iter().filter(|x| **x != 0.0).count() == 1;
+        let named = |reason: &'static str| Named(reason, &self.name, None);
+        if shape.is_round() {
+            if lies_along(column(2)) {
+                return None;
+            }
+            let reason = named("Direction of the axis of {name}");
+            let axis = match (&self.direction, &given.direction, shape) {
+                (_, _, Described::Between(from, to)) => {
+                    sheet.step_vector(("λ", row), "1", (to - from) / (to - from).magnitude(), reason)
+                }
+                (Direction::Axis { .. }, DirectionGiven::Axis { axis }, _) => {
+                    sheet.step_vector(("λ", row), "1", *axis / axis.magnitude(), reason)
+                }
+                _ => sheet.found_vector(("λ", row), "1", column(2), reason),
+            };
+            return Some([axis; 3]);
+        }
+        if (0..3).all(|n| lies_along(column(n))) {
+            return None;
+        }
+        let axis = |n: usize, symbol: &'static str, reason: &'static str| {
+            sheet.found_vector((symbol, row), "1", column(n), named(reason))
+        };
+        Some([
+            axis(0, "e_1", "Direction of the own x axis of {name}"),
+            axis(1, "e_2", "Direction of the own y axis of {name}"),
+            axis(2, "e_3", "Direction of the own z axis of {name}"),
+        ])
+    }
+
+    /// Moments and products about the axes of the body through the mass centre of the part.
+    fn inertia<W: Worksheet>(
+        &self,
+        own: OwnInertia<W::Num>,
+        shape: Described<W::Vec>,
+        axes: Option<[W::Vec; 3]>,
+        rotation: Matrix3<f64>,
+        row: usize,
+        sheet: W,
+    ) -> ([Option<W::Num>; 3], [Option<W::Num>; 3]) {
+        let why =
+            |reason: &'static str, place: &'static str| Named(reason, &self.name, Some(MERIAM.at(place)));
+        let table = |symbol: &'static str, value: W::Num, reason: &'static str| {
+            (value.value() != 0.0)
+                .then(|| sheet.step((symbol, row), "kg*m^2", value, why(reason, "table D/4")))
+        };
+        let [x, y, z] = own.moments;
+        if shape.is_ball() {
+            let any = table("I_G", x, "Moment of inertia of {name} about any axis through its mass centre");
+            return ([any; 3], [None; 3]);
+        }
+        if shape.is_round() {
+            let across =
+                table("I_t", x, "Moment of inertia of {name} across its axis, about its mass centre");
+            let along = table("I_a", z, "Moment of inertia of {name} about its own axis");
+            let Some([_, _, axis]) = axes else {
+                // The axis lies along one of the axes of the body.
+                let moment = |n: usize| if rotation[(n, 2)] == 0.0 { across } else { along };
+                return ([moment(0), moment(1), moment(2)], [None; 3]);
+            };
+            let cosines = axis.components();
+            let moment = |n: usize| -> Option<W::Num> {
+                let square = cosines[n].powi(2);
+                let value = match (across, along) {
+                    (Some(across), Some(along)) => across + (along - across) * square,
+                    (Some(across), None) => across * (W::Num::from(1.0) - square),
+                    (None, Some(along)) => along * square,
+                    (None, None) => return None,
+                };
+                Some(sheet.step(
+                    (MOMENTS[n], row),
+                    "kg*m^2",
+                    value,
+                    why("Moment of inertia of {name} about an axis of the body through its mass centre, from its direction cosines", "App. B/2"),
+                ))
+            };
+            let moments = [moment(0), moment(1), moment(2)];
+            let product = |n: usize| -> Option<W::Num> {
+                let (a, b) = PAIRS[n];
+                if cosines[a].value() == 0.0 || cosines[b].value() == 0.0 {
+                    return None;
+                }
+                let value = match (across, along) {
+                    (Some(across), Some(along)) => (across - along) * cosines[a] * cosines[b],
+                    (Some(across), None) => across * cosines[a] * cosines[b],
+                    (None, Some(along)) => -(along * cosines[a] * cosines[b]),
+                    (None, None) => return None,
+                };
+                Some(sheet.step(
+                    (PRODUCTS[n], row),
+                    "kg*m^2",
+                    value,
+                    why("Product of inertia of {name}, in the same way", "App. B/2"),
+                ))
+            };
+            return (moments, [product(0), product(1), product(2)]);
+        }
+        let names =
+            if rotation == Matrix3::identity() { (MOMENTS, PRODUCTS) } else { (OWN_MOMENTS, OWN_PRODUCTS) };
+        let reason = "Moment of inertia of {name} about an axis of its own through its mass centre";
+        let moments =
+            [table(names.0[0], x, reason), table(names.0[1], y, reason), table(names.0[2], z, reason)];
+        let products = own.products.map_or([None; 3], |[yz, zx, xy]| {
+            let reason = "Product of inertia of {name} in its own axes through its mass centre";
+            [table(names.1[0], yz, reason), table(names.1[1], zx, reason), table(names.1[2], xy, reason)]
+        });
+        let Some(axes) = axes else {
+            return permuted(moments, products, rotation);
+        };
+        let cosines = axes.map(Vector::components);
+        let moment = |n: usize| -> Option<W::Num> {
+            let squares = (0..3).filter_map(|k| Some(moments[k]? * cosines[k][n].powi(2)));
+            let crossed = PAIRS
+                .into_iter()
+                .zip(products)
+                .filter_map(|((a, b), product)| Some(-(product? * cosines[a][n] * cosines[b][n] * 2.0)));
+            let terms: Vec<W::Num> = squares.chain(crossed).collect();
+            (!terms.is_empty()).then(|| {
+                sheet.step(
+                    (MOMENTS[n], row),
+                    "kg*m^2",
+                    <W::Num as Real>::sum(terms),
+                    why("Moment of inertia of {name} about an axis of the body through its mass centre, from its direction cosines", "App. B/2"),
+                )
+            })
+        };
+        let turned = [moment(0), moment(1), moment(2)];
+        let product = |n: usize| -> Option<W::Num> {
+            let (i, j) = PAIRS[n];
+            let squares = (0..3).filter_map(|k| Some(-(moments[k]? * cosines[k][i] * cosines[k][j])));
+            let crossed = PAIRS.into_iter().zip(products).filter_map(|((a, b), product)| {
+                Some(product? * (cosines[a][i] * cosines[b][j] + cosines[b][i] * cosines[a][j]))
+            });
+            let terms: Vec<W::Num> = squares.chain(crossed).collect();
+            (!terms.is_empty()).then(|| {
+                sheet.step(
+                    (PRODUCTS[n], row),
+                    "kg*m^2",
+                    <W::Num as Real>::sum(terms),
+                    why("Product of inertia of {name}, in the same way", "App. B/2"),
+                )
+            })
+        };
+        (turned, [product(0), product(1), product(2)])
+    }
+}
+
+/// A vector given in own axes, in the axes of the body.
+fn along<V: Vector>(axes: Option<[V; 3]>, rotation: Matrix3<f64>, own: V) -> V {
+    let own = own.components();
+    match axes {
+        // Of a shape of revolution the third axis alone counts: its mass centre and its ends lie on it.
+        Some(axes) => (0..3)
+            .filter(|&n| own[n].value() != 0.0)
+            .map(|n| axes[n] * own[n])
+            .reduce(|sum, term| sum + term)
+            .unwrap_or(axes[2] * own[2]),
+        None => {
+            let along = |n: usize| {
+                let from = (0..3).find(|&k| rotation[(n, k)] != 0.0).unwrap_or(n);
+                if rotation[(n, from)] < 0.0 && own[from].value() != 0.0 { -own[from] } else { own[from] }
+            };
+            V::from_components(along(0), along(1), along(2))
+        }
+    }
+}
+
+/// Moments and products in axes that are the own ones in another order or sense.
+fn permuted<S: Real>(
+    moments: [Option<S>; 3],
+    products: [Option<S>; 3],
+    rotation: Matrix3<f64>,
+) -> ([Option<S>; 3], [Option<S>; 3]) {
+    let from = |n: usize| (0..3).find(|&k| rotation[(n, k)] != 0.0).unwrap_or(n);
+    let product = |n: usize| {
+        let (i, j) = PAIRS[n];
+        let (a, b) = (from(i), from(j));
+        // The pair of axes other than k stands at the place k.
+        let product = products[3 - a - b]?;
+        Some(if rotation[(i, a)] * rotation[(j, b)] < 0.0 { -product } else { product })
+    };
+    ([moments[from(0)], moments[from(1)], moments[from(2)]], [product(0), product(1), product(2)])
+}
