@@ -247,8 +247,10 @@ fn power_of_two_below(size: f64) -> f64 {
     if size == 0.0 { 1.0 } else { size.log2().floor().clamp(-1000.0, 1000.0).exp2() }
 }
 
-fn finite<'a>(mut numbers: impl Iterator<Item = &'a f64>) -> Result<(), LinalgError> {
-    if numbers.all(|number| number.is_finite()) { Ok(()) } else { Err(LinalgError::NotFinite) }
+fn finite<'a>(numbers: impl Iterator<Item = &'a f64>) -> Result<(), LinalgError> {
+    // To the end, without a way out on each: so it is done many at a time.
+    let all = numbers.fold(true, |all, number| all & number.is_finite());
+    if all { Ok(()) } else { Err(LinalgError::NotFinite) }
 }
 
 fn square(a: &DMatrix<f64>) -> Result<(), LinalgError> {
@@ -258,19 +260,32 @@ fn square(a: &DMatrix<f64>) -> Result<(), LinalgError> {
 /// Refuses a difference across the diagonal beyond rounding, and says where it is largest.
 fn symmetric(a: &DMatrix<f64>) -> Result<(), LinalgError> {
     let mut worst = (0.0, 0, 0);
-    for column in 0..a.ncols() {
-        for row in column + 1..a.nrows() {
-            let difference = (a[(row, column)] - a[(column, row)]).abs();
-            if difference > worst.0 {
-                worst = (difference, row, column);
-            }
+    below_diagonal(a.nrows(), |row, column| {
+        let difference = (a[(row, column)] - a[(column, row)]).abs();
+        if difference > worst.0 {
+            worst = (difference, row, column);
         }
-    }
+    });
     let difference = worst.0 / a.amax().max(f64::MIN_POSITIVE);
     if difference <= 1e-12 {
         return Ok(());
     }
     Err(LinalgError::NotSymmetric { row: worst.2 + 1, column: worst.1 + 1, difference })
+}
+
+/// Visits every row and column below the diagonal, a tile after the other: an entry and its mirror image are read
+/// together, and in a large matrix one of the two is far away.
+fn below_diagonal(n: usize, mut visit: impl FnMut(usize, usize)) {
+    const TILE: usize = 32;
+    for first_column in (0..n).step_by(TILE) {
+        for first_row in (first_column..n).step_by(TILE) {
+            for column in first_column..(first_column + TILE).min(n) {
+                for row in first_row.max(column + 1)..(first_row + TILE).min(n) {
+                    visit(row, column);
+                }
+            }
+        }
+    }
 }
 
 /// The same matrix for the other library.

@@ -18,8 +18,8 @@ use faer::{
 use nalgebra::{DMatrix, DVector};
 
 use super::{
-    LinalgError, MOST_DENSE, SymmetricEigen, exact::Sum, finite, not_above, power_of_two_below, shape,
-    square, symmetric, view,
+    LinalgError, MOST_DENSE, SymmetricEigen, below_diagonal, exact::Sum, finite, not_above,
+    power_of_two_below, shape, square, symmetric, view,
 };
 
 /// A mode whose value lies this far below the largest one has its value taken anew from its vector, with twice
@@ -51,7 +51,7 @@ pub fn generalised_eigen(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<Symmetric
     let (mut values, mut vectors) = (vec![0.0; n], DMatrix::zeros(n, n));
     eigen(&standard, &mut values, Some(view_mut(&mut vectors)))?;
     solve_upper_triangular_in_place(view(&lower).transpose(), view_mut(&mut vectors), threads(n));
-    finite(values.iter().chain(vectors.iter()))?;
+    finite(values.iter().chain(vectors.as_slice()))?;
 
     let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let low = values.iter().take_while(|value| **value < LOW * largest).count().min(MOST_LOW);
@@ -68,11 +68,12 @@ pub fn generalised_eigen(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<Symmetric
     }
 
     residual(&stiffness, &mass, &values, &vectors)?;
-    for (row, scale) in scale.iter().enumerate() {
-        vectors.row_mut(row).scale_mut(*scale);
+    let scale = DVector::from_vec(scale);
+    for mut vector in vectors.column_iter_mut() {
+        vector.component_mul_assign(&scale);
     }
     let values = DVector::from_vec(values) * size;
-    finite(values.iter().chain(vectors.iter()))?;
+    finite(values.iter().chain(vectors.as_slice()))?;
     Ok(SymmetricEigen { values, vectors })
 }
 
@@ -133,24 +134,25 @@ fn reduce(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<Reduced, LinalgError> {
         return Err(shape(m, "a mass matrix as large as the stiffness matrix"));
     }
     not_above("unknowns of a full matrix", n, MOST_DENSE)?;
-    finite(k.iter().chain(m.iter()))?;
+    finite(k.as_slice().iter().chain(m.as_slice()))?;
     symmetric(k)?;
     symmetric(m)?;
     if let Some(row) = (0..n).find(|&row| m[(row, row)] <= 0.0) {
         return Err(LinalgError::NotPositiveDefinite { matrix: "mass", row: row + 1 });
     }
     let scale: Vec<f64> = (0..n).map(|row| 1.0 / power_of_two_below(m[(row, row)].sqrt())).collect();
-    let both = |a: &DMatrix<f64>, divisor: f64| {
-        DMatrix::from_fn(n, n, |row, column| {
-            let (row, column) = (row.max(column), row.min(column));
-            (a[(row, column)] * scale[row]) * scale[column] / divisor
-        })
+    // The lower half is what counts.
+    let both = |a: &DMatrix<f64>| {
+        let mut scaled =
+            DMatrix::from_fn(n, n, |row, column| (a[(row, column)] * scale[row]) * scale[column]);
+        mirror(view_mut(&mut scaled));
+        scaled
     };
-    let mut stiffness = both(k, 1.0);
+    let mut stiffness = both(k);
     let size = power_of_two_below(stiffness.amax());
     stiffness /= size;
-    let mass = both(m, 1.0);
-    finite(stiffness.iter().chain(mass.iter()))?;
+    let mass = both(m);
+    finite(stiffness.as_slice().iter().chain(mass.as_slice()))?;
 
     let (mut lower, par) = (mass.clone(), threads(n));
     let settings = <_>::default();
@@ -201,11 +203,7 @@ fn congruence(mut a: MatMut<'_, f64>, l: MatRef<'_, f64>, par: Par) {
 
 /// Copies the lower half to the upper one.
 fn mirror(mut a: MatMut<'_, f64>) {
-    for column in 0..a.ncols() {
-        for row in column + 1..a.nrows() {
-            a[(column, row)] = a[(row, column)];
-        }
-    }
+    below_diagonal(a.nrows(), |row, column| a[(column, row)] = a[(row, column)]);
 }
 
 /// `xᵀK x / xᵀM x` with twice the digits; zero where nothing but rounding is left of the numerator.
