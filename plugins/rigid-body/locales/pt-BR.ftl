@@ -1836,3 +1836,8 @@ angle-against-the-speed-of-the-shaft = Ângulo em função da velocidade do eixo
 # rigid-body/rate-of-change, rigid-body/rotation-chain
 how-the-turning-of-the-body-relative-to-the-moving-frame-carries-along = Como o giro do corpo relativo ao referencial móvel arrasta ω
 angular-velocity-of-name-about-its-fixed-axis = Velocidade angular de { $name }, em torno do seu eixo fixo
+
+# rigid-body/reactions
+speed-at-which-name-carries-nothing-its-force-is-a-part-at-rest-and-one-that-grows-with = Velocidade em que { $name } nada suporta: sua força tem uma parte em repouso e outra que cresce com ω²
+speed-at-which-the-support-carries-nothing = Velocidade em que o apoio nada suporta
+the-force-of-name-at-the-speed-at-which-it-carries-nothing = a força de { $name } na velocidade em que nada suporta

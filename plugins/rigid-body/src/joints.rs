@@ -330,6 +330,7 @@ pub(crate) fn carried<V: Vector>(origin: Option<[V; 2]>, omega: V, alpha: V, arm
     let turning = (alpha.value() != Vector3::zeros()).then(|| alpha.cross(arm));
     let about = turning.map_or(towards_the_axis, |turning| turning + towards_the_axis);
     match origin {
+        Some([velocity, acceleration]) if arm.value() == Vector3::zeros() => (velocity, acceleration),
         None => (omega.cross(arm), about),
         Some([velocity, acceleration]) => {
             (rigid::velocity_of_point(velocity, omega, arm), acceleration + about)

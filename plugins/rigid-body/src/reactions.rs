@@ -120,6 +120,7 @@ impl Analysis for Reactions {
         let loads = self.loads(given, &motion, sheet);
         let moved = self.driven(given, &motion, loads, &held, sheet)?;
         let reactions = self.reactions(given, &motion, loads, &moved, &held, sheet)?;
+        self.unloading(&body, &frames[axes], moved.joint_acceleration, sheet);
         sheet.keep_going()?;
         sheet.verify(|| self.check_by_differences(&body, &moved, &reactions, &frames[axes], sheet));
         sheet.show(|| Exhibit::Table(held.table(self, &reactions)));

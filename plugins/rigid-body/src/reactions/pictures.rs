@@ -1,4 +1,4 @@
-//! The body on its supports, and the reactions over a turn and against the speed.
+//! The body on its supports, and the reactions in other places and at other speeds.
 
 use std::f64::consts::TAU;
 
@@ -10,9 +10,9 @@ use dalembert_mechanics::rigid::{
 };
 use nalgebra::Vector3;
 
-use super::{Acts, Drive, Found, Held, Reactions};
+use super::{Acts, Drive, Found, Held, Kind, Reactions};
 use crate::{
-    joints::{self, given_name, seen_from},
+    joints::{self, Named, given_name, seen_from},
     scene::{Scene, View},
 };
 
@@ -39,6 +39,47 @@ impl Reactions {
         };
         let axes = &frames[self.axes.place()];
         Some(supports.iter().map(|of| axes.rotation * of.force).collect())
+    }
+
+    /// The speeds of a shaft at which a wire or a contact carries nothing: its force is `a + b ω²`.
+    pub(super) fn unloading<W: Worksheet>(
+        &self,
+        body: &MassProperties,
+        axes: &Frame,
+        acceleration: f64,
+        sheet: W,
+    ) {
+        let [joint] = self.joints_with(acceleration)[..] else { return };
+        let rate = if joint.rate == 0.0 { TAU / chain::period(&[joint]) } else { joint.rate };
+        for (n, support) in self.supports.iter().enumerate() {
+            let along = match support.kind {
+                Kind::Wire { direction } => direction,
+                Kind::Contact { normal, .. } => normal,
+                _ => continue,
+            };
+            let along = axes.rotation * (along / along.amax()).normalize();
+            let force = |rate: f64| {
+                self.reactions_at(body, &[chain::Joint { rate, ..joint }]).map(|all| all[n].dot(&along))
+            };
+            let (Some(still), Some(turning)) = (force(0.0), force(rate)) else { continue };
+            let square = still / (still - turning) * rate.powi(2);
+            let grows = (still - turning).abs() > 1e-12 * (still.abs() + turning.abs());
+            if !(grows && square > 0.0 && square.is_finite()) {
+                continue;
+            }
+            let how = "Speed at which {name} carries nothing: its force is a part at rest and one that grows with ω²";
+            let speed = sheet.found(("ω_0", n + 1), "rad/s", square.sqrt(), Named(how, &support.name, None));
+            sheet.answer(("unloaded_speed", n + 1), "Speed at which the support carries nothing", speed);
+            sheet.verify(|| {
+                let left = force(square.sqrt()).unwrap_or(f64::NAN);
+                sheet.check_zero(
+                    Text::new("the force of {name} at the speed at which it carries nothing")
+                        .with("name", &support.name),
+                    W::Num::from(left),
+                    still,
+                );
+            });
+        }
     }
 
     /// Weight, loads, inertia force and couple, in the axes of the supports.
