@@ -1795,14 +1795,12 @@ forces-grow-with-it-angle-and-speed-do-not-depend-on-it = As forças crescem com
 distance-of-the-pin-from-the-axis-of-the-shaft = Distância do pino ao eixo de rotação
 what-is-known = O que é conhecido
 slender-rod-or-plate-hung-by-an-edge = Haste delgada, ou placa suspensa por uma aresta
-length = Comprimento
 particle-on-a-light-rod = Partícula em uma haste leve
 body-symmetrical-about-the-line-from-the-pin-to-g = Corpo simétrico em relação à linha do pino a G
 distance-of-g-from-the-pin = Distância de G ao pino
 radius-of-gyration-along-the-line-m-k-dm-from-the-pin = Raio de giração ao longo da linha: m k² = ∫ ξ² dm a partir do pino
 radius-of-gyration-across-the-line-m-k-dm = Raio de giração transversal à linha: m k² = ∫ η² dm
 angle-of-the-body = Ângulo do corpo
-angle-to-the-vertical = Ângulo com a vertical
 the-inertia-forces-grow-with-dm-dm = As forças de inércia crescem com ∫ ξ² dm − ∫ η² dm
 largest-moment-of-the-weight-about-the-pin = Maior momento do peso em relação ao pino
 speed-from-which-the-body-leaves-the-vertical-cos-1 = Velocidade a partir da qual o corpo deixa a vertical: cos θ = 1

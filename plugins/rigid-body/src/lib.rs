@@ -10,8 +10,6 @@ pub mod gyroscopic_couple;
 pub mod heavy_top;
 pub mod impulse;
 mod inertia;
-mod inertia;
-pub mod joints;
 pub mod joints;
 pub mod momentum;
 pub mod motion;
