@@ -7,6 +7,7 @@
 mod ascii;
 mod csv;
 mod document;
+pub mod figure;
 mod inputs;
 mod json;
 mod markdown;

@@ -1,12 +1,10 @@
 //! Sketches of machines, in the cells of a terminal.
 
-mod strokes;
-
 use dalembert_core::{Drawing, DrawnShape, Ink, Locale, Point, Text};
+use dalembert_report::figure::strokes::{Box2, Part, Stroke, strokes};
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
-use self::strokes::{Box2, Part, Stroke, strokes};
 use crate::{
     look::Look,
     panes::wrap,

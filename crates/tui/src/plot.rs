@@ -1,12 +1,11 @@
 //! Curves over an axis, in the cells of a terminal.
 
-mod axes;
 pub(crate) mod dots;
 mod frame;
 pub(crate) mod labels;
-pub mod ticks;
 
 use dalembert_core::{Locale, Plot, Series};
+use dalembert_report::figure::axes::Axes;
 use ratatui::{
     buffer::Buffer,
     layout::Rect,
@@ -15,7 +14,6 @@ use ratatui::{
 use unicode_width::UnicodeWidthStr;
 
 use self::{
-    axes::Axes,
     dots::{Dots, Pen},
     frame::{Frame, Setting},
     labels::Labels,

@@ -1,10 +1,11 @@
 //! What stands round the curves: titles, legend, axes, ticks, the reading of the cursor.
 
 use dalembert_core::{Locale, Text};
+use dalembert_report::figure::{axes::Axes, ticks::Ticks};
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
-use super::{Marker, State, axes::Axes, dots::per_cell, pen, point, shade, ticks::Ticks};
+use super::{Marker, State, dots::per_cell, pen, point, shade};
 use crate::{look::Look, panes::wrap};
 
 /// Words and ticks round a canvas, each at its place.

@@ -6,22 +6,30 @@ use dalembert_units::{Style, Unit, unit, write_quantity};
 use super::ticks::Span;
 
 /// A plot with what its axes cover.
-pub(crate) struct Axes<'a> {
-    pub(crate) plot: &'a Plot,
-    pub(crate) x: Ruler<'a>,
-    pub(crate) y: Ruler<'a>,
+#[derive(Clone, Debug)]
+pub struct Axes<'a> {
+    /// The plot.
+    pub plot: &'a Plot,
+    /// The horizontal axis.
+    pub x: Ruler<'a>,
+    /// The vertical axis.
+    pub y: Ruler<'a>,
 }
 
 /// An axis with its unit and what it covers in it.
-pub(crate) struct Ruler<'a> {
-    pub(crate) axis: &'a Axis,
-    pub(crate) unit: Unit,
-    pub(crate) span: Span,
+#[derive(Clone, Debug)]
+pub struct Ruler<'a> {
+    /// The axis.
+    pub axis: &'a Axis,
+    /// The unit it is shown in.
+    pub unit: Unit,
+    /// What it covers, in that unit.
+    pub span: Span,
 }
 
 impl<'a> Axes<'a> {
     /// `None` where there is nothing to draw.
-    pub(crate) fn of(plot: &'a Plot) -> Option<Self> {
+    pub fn of(plot: &'a Plot) -> Option<Self> {
         // A point counts where both of its values can be shown.
         let (x_unit, y_unit) = (unit_of(&plot.x), unit_of(&plot.y));
         let shown = |(x, y): (f64, f64)| {
@@ -44,14 +52,14 @@ impl<'a> Axes<'a> {
     }
 
     /// Where the cursor may stand: every computed point and every mark, with its place on the axis.
-    pub(crate) fn stops(&self) -> Vec<(f64, f64)> {
+    pub fn stops(&self) -> Vec<(f64, f64)> {
         let curves = self.plot.series.iter().flat_map(|series| &series.points);
         let all = curves.chain(self.plot.marks.iter().map(|mark| &mark.at));
         all.filter(|at| self.y.of(at.1).is_some()).filter_map(|at| Some((self.x.of(at.0)?, at.0))).collect()
     }
 
     /// A value of `x`, moved to the end of the axis where it lies beyond it.
-    pub(crate) fn within(&self, x: f64) -> Option<f64> {
+    pub fn within(&self, x: f64) -> Option<f64> {
         let place = self.x.of(x)?;
         if (0.0..=1.0).contains(&place) {
             return Some(x);
@@ -62,7 +70,7 @@ impl<'a> Axes<'a> {
 
     /// What a curve reads at `x`, and whether that is a computed point. Between two of them a joined curve is read
     /// along the line that is drawn; separate points are read at themselves alone.
-    pub(crate) fn read(&self, series: &Series, x: f64) -> Option<(f64, bool)> {
+    pub fn read(&self, series: &Series, x: f64) -> Option<(f64, bool)> {
         let shown = |at: &&(f64, f64)| self.x.of(at.0).is_some() && self.y.of(at.1).is_some();
         if let Some(at) = series.points.iter().filter(shown).find(|at| at.0 == x) {
             return Some((at.1, true));
@@ -80,7 +88,7 @@ impl<'a> Axes<'a> {
     }
 
     /// `speed = 1500 rpm`, `X = 4.62 mm`, … and the marks at the cursor.
-    pub(crate) fn readout(&self, cursor: f64, locale: &Locale) -> Vec<String> {
+    pub fn readout(&self, cursor: f64, locale: &Locale) -> Vec<String> {
         let Some(x) = self.within(cursor) else { return Vec::new() };
         let label = self.x.axis.label.render(locale);
         let mut parts = vec![format!("{label} = {}", self.x.write(x, locale.style))];
@@ -106,22 +114,22 @@ impl<'a> Axes<'a> {
 
 impl Ruler<'_> {
     /// Where a value in SI stands: 0 at the lower end, 1 at the upper.
-    pub(crate) fn of(&self, si: f64) -> Option<f64> {
+    pub fn of(&self, si: f64) -> Option<f64> {
         self.span.place(self.unit.value(si)).filter(|place| place.is_finite())
     }
 
     /// A value in SI as it is read.
-    pub(crate) fn write(&self, si: f64, style: Style) -> String {
+    pub fn write(&self, si: f64, style: Style) -> String {
         write_quantity(si, &self.unit, style)
     }
 
     /// Whether zero lies inside, away from both ends.
-    pub(crate) fn passes_zero(&self) -> bool {
+    pub fn passes_zero(&self) -> bool {
         self.span.scale == Scale::Linear && self.span.from < 0.0 && self.span.to > 0.0
     }
 
     /// `speed [rpm]`; a power of ten that the ticks leave out stands before the unit.
-    pub(crate) fn title(&self, ten: i32, locale: &Locale) -> String {
+    pub fn title(&self, ten: i32, locale: &Locale) -> String {
         let label = self.axis.label.render(locale);
         let unit = if locale.style.ascii { self.unit.ascii() } else { self.unit.pretty() };
         let ten = if ten == 0 { String::new() } else { super::ticks::power_of_ten(ten, locale.style) };

@@ -6,18 +6,18 @@ use dalembert_core::{Drawing, DrawnShape, Ink, Point};
 
 /// A line through points, all of them finite.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Stroke {
+pub struct Stroke {
     /// The points.
-    pub(crate) points: Vec<Point>,
+    pub points: Vec<Point>,
     /// What it stands for.
-    pub(crate) ink: Ink,
+    pub ink: Ink,
     /// What it is part of.
-    pub(crate) part: Part,
+    pub part: Part,
 }
 
 /// What a line is part of: some are drawn in another way where a cell is one dot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub enum Part {
     /// Nothing particular.
     Line,
     /// A circle or a part of one.
@@ -38,16 +38,20 @@ pub(crate) enum Part {
 
 /// A box round points.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Box2 {
-    pub(crate) left: f64,
-    pub(crate) right: f64,
-    pub(crate) bottom: f64,
-    pub(crate) top: f64,
+pub struct Box2 {
+    /// The least `x`.
+    pub left: f64,
+    /// The greatest `x`.
+    pub right: f64,
+    /// The least `y`.
+    pub bottom: f64,
+    /// The greatest `y`.
+    pub top: f64,
 }
 
 /// Every part but the words, later ones over earlier ones. Signs of a fixed size (hatches, pins, heads of arrows)
 /// are a thirtieth of the drawing. A part that is not finite is left out.
-pub(crate) fn strokes(drawing: &Drawing) -> Vec<Stroke> {
+pub fn strokes(drawing: &Drawing) -> Vec<Stroke> {
     let corners = drawing.shapes.iter().flat_map(corners);
     let sign = Box2::of(corners).map_or(1.0, |all| all.width().max(all.height()) / 30.0);
     let mut pen = Strokes { sign, out: Vec::new() };
@@ -63,7 +67,7 @@ pub(crate) fn strokes(drawing: &Drawing) -> Vec<Stroke> {
 impl Box2 {
     /// The smallest box round the points that are finite; one of no size gets some. `None` without points, or where
     /// they lie farther apart than a number can say.
-    pub(crate) fn of(points: impl IntoIterator<Item = Point>) -> Option<Self> {
+    pub fn of(points: impl IntoIterator<Item = Point>) -> Option<Self> {
         let mut all: Option<Self> = None;
         for (x, y) in points.into_iter().filter(|at| at.0.is_finite() && at.1.is_finite()) {
             let Self { left, right, bottom, top } =
@@ -89,11 +93,13 @@ impl Box2 {
         Some(Self { left, right, bottom, top })
     }
 
-    pub(crate) fn width(&self) -> f64 {
+    /// How wide it is.
+    pub fn width(&self) -> f64 {
         self.right - self.left
     }
 
-    pub(crate) fn height(&self) -> f64 {
+    /// How high it is.
+    pub fn height(&self) -> f64 {
         self.top - self.bottom
     }
 }
