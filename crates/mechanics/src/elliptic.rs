@@ -56,19 +56,22 @@ pub fn amplitude_of(u: f64, complement: f64) -> f64 {
     if complement <= 0.0 {
         return 2.0 * (u / 2.0).tanh().atan();
     }
-    let mut ratios = [0.0; MOST];
+    // c/a of each step, and 1 − (c/a)², which near the modulus 1 is lost in the first.
+    let mut ratios = [(0.0, 1.0); MOST];
     let (mut a, mut b) = (1.0, complement.sqrt());
     let mut last = 0;
     while last + 1 < MOST && (a - b).abs() > 2.0 * f64::EPSILON * a {
         let mean = f64::midpoint(a, b);
-        ratios[last] = (a - b) / 2.0 / mean;
+        ratios[last] = ((a - b) / 2.0 / mean, a * b / (mean * mean));
         b = (a * b).sqrt();
         a = mean;
         last += 1;
     }
     let mut phi = (1u64 << last) as f64 * a * u;
-    for ratio in ratios[..last].iter().rev() {
-        phi = f64::midpoint(phi, (ratio * phi.sin()).clamp(-1.0, 1.0).asin());
+    for (ratio, rest) in ratios[..last].iter().rev() {
+        let (sin, cos) = phi.sin_cos();
+        let (sin, cos) = (ratio * sin, (rest + (ratio * cos).powi(2)).sqrt());
+        phi = f64::midpoint(phi, sin.atan2(cos));
     }
     phi
 }
@@ -174,8 +177,7 @@ pub fn carlson_third(x: f64, y: f64, z: f64, p: f64) -> f64 {
     quarter * series / (mean * mean.sqrt()) + 6.0 * sum
 }
 
-/// Each doubling brings the arguments four times nearer together; thirty are enough for the range of ordinary numbers,
-/// these for all of floating point.
+/// Each step brings the arguments four times nearer together: enough for the whole range of floating point.
 const MOST_DOUBLINGS: u32 = 600;
 
 /// `R_C(1, 1 + e)` for `e > −1`: the inverse tangent, circular or hyperbolic.

@@ -122,7 +122,8 @@ impl Analysis for FreeTriaxial {
         sheet.answer("rotational_energy", "Kinetic energy of rotation", doubled);
         sheet.answer("angular_momentum", "Size of the angular momentum", size);
         let order = body.order();
-        if order.map(|n| plain[n]).windows(2).all(|pair| pair[0] != pair[1]) {
+        let triaxial = order.map(|n| plain[n]).windows(2).all(|pair| pair[0] != pair[1]);
+        if triaxial {
             let [a, b, c] = order.map(|n| inertia[n]);
             let growth = sheet.step(
                 "λ",
@@ -139,7 +140,7 @@ impl Analysis for FreeTriaxial {
             sheet.answer("growth_rate", "Growth rate beside the middle axis", growth);
         }
         match body.polhode() {
-            Polhode::Permanent => permanent(start, sheet),
+            Polhode::Permanent => permanent(start, triaxial && start[order[1]] != 0.0, sheet),
             Polhode::Around(axis) => self.around(&body, axis, inertia, velocity, doubled, size, sheet),
             Polhode::Separatrix => {
                 let pace = body.pace();
@@ -385,8 +386,8 @@ fn moments<W: Worksheet>(inertia: &PrincipalInertiaGiven<W>, sheet: W) -> [W::Nu
     }
 }
 
-/// A rotation about a principal axis goes on for ever.
-fn permanent<W: Worksheet>(start: Vector3<f64>, sheet: W) {
+/// A rotation about a principal axis goes on for ever, about the middle one only in theory.
+fn permanent<W: Worksheet>(start: Vector3<f64>, about_the_middle: bool, sheet: W) {
     let speed = sheet.found(
         "ω",
         "rad/s",
@@ -394,10 +395,11 @@ fn permanent<W: Worksheet>(start: Vector3<f64>, sheet: W) {
         "H is along ω: the body turns about a principal axis, for ever as it does now",
     );
     sheet.answer("permanent_speed", "Angular velocity of the permanent rotation", speed);
-    sheet.warn(|| {
-        "the body turns exactly about a principal axis; about the axis of the middle moment the least disturbance would grow"
-            .into()
-    });
+    if about_the_middle {
+        sheet.warn(|| {
+            "the body turns exactly about the axis of the middle moment, where the least disturbance grows".into()
+        });
+    }
 }
 
 fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, sheet: W) {
