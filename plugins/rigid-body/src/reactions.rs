@@ -168,7 +168,7 @@ struct Known<W: Worksheet> {
 
 impl<W: Worksheet> Known<W> {
     fn plain(self) -> Wrench {
-        let value = |vector: Option<W::Vec>| vector.map_or_else(Vector3::zeros, |vector| vector.value());
+        let value = |vector: Option<W::Vec>| vector.map_or_else(Vector3::zeros, Vector::value);
         Wrench { force: value(self.force), moment: value(self.moment) }
     }
 }
@@ -547,7 +547,7 @@ impl Reactions {
         };
         let all = found.supports.iter().fold(found.known + found.drive, |sum, of| sum + *of);
         let (all_force, all_moment) = (axes.rotation * all.force, axes.rotation * all.moment);
-        let size = |vectors: [Vector3<f64>; 3]| vectors.iter().map(|v| v.norm()).fold(0.0f64, f64::max);
+        let size = |vectors: [Vector3<f64>; 3]| vectors.iter().map(Vector3::norm).fold(0.0f64, f64::max);
         let most = |part: fn(&Wrench) -> Vector3<f64>| {
             found.supports.iter().chain([&found.known]).map(|of| part(of).norm()).fold(0.0f64, f64::max)
         };
