@@ -10,7 +10,7 @@ use anyhow::{Result, bail, ensure};
 use crate::cargo::{cargo, output, run as run_command, target};
 
 /// A part that can be measured alone: its name, and the package and target that measure it.
-const PARTS: [(&str, &str, &str); 10] = [
+const PARTS: [(&str, &str, &str); 11] = [
     ("plain", "dalembert-tests", "plain"),
     ("units", "dalembert-units", "read"),
     ("solve", "dalembert-tests", "solve"),
@@ -19,6 +19,7 @@ const PARTS: [(&str, &str, &str); 10] = [
     ("balance", "dalembert-mechanics", "balance"),
     ("linkages", "dalembert-mechanics", "linkages"),
     ("modal", "dalembert-mechanics", "modal"),
+    ("rigid", "dalembert-mechanics", "rigid"),
     ("rotor", "dalembert-mechanics", "rotor"),
     ("mechanism", "dalembert-mechanics", "mechanism"),
 ];

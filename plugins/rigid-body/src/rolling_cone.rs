@@ -209,12 +209,10 @@ impl Analysis for RollingCone {
             (normal * (slant - lever) / momentum_part).sqrt(),
             "Precession at which the normal force comes to the edge of the base, x_N = s: beyond it the apex would lift",
         );
-        sheet.answer("precession", "Precession", sheet.step("φ̇", "rad/s", precession, "Precession"));
-        sheet.answer(
-            "omega",
-            "Angular velocity of the cone",
-            sheet.step("ω", "rad/s", omega, "Angular velocity of the cone"),
-        );
+        match self.known {
+            Known::Precession { .. } => sheet.answer("omega", "Angular velocity of the cone", omega),
+            Known::Omega { .. } => sheet.answer("precession", "Precession", precession),
+        }
         sheet.answer("energy", "Kinetic energy", energy);
         sheet.answer_vector("momentum", "Angular momentum about the apex", momentum);
         sheet.answer_vector("momentum_rate", "Rate of change of the angular momentum", rate);

@@ -72,10 +72,7 @@ impl Analysis for RollingStability {
             transverse: transverse.value(),
             gravity: self.gravity,
         };
-        let general = |state: [f64; 2]| {
-            let moments = [disc.axial, disc.transverse];
-            rolling::tilting_stiffness(disc.mass, disc.radius, moments, disc.gravity, FRAC_PI_2, state)
-        };
+        let general = |state: [f64; 2]| disc.tilting_stiffness(FRAC_PI_2, state);
         let tangent = |sheet: W| {
             let reason = "Moment of inertia about the tangent at the contact";
             sheet.step("I_d", "kg*m^2", transverse + mass * radius.powi(2), reason)
@@ -192,8 +189,7 @@ fn linearised(disc: &Rolling, [second, third]: [f64; 2]) -> Option<f64> {
 fn over_speed(disc: &Rolling, rolls: bool, critical: f64, at: Option<f64>) -> Plot {
     let stiffness = |speed: f64| {
         let state = if rolls { [0.0, -speed / disc.radius] } else { [speed, 0.0] };
-        let moments = [disc.axial, disc.transverse];
-        rolling::tilting_stiffness(disc.mass, disc.radius, moments, disc.gravity, FRAC_PI_2, state)
+        disc.tilting_stiffness(FRAC_PI_2, state)
     };
     let most = at.unwrap_or(0.0).max(2.0 * critical);
     let speeds = || (0..=240).map(|n| most * f64::from(n) / 240.0);

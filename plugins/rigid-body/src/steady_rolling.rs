@@ -169,7 +169,12 @@ impl Analysis for SteadyRolling {
                 (inclination, centre, precession)
             }
         };
-        let lean = sheet.step("λ", "deg", inclination * -1.0 + FRAC_PI_2, "Lean from the vertical");
+        let lean = sheet.found(
+            "λ",
+            "deg",
+            FRAC_PI_2 - inclination.value(),
+            "Lean from the vertical: what is left to 90°",
+        );
         let floor = sheet.step(
             "R",
             "m",
@@ -204,16 +209,41 @@ impl Analysis for SteadyRolling {
         );
         let demand =
             sheet.step("μ_min", "1", force.abs() / normal, "Coefficient of friction that this needs");
+        let slopes = rolling::tilting_slopes(mass, radius, moments, inclination, [second, third]);
+        let slopes = [
+            sheet.step(
+                "ω₂′",
+                "1/s",
+                slopes[0],
+                "What ω₂ does as the disc tilts: I_t ω̇₂ = (I_a ω₃ − I_t ω₂ cot θ) θ̇",
+            ),
+            sheet.step(
+                "ω₃′",
+                "1/s",
+                slopes[1],
+                "What ω₃ does as the disc tilts: (I_a + m r²) ω̇₃ = m r² ω₂ θ̇",
+            ),
+        ];
         let stiffness = sheet.step(
             "K",
             "1/s^2",
-            rolling::tilting_stiffness(mass, radius, moments, gravity, inclination, [second, third]),
-            "Small oscillations of the angle, ε̈ + K ε = 0, with dω₂/dθ = (I_a/I_t) ω₃ − ω₂ cot θ and dω₃/dθ = m r² ω₂/(I_a + m r²)",
+            rolling::tilting_stiffness(mass, radius, moments, gravity, inclination, [second, third], slopes),
+            "Small oscillations of the angle, ε̈ + K ε = 0: the slope of the moments about the tangent at the contact, over I_t + m r²",
         );
-        sheet.answer("precession", "Precession", precession);
-        sheet.answer("inclination", "Angle of its plane to the floor", inclination_named(sheet, inclination));
+        match self.known {
+            Known::Precession { .. } => {}
+            Known::CentreCircle { .. } | Known::FloorCircle { .. } => {
+                sheet.answer("precession", "Precession", precession);
+            }
+            Known::Speed { .. } => {
+                sheet.answer("precession", "Precession", precession);
+                sheet.answer("inclination", "Angle of its plane to the floor", inclination);
+            }
+        }
         sheet.answer("lean", "Lean from the vertical", lean);
-        sheet.answer("centre_radius", "Radius of the circle of the centre", named(sheet, centre));
+        if matches!(self.known, Known::FloorCircle { .. } | Known::Precession { .. }) {
+            sheet.answer("centre_radius", "Radius of the circle of the centre", centre);
+        }
         sheet.answer("floor_radius", "Radius of the circle on the floor", floor);
         sheet.answer("speed", "Speed of the centre", speed);
         sheet.answer("spin", "Spin", spin);
@@ -261,15 +291,6 @@ impl Analysis for SteadyRolling {
         sheet.show(|| Exhibit::Plot(precessions(&disc, angle, circle, precession.value())));
         Ok(())
     }
-}
-
-/// An input as an answer.
-fn named<W: Worksheet>(sheet: W, value: W::Num) -> W::Num {
-    sheet.step("a", "m", value, "Radius of the circle of the centre")
-}
-
-fn inclination_named<W: Worksheet>(sheet: W, value: W::Num) -> W::Num {
-    sheet.step("θ", "deg", value, "Angle of its plane to the floor")
 }
 
 /// The precession over the angle, on the same circle of the centre.

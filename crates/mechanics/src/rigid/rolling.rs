@@ -43,9 +43,24 @@ pub fn steady_centre_radius<S: Real>(
         / (axial + mass * radius.powi(2))
 }
 
-/// `K` of the small oscillations `ε̈ + K ε = 0` of the inclination about a steady motion with `ω₂` and `ω₃`: stable when
-/// positive. What `ω₂` and `ω₃` do as the disc tilts follows from their equations,
-/// `dω₂/dθ = (I_a/I_t) ω₃ − ω₂ cot θ` and `dω₃/dθ = m r² ω₂/(I_a + m r²)`.
+/// What `ω₂` and `ω₃` do as a disc tilts, from their equations: `dω₂/dθ = (I_a/I_t) ω₃ − ω₂ cot θ` and
+/// `dω₃/dθ = m r² ω₂/(I_a + m r²)`.
+#[inline]
+pub fn tilting_slopes<S: Real>(
+    mass: S,
+    radius: S,
+    [axial, transverse]: [S; 2],
+    inclination: S,
+    [second, third]: [S; 2],
+) -> [S; 2] {
+    [
+        axial / transverse * third - second * inclination.cos() / inclination.sin(),
+        mass * radius.powi(2) * second / (axial + mass * radius.powi(2)),
+    ]
+}
+
+/// `K` of the small oscillations `ε̈ + K ε = 0` of the inclination about a steady motion with `ω₂` and `ω₃` and their
+/// [`tilting_slopes`]: stable when positive.
 #[inline]
 pub fn tilting_stiffness<S: Real>(
     mass: S,
@@ -54,12 +69,10 @@ pub fn tilting_stiffness<S: Real>(
     gravity: S,
     inclination: S,
     [second, third]: [S; 2],
+    [second_slope, third_slope]: [S; 2],
 ) -> S {
     let (sin, cos) = (inclination.sin(), inclination.cos());
-    let about_contact = axial + mass * radius.powi(2);
-    let second_slope = axial / transverse * third - second * cos / sin;
-    let third_slope = mass * radius.powi(2) * second / about_contact;
-    (about_contact * (second_slope * third + second * third_slope)
+    ((axial + mass * radius.powi(2)) * (second_slope * third + second * third_slope)
         - transverse * second * second_slope * cos / sin * 2.0
         + transverse * second.powi(2) / sin.powi(2)
         - mass * gravity * radius * sin)

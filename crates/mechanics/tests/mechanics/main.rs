@@ -27,6 +27,7 @@ mod real;
 mod rigid;
 mod rigid_body;
 mod rigid_motion;
+mod rolling;
 mod roots;
 mod sdof;
 mod slider_crank;

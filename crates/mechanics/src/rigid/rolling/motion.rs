@@ -116,6 +116,14 @@ impl Rolling {
         ]
     }
 
+    /// `K` of the small oscillations `ε̈ + K ε = 0` of the inclination about a steady motion with `ω₂` and `ω₃`, 1/s².
+    pub fn tilting_stiffness(&self, inclination: f64, omega: [f64; 2]) -> f64 {
+        let Self { mass, radius, axial, transverse, gravity } = *self;
+        let moments = [axial, transverse];
+        let slopes = super::tilting_slopes(mass, radius, moments, inclination, omega);
+        super::tilting_stiffness(mass, radius, moments, gravity, inclination, omega, slopes)
+    }
+
     /// The force of the floor on the disc in the axes 123, N: `F = m a_G + m g`.
     fn force(&self, inclination: f64, omega: [f64; 3]) -> [f64; 3] {
         let [first, second, third] = omega;
