@@ -1418,43 +1418,7 @@ the-precession-in-one-nutation-by-equal-weights = a precessão em uma nutação 
 the-sum-of-the-three-zeros-e-k-h-2-i-t-k = a soma dos três zeros, E/K + H₃²/(2 I_t K)
 tip-of-a-unit-axis = ponta de um eixo unitário
 # rigid-body/steady-rolling
-disc-or-hoop-rolling-steadily-on-a-circle = Disco ou aro que rola em regime permanente em um círculo
-precession-angle-or-circle-of-a-disc-or-hoop-that-rolls-without-slip-inclined-to-the-floor-spin = Precessão, ângulo ou círculo de um disco ou aro que rola sem deslizar, inclinado em relação ao piso: rotação própria, força normal, o atrito de que precisa e se o movimento é estável.
-angle-and-circle-of-the-centre = Ângulo e círculo do centro
-angle-and-circle-on-the-floor = Ângulo e círculo no piso
-angle-and-precession = Ângulo e precessão
-angle-of-its-plane-to-the-floor = Ângulo do seu plano com o piso
-angle-of-the-plane-to-the-floor = ângulo do plano com o piso
-circle-of-the-centre-and-its-speed = Círculo do centro e sua velocidade
-coefficient-of-friction-that-this-needs = Coeficiente de atrito de que isto precisa
-component-of-the-angular-velocity-along-the-diameter-through-the-contact = Componente da velocidade angular ao longo do diâmetro pelo contato
-friction-towards-the-axis-of-the-circle = Atrito, para o eixo do círculo
-friction-towards-the-axis-of-the-circle-it-turns-the-velocity-of-the-centre = Atrito, para o eixo do círculo: ele gira a velocidade do centro
-it-would-slip-the-motion-needs-a-coefficient-of-friction-of-needed = deslizaria: o movimento precisa de um coeficiente de atrito de { $needed }
-moments-about-the-horizontal-diameter-i-a-m-r-i-t-cos-m-g-r-cos-0-with-sin-and-a-r = Momentos em relação ao diâmetro horizontal: (I_a + m r²) ω₂ ω₃ − I_t ω₂ φ̇ cos θ + m g r cos θ = 0 com ω₂ = φ̇ sin θ e ω₃ = −φ̇ a/r
-moments-about-the-horizontal-diameter-solved-for-the-circle-of-the-centre = Momentos em relação ao diâmetro horizontal, resolvidos para o círculo do centro
-no-angle-was-found-at-which-it-rolls-so-the-speed-is-too-small-or-too-large-beside-the-circle = não se encontrou ângulo em que role assim; a velocidade é pequena ou grande demais para o círculo
-no-slip-the-contact-rests-v-r-along-1 = Sem deslizar: o contato está em repouso, v = −r ω₃ ao longo de 1
-normal-force-the-centre-keeps-its-height = Força normal: o centro mantém a altura
-precession-over-the-angle-on-the-same-circle-of-the-centre = Precessão em função do ângulo, no mesmo círculo do centro
-radius-of-the-circle-of-the-centre = Raio do círculo do centro
-radius-of-the-circle-on-the-floor = Raio do círculo no piso
-radius-of-the-circle-on-the-floor-the-contact-stands-outwards-of-the-centre = Raio do círculo no piso: o contato fica para fora do centro
 small-oscillations-of-the-angle-k-0-with-d-d-i-a-i-t-cot-and-d-d-m-r-i-a-m-r = Pequenas oscilações do ângulo, ε̈ + K ε = 0, com dω₂/dθ = (I_a/I_t) ω₃ − ω₂ cot θ e dω₃/dθ = m r² ω₂/(I_a + m r²)
-spin-against-the-axes-that-precess-cos = Rotação própria, em relação aos eixos que precessionam: ω₃ = ψ̇ + φ̇ cos θ
-stable-angular-frequency-of-the-wobble = Estável: frequência angular da oscilação
-stiffness-of-small-oscillations = Rigidez das pequenas oscilações
-the-centre-goes-round-once-in-2-a-v = O centro dá uma volta em 2π a/v
-the-centre-stands-inwards-of-the-contact-by-r-cos = O centro fica para dentro do contato em r cos θ
-the-circle-on-the-floor-is-so-small-that-the-centre-would-be-beyond-its-axis-make-the-circle-or-the = o círculo no piso é tão pequeno que o centro ficaria além do seu eixo; aumente o círculo ou o ângulo
-the-disc-seen-along-its-horizontal-diameter = O disco visto ao longo do seu diâmetro horizontal
-the-equations-of-the-rolling-disc-leave-the-angle-as-it-is = as equações do disco que rola deixam o ângulo como está
-the-friction-from-m-a-g = o atrito por m a_G
-the-normal-force-from-m-a-g = a força normal por m a_G
-the-precession-is-so-fast-that-the-centre-circles-on-the-far-side-of-the-axis-the-radius-a-is = a precessão é tão rápida que o centro circula do outro lado do eixo: o raio a é negativo
-the-steady-motion-is-unstable-the-angle-runs-away-from-it = o movimento permanente é instável: o ângulo se afasta dele
-this-motion = este movimento
-zero-of-the-moments-about-the-horizontal-diameter-sin-i-a-m-r-a-r-i-t-cos-m-g-r-cos = Zero dos momentos em relação ao diâmetro horizontal: φ̇² sin θ ((I_a + m r²) a/r + I_t cos θ) = m g r cos θ
 # rigid-body/spinning-disc-on-arm
 
 # rigid-body/turn-indicator

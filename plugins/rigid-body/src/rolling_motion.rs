@@ -178,7 +178,7 @@ impl RollingMotion {
         match rolled.ended {
             Ended::Time => {}
             Ended::Flat => {
-                sheet.warn(|| Text::new("it lies flat after {time}").with_quantity("time", last.time, "s"))
+                sheet.warn(|| Text::new("it lies flat after {time}").with_quantity("time", last.time, "s"));
             }
             Ended::Lifts => sheet.warn(|| {
                 Text::new("it leaves the floor after {time}: the normal force would have to pull")
