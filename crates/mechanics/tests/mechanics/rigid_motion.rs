@@ -37,7 +37,7 @@ fn heavy_top() -> (Body, Turning, Loads) {
 }
 
 fn last(motion: &Motion) -> dalembert_mechanics::rigid::simulate::Sample {
-    *motion.samples.last().unwrap()
+    *motion.samples.last().expect("a motion has its start")
 }
 
 /// G. Brüls, A. Cardona, M. Arnold, Mechanism and Machine Theory 48 (2012); converged values of two other programs,
@@ -137,7 +137,7 @@ fn a_body_near_its_unstable_axis() {
     let from = start(0.01, 5.0, 0.01);
     for (time, wanted, within) in [
         (10.0, [0.012714870629462084, 4.999993833202685, 0.010979798649094277], 1e-12),
-        (100.0, [0.06021783543923199, 4.999647368794625, 0.035712685444560752], 5e-11),
+        (100.0, [0.06021783543923199, 4.999647368794625, 0.03571268544456075], 5e-11),
     ] {
         let run = Run { duration: time, tolerance: 1e-14, ..RUN };
         let kept = last(&simulate_free(&body, &from, 0.005, &run).unwrap()).turning.omega_body;
@@ -164,7 +164,7 @@ fn long(seed: u64, revolutions: f64) -> [f64; 2] {
     let step = 0.3 / fastest;
     let steps = (revolutions * TAU / omega.norm() / step) as u64;
     let attitude = UnitQuaternion::new(Vector3::new(next(), next(), next()));
-    let mut rotation = FreeRotation::new(moments, attitude, omega, step).unwrap();
+    let mut rotation = FreeRotation::new(moments, attitude, omega, step).expect("a short step");
     let (energy, momentum) = (rotation.energy(), rotation.momentum_in_space());
     let mut off = [0.0_f64; 2];
     for n in 0..steps {

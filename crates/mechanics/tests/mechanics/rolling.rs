@@ -163,7 +163,7 @@ fn the_energy_of_a_rolling_cone() {
     let axial = 0.3 * mass * radius * radius;
     let transverse = 0.6 * mass * (radius * radius / 4.0 + height * height);
     let omega = cone_angular_velocity(precession, angle);
-    let energy = (axial * (omega * angle.cos()).powi(2) + transverse * (omega * angle.sin()).powi(2)) / 2.0;
+    let energy = 0.5 * (axial * (omega * angle.cos()).powi(2) + transverse * (omega * angle.sin()).powi(2));
     assert!((cone_energy(mass, height, precession, angle) - energy).abs() < 1e-14);
     assert!((energy - 0.8898382827794568).abs() < 1e-13);
 }
