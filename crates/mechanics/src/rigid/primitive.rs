@@ -468,7 +468,7 @@ impl<S: Real> Primitive<S> {
 
     /// From a named point of the shape to its mass centre, in the axes of the shape, m; `None` where the shape has no
     /// such point.
-    pub fn from_anchor<V: Vector<Scalar = S>>(self, anchor: Anchor) -> Option<V> {
+    pub fn to_centre<V: Vector<Scalar = S>>(self, anchor: Anchor) -> Option<V> {
         let zero = S::from(0.0);
         let origin = V::from_components(zero, zero, zero);
         let along_z = |z: S| Some(V::from_components(zero, zero, z));

@@ -15,7 +15,7 @@ use crate::close::{close, found};
 const GAUSS: [(f64, f64); 5] = [
     (0.1488743389816312, 0.2955242247147529),
     (0.4333953941292472, 0.2692667193099963),
-    (0.6794095682990244, 0.2190863625159820),
+    (0.6794095682990244, 0.219086362515982),
     (0.8650633666889845, 0.1494513491505806),
     (0.9739065285171717, 0.0666713443086881),
 ];
@@ -35,7 +35,7 @@ fn integrate(dimensions: usize, panels: usize, at: impl Fn([f64; 3]) -> (Vector3
         for (x, w) in GAUSS {
             for x in [-x, x] {
                 let width = 1.0 / panels as f64;
-                nodes.push(((panel as f64 + (1.0 + x) / 2.0) * width, w / 2.0 * width));
+                nodes.push(((panel as f64 + f64::midpoint(1.0, x)) * width, w / 2.0 * width));
             }
         }
     }
@@ -255,7 +255,7 @@ fn every_shape_is_its_integral() {
 fn anchors_are_points_of_the_shape() {
     for shape in all_shapes(0.7, 1.3, 0.9, 2.0) {
         let centre = shape.centre().unwrap_or_else(Vector3::zeros);
-        let from = |anchor| shape.from_anchor::<Vector3<f64>>(anchor).map(|arm| centre - arm);
+        let from = |anchor| shape.to_centre::<Vector3<f64>>(anchor).map(|arm| centre - arm);
         close(found_point(from(Anchor::Origin)).norm(), 0.0, 1e-15);
         close((found_point(from(Anchor::MassCentre)) - centre).norm(), 0.0, 1e-15);
         if let (Some(near), Some(far)) = (from(Anchor::NearEnd), from(Anchor::FarEnd)) {
@@ -268,10 +268,10 @@ fn anchors_are_points_of_the_shape() {
         }
     }
     let cone = Primitive::Cone { radius: 0.5, height: 2.0 };
-    close(found_point(cone.from_anchor(Anchor::FarEnd)).z, -0.5, 1e-15);
+    close(found_point(cone.to_centre(Anchor::FarEnd)).z, -0.5, 1e-15);
     let box_ = Primitive::Box { a: 2.0, b: 4.0, c: 6.0 };
-    assert_eq!(box_.from_anchor(Anchor::Corner), Some(Vector3::new(1.0, 2.0, 3.0)));
-    assert_eq!(Primitive::Sphere { radius: 1.0 }.from_anchor::<Vector3<f64>>(Anchor::Corner), None);
+    assert_eq!(box_.to_centre(Anchor::Corner), Some(Vector3::new(1.0, 2.0, 3.0)));
+    assert_eq!(Primitive::Sphere { radius: 1.0 }.to_centre::<Vector3<f64>>(Anchor::Corner), None);
 }
 
 fn found_point(point: Option<Vector3<f64>>) -> Vector3<f64> {

@@ -231,7 +231,7 @@ impl Part {
             | (Amount::PerVolume { density }, Extent::Volume(extent)) => density * extent,
             _ => return Err(self.misfilled()),
         };
-        let centre = self.shape.from_anchor(self.reference.anchor()).ok_or_else(|| self.without_point())?;
+        let centre = self.shape.to_centre(self.reference.anchor()).ok_or_else(|| self.without_point())?;
         let own = MassProperties { mass, centre, inertia: self.shape.tensor(mass) };
         let there = own.turned(&self.rotation()?).moved(self.position + self.middle());
         there.check().map_err(|error| refused_part(&error, &self.name))?;

@@ -41,7 +41,7 @@ impl Part {
         let turned = !shape.is_ball() && rotation != Matrix3::identity();
         let axes = if turned { self.axes(given, shape, rotation, row, sheet) } else { None };
 
-        let arm = shape.from_anchor(self.reference.anchor(), length).ok_or_else(|| self.without_point())?;
+        let arm = shape.to_centre(self.reference.anchor(), length).ok_or_else(|| self.without_point())?;
         let arm = match shape {
             Described::Between(from, to) if self.reference == ReferencePoint::Origin => {
                 Some((from + to) / 2.0.into())

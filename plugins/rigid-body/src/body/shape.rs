@@ -380,8 +380,8 @@ impl Shape {
     }
 
     /// From a named point to the mass centre, in the own axes.
-    pub(super) fn from_anchor(&self, anchor: Anchor) -> Option<Vector3<f64>> {
-        self.described().from_anchor(anchor, self.length())
+    pub(super) fn to_centre(&self, anchor: Anchor) -> Option<Vector3<f64>> {
+        self.described().to_centre(anchor, self.length())
     }
 
     /// The length of a rod between two points; else nothing.
@@ -431,12 +431,12 @@ impl<V: Vector> Described<V> {
     }
 
     /// From a named point to the mass centre, in the own axes; `length` is that of a rod between two points.
-    pub(super) fn from_anchor(self, anchor: Anchor, length: V::Scalar) -> Option<V> {
+    pub(super) fn to_centre(self, anchor: Anchor, length: V::Scalar) -> Option<V> {
         match self {
-            Described::Primitive(shape) => shape.from_anchor(anchor),
+            Described::Primitive(shape) => shape.to_centre(anchor),
             // Where its two points are counted from is no place in its own axes: see `Part::middle`.
-            Described::Between(..) => Primitive::Rod { length }.from_anchor(anchor),
-            Described::Radii(_) | Described::Matrix(..) => Primitive::Particle.from_anchor(anchor),
+            Described::Between(..) => Primitive::Rod { length }.to_centre(anchor),
+            Described::Radii(_) | Described::Matrix(..) => Primitive::Particle.to_centre(anchor),
         }
     }
 

@@ -444,7 +444,7 @@ impl Impulse {
             if let Some(couple) = after.couple {
                 terms.push(-couple.value());
             }
-            let size = terms.iter().map(|term| term.norm()).sum::<f64>();
+            let size = terms.iter().map(Vector3::norm).sum::<f64>();
             sheet.check_zero(
                 "the angular momentum about O: after − before = Σ r × J with all reactions",
                 terms.iter().sum::<Vector3<f64>>().norm().into(),
@@ -479,7 +479,7 @@ impl Impulse {
                     terms.push(couple.value().dot(turns + omega) / 2.0);
                 }
                 let energy = |body: &MassProperties, omega: Vector3<f64>, velocity: Vector3<f64>| {
-                    (body.mass * velocity.norm_squared() + omega.dot(body.inertia * omega)) / 2.0
+                    body.mass * velocity.norm_squared() / 2.0 + omega.dot(body.inertia * omega) / 2.0
                 };
                 terms.push(energy(first, omega, velocity));
                 terms.push(-energy(second, turns, goes));
