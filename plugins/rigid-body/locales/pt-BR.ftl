@@ -9,6 +9,11 @@ kinetic-energy = Energia cinética
 rate-of-change-owed-to-the-turning-of-the-axes-h = Variação devida ao giro dos eixos: Ω × H
 
 # rigid-body/body
+moment-of-inertia-about-an-axis-through-g-that-turns-in-a-principal-plane = Momento de inércia em relação a um eixo por G que gira em um plano principal
+angle-from-the-first-axis-of-the-plane = ângulo a partir do primeiro eixo do plano
+axis-1-to-axis-2 = do eixo 1 ao eixo 2
+axis-2-to-axis-3 = do eixo 2 ao eixo 3
+axis-3-to-axis-1 = do eixo 3 ao eixo 1
 number-name = { $number }, { $name }
 first-end = Primeira extremidade
 last-end = Última extremidade

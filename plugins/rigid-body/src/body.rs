@@ -7,8 +7,11 @@ mod part;
 mod shape;
 mod working;
 
+use std::f64::consts::PI;
+
 use dalembert_core::{
-    About, Analysis, Drawing, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text, Worksheet,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, TableExhibit, Text,
+    Worksheet,
     exhibit::{Cell, Column},
     register,
 };
@@ -122,6 +125,7 @@ impl Analysis for RigidBody {
             sheet.show(|| Exhibit::Table(listed(parts, &body.properties)));
         }
         sheet.show(|| Exhibit::Drawing(self.drawn(&body.properties, &principal)));
+        sheet.show(|| Exhibit::Plot(turned_axes(&principal)));
         Ok(())
     }
 }
@@ -314,6 +318,29 @@ impl Line {
         });
         Ok(())
     }
+}
+
+/// The moment of inertia about an axis through G that turns from one principal axis to the next.
+fn turned_axes(principal: &Principal) -> Plot {
+    let plane = |from: usize, to: usize| -> Vec<(f64, f64)> {
+        (0..=90)
+            .map(|n| PI * f64::from(n) / 90.0)
+            .map(|angle| {
+                let (sin, cos) = angle.sin_cos();
+                (angle, principal.moments[from] * cos * cos + principal.moments[to] * sin * sin)
+            })
+            .collect()
+    };
+    Plot::new(
+        "Moment of inertia about an axis through G that turns in a principal plane",
+        Axis::linear("angle from the first axis of the plane", "deg"),
+        Axis::linear("moment of inertia", "kg*m^2"),
+        vec![
+            Series::line("axis 1 to axis 2", plane(0, 1)),
+            Series::line("axis 2 to axis 3", plane(1, 2)),
+            Series::line("axis 3 to axis 1", plane(2, 0)),
+        ],
+    )
 }
 
 /// The inertia matrix as it multiplies ω: products with a minus sign.

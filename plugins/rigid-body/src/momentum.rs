@@ -217,7 +217,7 @@ impl Momentum {
             "ω_f",
             "rad/s",
             about_g.magnitude() / largest,
-            ("Where energy is lost inside the body and no couple acts, H_G stays: the rotation ends about the axis of the largest moment", BEER.at("§18.3")),
+            "Where energy is lost inside the body and no couple acts, H_G stays: the rotation ends about the axis of the largest moment",
         );
         let lost = sheet.step(
             "ΔT/T",
