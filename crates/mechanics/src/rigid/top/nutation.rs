@@ -91,6 +91,10 @@ pub struct Nutation {
     start: f64,
     /// The cubic is flat between its limits.
     steady: bool,
+    /// `2 K(k)`, and what [`Nutation::angles`] gives over it and at the start: found once for every instant.
+    span: f64,
+    in_span: (f64, f64),
+    at_start: (f64, f64),
 }
 
 impl Top {
@@ -168,7 +172,26 @@ impl Top {
         }
         let start = if steady { 0.0 } else { elliptic::first_kind_of(amplitude, complement) };
         let start = if nutation_rate > 0.0 { -start } else { start };
-        let motion = Nutation { low, high, third, a, d, e, beta, axial_velocity, start, steady };
+        let nothing = (0.0, 0.0);
+        let (span, in_span, at_start) = (0.0, nothing, nothing);
+        let mut motion = Nutation {
+            low,
+            high,
+            third,
+            a,
+            d,
+            e,
+            beta,
+            axial_velocity,
+            start,
+            steady,
+            span,
+            in_span,
+            at_start,
+        };
+        motion.span = 2.0 * elliptic::complete_of(motion.complement());
+        motion.in_span = motion.angles(PI);
+        motion.at_start = motion.angles(elliptic::amplitude_of(start, motion.complement()));
         let finite = start.is_finite() && motion.period().is_finite() && motion.period() > 0.0;
         if finite && motion.advance().is_finite() { Ok(motion) } else { Err(TopError::NotFinite) }
     }
@@ -213,12 +236,12 @@ impl Nutation {
 
     /// Time from one lowest position to the next, s: `T = 2 K(k)/p`, `p = ½ √(β (u₃ − u₁))`.
     pub fn period(&self) -> f64 {
-        2.0 * elliptic::complete_of(self.complement()) / self.pace()
+        self.span / self.pace()
     }
 
     /// How far the axis goes about the vertical in one period of nutation, rad.
     pub fn advance(&self) -> f64 {
-        self.angles(PI).0
+        self.in_span.0
     }
 
     /// Precession on average, rad/s.
@@ -254,19 +277,19 @@ impl Nutation {
     /// The axis at a time from the start.
     pub fn at(&self, time: f64) -> Attitude {
         let complement = self.complement();
-        let period = 2.0 * elliptic::complete_of(complement);
         let argument = self.start + self.pace() * time;
-        let turns = (argument / period).floor();
-        let (sn, cn, dn) = elliptic::jacobi_of(argument - turns * period, complement);
+        let turns = (argument / self.span).round();
+        let amplitude = elliptic::amplitude_of(argument - turns * self.span, complement);
+        let (sn, cn) = amplitude.sin_cos();
+        let dn = (complement + (1.0 - complement) * cn * cn).sqrt();
         let between = |low: f64, high: f64| low * cn * cn + high * sn * sn;
         let height = Height { z: between(self.low.z, self.high.z), y: between(self.low.y, self.high.y) };
-        let amplitude = turns * PI + elliptic::amplitude_of(argument - turns * period, complement);
-        let start = elliptic::amplitude_of(self.start, complement);
-        let ((precession, lower), (precession_start, lower_start)) =
-            (self.angles(amplitude), self.angles(start));
+        // Both angles grow by the same in every span of the argument.
+        let (rest, lower_rest) = self.angles(amplitude);
+        let precession = turns * self.in_span.0 + rest - self.at_start.0;
+        let lower = turns * self.in_span.1 + lower_rest - self.at_start.1;
         // ψ̇ = ω₃ − φ̇ cos θ, and φ̇ cos θ = φ̇ + a − e/y.
-        let precession = precession - precession_start;
-        let spin = (self.axial_velocity - self.a) * time - precession + 2.0 * (lower - lower_start);
+        let spin = (self.axial_velocity - self.a) * time - precession + 2.0 * lower;
         let rate = -2.0 * self.high.above(self.low) * self.pace() * sn * cn * dn;
         let sine = (height.z * height.y).sqrt();
         // Through the vertical θ̇ = ż/sin θ is a quotient of zeros: there energy gives its size.
