@@ -3,7 +3,7 @@
 
 use dalembert_core::registry;
 use dalembert_tests::person::Person;
-use dalembert_tui::{Msg, tempo};
+use dalembert_tui::{Msg, keys::Place, tempo};
 use insta::assert_snapshot;
 use ratatui::style::Color;
 
@@ -222,6 +222,58 @@ fn a_film_moves_until_it_is_held() {
     assert!(tempo(&narrow.model).is_none());
     narrow.types("]]]");
     assert!(tempo(&narrow.model).is_some(), "{}", narrow.sees());
+}
+
+#[test]
+fn a_film_is_stepped_frame_by_frame() {
+    let mut person = Person::at(80, 24).opens("vibration/large-pendulum");
+    assert!(!person.sees().contains("film"), "{}", person.sees());
+    assert!(person.types("p").sees().contains("no film is on the screen"));
+    person.types("]]]<tab>");
+    let screen = person.sees();
+    assert!(screen.contains("Space film") && screen.contains(", . frame"), "{screen}");
+    let first = person.sees();
+    assert_snapshot!("film_held", person.types("...").sees());
+    assert!(tempo(&person.model).is_none(), "a step holds it");
+    assert!(line_with(&person.sees(), "/24").contains(" 4/24"), "{}", person.sees());
+    // Backwards over the beginning it goes on from the end; a whole round ends where it began.
+    person.types(",,,,");
+    assert!(person.sees().contains("24/24"), "{}", person.sees());
+    assert_eq!(person.types(". ").sees(), first);
+    assert!(tempo(&person.model).is_some());
+}
+
+#[test]
+fn a_film_in_ascii_and_in_portuguese_on_a_wide_screen() {
+    let mut ascii = Person::in_ascii(80, 24).opens("vibration/large-pendulum");
+    let screen = ascii.types("]]]<tab>.").sees();
+    assert!(screen.is_ascii());
+    assert_snapshot!("film_ascii", screen);
+    let mut wide = Person::in_portuguese(160, 50).opens("vibration/large-pendulum");
+    let screen = wide.types("<tab>").types(".").sees();
+    assert!(screen.contains(" 2/24"), "{screen}");
+    assert!(wide.types("<tab>").sees().contains("p animação"), "{}", wide.sees());
+}
+
+#[test]
+fn a_pane_takes_the_whole_screen_and_gives_it_back() {
+    for (columns, rows) in [(80, 24), (160, 50)] {
+        let mut person = fan(columns, rows);
+        let together = person.sees();
+        person.types("e");
+        assert!(!person.sees().contains("Results"), "{}", person.sees());
+        assert_eq!(person.types("e").sees(), together);
+        let mut steps = 0;
+        for tab in ["Results", "Working", "Plot", "Drawing", "Sources"] {
+            person.types(if steps == 0 { "<tab>e" } else { "]" });
+            steps += 1;
+            let screen = person.sees();
+            assert!(screen.contains(tab) && !screen.contains("Inputs"), "{tab}:\n{screen}");
+        }
+        assert!(person.types("<esc>").sees().contains("Inputs"), "escape brings the others back");
+    }
+    assert_snapshot!("expanded_working", fan(160, 50).types("]<tab>e").sees());
+    assert_snapshot!("expanded_plot", fan(80, 24).types("]]<tab>e").sees());
 }
 
 #[test]
@@ -520,9 +572,9 @@ fn the_palette_knows_every_action_by_its_name() {
 #[test]
 fn the_help_is_the_table_of_keys() {
     assert_snapshot!("help", fan(80, 24).types("?").sees());
-    let mut person = fan(80, 90);
+    let mut person = fan(80, 200);
     let help = person.types("<f1>").sees();
-    for place in [dalembert_tui::keys::Place::Form, dalembert_tui::keys::Place::Pane] {
+    for place in [Place::Form, Place::Pane, Place::Working, Place::Plot, Place::Drawing] {
         for binding in place.bindings() {
             assert!(help.contains(binding.name), "{}:\n{help}", binding.name);
         }
@@ -645,13 +697,16 @@ fn a_table_is_read_from_the_file_it_names() {
 #[test]
 fn every_word_of_the_interface_is_translated() {
     use dalembert_core::text::is_translated;
-    use dalembert_tui::{bench::Tab, keys::Place};
+    use dalembert_tui::bench::Tab;
     let places = [
         Place::Picker,
         Place::Filter,
         Place::Form,
         Place::Edit,
         Place::Pane,
+        Place::Working,
+        Place::Plot,
+        Place::Drawing,
         Place::List,
         Place::Prompt,
         Place::Sheet,

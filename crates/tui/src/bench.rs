@@ -33,6 +33,8 @@ pub struct Bench {
     pub case: usize,
     /// What the keys act on.
     pub focus: Focus,
+    /// Whether that has the whole screen.
+    pub expanded: bool,
     /// What is shown.
     pub tab: Tab,
     /// The first line that each tab shows.
@@ -151,6 +153,7 @@ impl Bench {
             judging: false,
             case: 0,
             focus: Focus::Form,
+            expanded: false,
             tab: Tab::Results,
             scroll: [0; Tab::ALL.len()],
             plot: 0,
@@ -166,8 +169,32 @@ impl Bench {
         match self.focus {
             Focus::Form if self.form.edit.is_some() => Place::Edit,
             Focus::Form => Place::Form,
-            Focus::Pane => Place::Pane,
+            Focus::Pane => match self.tab {
+                Tab::Working => Place::Working,
+                Tab::Plot => Place::Plot,
+                Tab::Drawing => Place::Drawing,
+                Tab::Results | Tab::Table | Tab::Sources => Place::Pane,
+            },
         }
+    }
+
+    /// To where these keys are typed; whether that is there.
+    pub fn go_to(&mut self, place: Place) -> bool {
+        let tab = match place {
+            Place::Form => {
+                self.focus = Focus::Form;
+                return true;
+            }
+            Place::Working => Tab::Working,
+            Place::Plot => Tab::Plot,
+            Place::Drawing => Tab::Drawing,
+            _ => self.tab,
+        };
+        let is_there = self.tabs().contains(&tab);
+        if is_there {
+            (self.focus, self.tab) = (Focus::Pane, tab);
+        }
+        is_there
     }
 
     /// Whether there is something to save.

@@ -162,17 +162,21 @@ impl Dialog {
     }
 }
 
+/// The places of a problem.
+const BENCH: [Place; 5] = [Place::Form, Place::Pane, Place::Working, Place::Plot, Place::Drawing];
+
 /// The bindings that the palette offers for what is typed, the best first, and the place each belongs to.
 pub fn offered(model: &Model, typed: &str) -> Vec<(Place, &'static Binding)> {
-    let places: &[Place] = match model.screen {
-        Screen::Picker => &[Place::Picker],
-        Screen::Bench => &[Place::Form, Place::Pane],
+    // What is done where the keys are now comes before the same thing elsewhere.
+    let places: Vec<Place> = match (model.screen, &model.bench) {
+        (Screen::Bench, Some(bench)) => [bench.place()].into_iter().chain(BENCH).collect(),
+        _ => vec![Place::Picker],
     };
     let mut all: Vec<(Place, &'static Binding)> = Vec::new();
-    for place in places {
+    for place in places.into_iter().filter(|place| !place.is_text()) {
         for binding in place.bindings() {
             if !all.iter().any(|(_, other)| other.action == binding.action || other.name == binding.name) {
-                all.push((*place, binding));
+                all.push((place, binding));
             }
         }
     }

@@ -2,7 +2,14 @@
 //!
 //! The footer, the help and the palette are made from these tables, so they cannot say anything else.
 
+mod tables;
+
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+
+pub use tables::{ALWAYS, COMMON, PANES};
+use tables::{
+    DRAWING, EDIT, FILM, FILTER, FORM, HELP, LIST, PICKER, PLOT, PROMPT, RESULTS, SHEET, WORKING,
+};
 
 /// What a person wants when pressing a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,6 +52,12 @@ pub enum Action {
     NextMarker,
     /// Lets films move, or holds them.
     Play,
+    /// Holds the film at the frame before.
+    PreviousFrame,
+    /// Holds the film at the next frame.
+    NextFrame,
+    /// The pane alone on the screen, or among the others.
+    Expand,
     /// Changes the last digit by so many tenths.
     Nudge(i64),
     /// The same quantity in the next unit.
@@ -117,8 +130,14 @@ pub enum Place {
     Form,
     /// A field that is being typed in.
     Edit,
-    /// What was found.
+    /// What was found: answers, tables, sources.
     Pane,
+    /// The worked solution.
+    Working,
+    /// A plot.
+    Plot,
+    /// A drawing or a film.
+    Drawing,
     /// A list to choose from.
     List,
     /// A line of text that is asked for.
@@ -137,7 +156,10 @@ impl Place {
             Place::Filter => FILTER,
             Place::Form => FORM,
             Place::Edit => EDIT,
-            Place::Pane => PANE,
+            Place::Pane => RESULTS,
+            Place::Working => WORKING,
+            Place::Plot => PLOT,
+            Place::Drawing => DRAWING,
             Place::List => LIST,
             Place::Prompt => PROMPT,
             Place::Sheet => SHEET,
@@ -153,6 +175,9 @@ impl Place {
             Place::Form => "Inputs",
             Place::Edit => "While typing in a field",
             Place::Pane => "Results",
+            Place::Working => "Working",
+            Place::Plot => "Plot",
+            Place::Drawing => "Drawing",
             Place::List => "Lists",
             Place::Prompt => "Asked for a text",
             Place::Sheet => "Text of many lines",
@@ -171,13 +196,18 @@ impl Place {
         self.bindings().find(|binding| binding.keys.contains(&key)).map(|binding| binding.action)
     }
 
+    /// Whether it is one of the panes of what was found.
+    pub fn is_pane(self) -> bool {
+        matches!(self, Place::Pane | Place::Working | Place::Plot | Place::Drawing)
+    }
+
     /// Every binding that holds here, the most useful first.
     pub fn bindings(self) -> impl Iterator<Item = &'static Binding> {
-        let common = match self {
-            Place::Picker | Place::Form | Place::Pane => COMMON,
-            _ => &[],
-        };
-        self.table().iter().chain(common).chain(ALWAYS)
+        let panes = if self.is_pane() { PANES } else { &[] };
+        // A film plays on beside other panes; its own has handier keys for it.
+        let film = if self.is_pane() && self != Place::Drawing { FILM } else { &[] };
+        let common = if self.is_pane() || matches!(self, Place::Picker | Place::Form) { COMMON } else { &[] };
+        self.table().iter().chain(film).chain(panes).chain(common).chain(ALWAYS)
     }
 }
 
@@ -219,229 +249,22 @@ impl Key {
     }
 }
 
-const fn bind(action: Action, keys: &'static [Key], name: &'static str, hint: &'static str) -> Binding {
-    Binding { action, keys, name, hint }
-}
-
-const fn plain(code: KeyCode) -> Key {
-    Key(code, KeyModifiers::NONE)
-}
-
-const fn typed(character: char) -> Key {
-    plain(KeyCode::Char(character))
-}
-
-const fn ctrl(character: char) -> Key {
-    Key(KeyCode::Char(character), KeyModifiers::CONTROL)
-}
-
-const fn shift(code: KeyCode) -> Key {
-    Key(code, KeyModifiers::SHIFT)
-}
-
-const fn alt(code: KeyCode) -> Key {
-    Key(code, KeyModifiers::ALT)
-}
-
-const UP: &[Key] = &[plain(KeyCode::Up), typed('k')];
-const DOWN: &[Key] = &[plain(KeyCode::Down), typed('j')];
-const LEFT: &[Key] = &[plain(KeyCode::Left), typed('h')];
-const RIGHT: &[Key] = &[plain(KeyCode::Right), typed('l')];
-const PAGE_UP: &[Key] = &[plain(KeyCode::PageUp), ctrl('u')];
-const PAGE_DOWN: &[Key] = &[plain(KeyCode::PageDown), ctrl('d')];
-const FIRST: &[Key] = &[plain(KeyCode::Home), typed('g')];
-const LAST: &[Key] = &[plain(KeyCode::End), typed('G')];
-const TAB: &[Key] = &[plain(KeyCode::Tab)];
-const BACK_TAB: &[Key] = &[plain(KeyCode::BackTab)];
-const ENTER: &[Key] = &[plain(KeyCode::Enter)];
-const ESC: &[Key] = &[plain(KeyCode::Esc)];
-
-/// Keys of the list of analyses.
-pub const PICKER: &[Binding] = &[
-    bind(Action::Enter, ENTER, "open", "open"),
-    bind(Action::Filter, &[typed('/')], "type a filter", "filter"),
-    bind(Action::Up, UP, "line up", ""),
-    bind(Action::Down, DOWN, "line down", ""),
-    bind(
-        Action::NextPane,
-        &[plain(KeyCode::Tab), plain(KeyCode::Right), typed('l')],
-        "to the published cases",
-        "see cases",
-    ),
-    bind(
-        Action::PreviousPane,
-        &[plain(KeyCode::BackTab), plain(KeyCode::Left), typed('h')],
-        "to the list",
-        "",
-    ),
-    bind(Action::PageUp, PAGE_UP, "page up", ""),
-    bind(Action::PageDown, PAGE_DOWN, "page down", ""),
-    bind(Action::First, FIRST, "to the first line", ""),
-    bind(Action::Last, LAST, "to the last line", ""),
-    bind(Action::Back, ESC, "one step back", ""),
-];
-
-/// Keys of the filter of the list.
-pub const FILTER: &[Binding] = &[
-    bind(Action::Enter, ENTER, "open", "open"),
-    bind(Action::Back, ESC, "drop the filter", "drop the filter"),
-    bind(Action::Up, &[plain(KeyCode::Up)], "line up", ""),
-    bind(Action::Down, &[plain(KeyCode::Down)], "line down", ""),
-    bind(Action::NextPane, TAB, "to the list", "to the list"),
-];
-
-/// Keys of the inputs.
-pub const FORM: &[Binding] = &[
-    bind(Action::Enter, &[plain(KeyCode::Enter), plain(KeyCode::F(2))], "edit or choose", "edit"),
-    bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "empty the field and type", ""),
-    bind(Action::NextPane, TAB, "to the results", "see results"),
-    bind(Action::PreviousPane, BACK_TAB, "to the results, backwards", ""),
-    bind(Action::NextTab, &[typed(']')], "next tab", "tabs"),
-    bind(Action::NextUnit, &[typed('u')], "next unit", "unit"),
-    bind(Action::Nudge(10), &[typed('+'), typed('=')], "last digit up", "nudge"),
-    bind(Action::Nudge(-10), &[typed('-')], "last digit down", ""),
-    bind(Action::Nudge(100), &[shift(KeyCode::Up)], "last digit up by ten", ""),
-    bind(Action::Nudge(-100), &[shift(KeyCode::Down), typed('_')], "last digit down by ten", ""),
-    bind(
-        Action::Nudge(1),
-        &[alt(KeyCode::Up), alt(KeyCode::Char('+')), alt(KeyCode::Char('='))],
-        "a tenth of the last digit up",
-        "",
-    ),
-    bind(
-        Action::Nudge(-1),
-        &[alt(KeyCode::Down), alt(KeyCode::Char('-'))],
-        "a tenth of the last digit down",
-        "",
-    ),
-    bind(Action::Left, LEFT, "alternative before", ""),
-    bind(Action::Right, RIGHT, "next alternative", ""),
-    bind(Action::Toggle, &[typed(' ')], "yes or no, in or out", ""),
-    bind(Action::AddRow, &[typed('a')], "add a row", ""),
-    bind(Action::DuplicateRow, &[typed('d')], "duplicate the row", ""),
-    bind(Action::DeleteRow, &[typed('x')], "delete the row, or leave the input out", ""),
-    bind(Action::MoveRowUp, &[typed('K')], "move the row up", ""),
-    bind(Action::MoveRowDown, &[typed('J')], "move the row down", ""),
-    bind(Action::Up, UP, "line up", ""),
-    bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::PageUp, PAGE_UP, "page up", ""),
-    bind(Action::PageDown, PAGE_DOWN, "page down", ""),
-    bind(Action::First, FIRST, "to the first line", ""),
-    bind(Action::Last, LAST, "to the last line", ""),
-    bind(Action::PreviousTab, &[typed('[')], "tab before", ""),
-    bind(Action::Play, &[typed('p')], "let a film move, or hold it", ""),
-    bind(Action::Undo, &[typed('z')], "undo", "undo"),
-    bind(Action::Redo, &[typed('Z')], "redo", ""),
-    bind(Action::Save, &[typed('s'), ctrl('s')], "save", "save"),
-    bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
-    bind(Action::Rename, &[typed('T')], "rename: give it a title", ""),
-    bind(Action::Copy, &[typed('y')], "copy what the tab shows", ""),
-    bind(Action::Back, ESC, "one step back", ""),
-];
-
-/// Keys while a field is typed in.
-pub const EDIT: &[Binding] = &[
-    bind(Action::Enter, ENTER, "keep the text", "keep"),
-    bind(Action::Back, ESC, "as it was before", "as before"),
-    bind(
-        Action::Down,
-        &[plain(KeyCode::Down), plain(KeyCode::Tab)],
-        "keep, and edit the next field",
-        "next field",
-    ),
-    bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "keep, and edit the field before", ""),
-];
-
-/// Keys of the results.
-pub const PANE: &[Binding] = &[
-    bind(Action::NextTab, &[typed(']')], "next tab", "tabs"),
-    bind(Action::PreviousTab, &[typed('[')], "tab before", ""),
-    bind(Action::NextPane, TAB, "to the inputs", "edit inputs"),
-    bind(Action::PreviousPane, BACK_TAB, "to the inputs, backwards", ""),
-    bind(Action::Enter, ENTER, "load the case", ""),
-    bind(Action::Copy, &[typed('y')], "copy what the tab shows", "copy"),
-    bind(Action::Up, UP, "line up", ""),
-    bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::Left, LEFT, "cursor of the plot to the left", ""),
-    bind(Action::Right, RIGHT, "cursor of the plot to the right", ""),
-    bind(Action::NextExhibit, &[typed('n')], "next plot, drawing or table", ""),
-    bind(Action::NextMarker, &[typed('m')], "other marks for curves", ""),
-    bind(Action::Play, &[typed('p')], "let a film move, or hold it", ""),
-    bind(Action::PageUp, PAGE_UP, "page up", ""),
-    bind(Action::PageDown, &[plain(KeyCode::PageDown), ctrl('d'), typed(' ')], "page down", ""),
-    bind(Action::First, FIRST, "to the first line", ""),
-    bind(Action::Last, LAST, "to the last line", ""),
-    bind(Action::Undo, &[typed('z')], "undo", ""),
-    bind(Action::Redo, &[typed('Z')], "redo", ""),
-    bind(Action::Save, &[typed('s'), ctrl('s')], "save", ""),
-    bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
-    bind(Action::Back, ESC, "one step back", "back"),
-];
-
-/// Keys of a list to choose from.
-pub const LIST: &[Binding] = &[
-    bind(Action::Enter, ENTER, "choose", "choose"),
-    bind(Action::Back, ESC, "close", "close"),
-    bind(Action::Up, UP, "line up", ""),
-    bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::First, FIRST, "to the first line", ""),
-    bind(Action::Last, LAST, "to the last line", ""),
-];
-
-/// Keys of a text that is asked for, and of the palette.
-pub const PROMPT: &[Binding] = &[
-    bind(Action::Enter, ENTER, "take it", "take it"),
-    bind(Action::Back, ESC, "close", "close"),
-    bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "line up", ""),
-    bind(Action::Down, &[plain(KeyCode::Down), plain(KeyCode::Tab)], "line down", ""),
-];
-
-/// Keys of a text of many lines.
-pub const SHEET: &[Binding] = &[bind(Action::Back, ESC, "keep and close", "keep and close")];
-
-/// Keys of the help.
-pub const HELP: &[Binding] = &[
-    bind(
-        Action::Back,
-        &[plain(KeyCode::Esc), plain(KeyCode::Enter), typed('q'), typed('?')],
-        "close",
-        "close",
-    ),
-    bind(Action::Up, UP, "line up", ""),
-    bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::PageUp, PAGE_UP, "page up", ""),
-    bind(Action::PageDown, &[plain(KeyCode::PageDown), ctrl('d'), typed(' ')], "page down", ""),
-    bind(Action::First, FIRST, "to the first line", ""),
-    bind(Action::Last, LAST, "to the last line", ""),
-];
-
-/// Keys of every place where characters are no text.
-pub const COMMON: &[Binding] = &[
-    bind(Action::Help, &[typed('?')], "help", "help"),
-    bind(Action::Palette, &[typed(':')], "every action by its name", "actions"),
-    bind(Action::Open, &[typed('o')], "open a problem file", ""),
-    bind(Action::Language, &[typed('L')], "em português", ""),
-    bind(Action::Quit, &[typed('q')], "quit", "quit"),
-];
-
-/// Keys of every place.
-pub const ALWAYS: &[Binding] = &[
-    bind(Action::Help, &[plain(KeyCode::F(1))], "help", ""),
-    bind(Action::Suspend, &[ctrl('z')], "to the shell; `fg` comes back", ""),
-    bind(Action::Redraw, &[ctrl('l')], "draw the screen again", ""),
-    bind(Action::Quit, &[ctrl('c')], "quit", ""),
-];
-
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{
+        tables::{ctrl, plain, shift, typed},
+        *,
+    };
 
-    const PLACES: [Place; 9] = [
+    const PLACES: [Place; 12] = [
         Place::Picker,
         Place::Filter,
         Place::Form,
         Place::Edit,
         Place::Pane,
+        Place::Working,
+        Place::Plot,
+        Place::Drawing,
         Place::List,
         Place::Prompt,
         Place::Sheet,

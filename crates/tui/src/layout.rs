@@ -43,18 +43,18 @@ pub fn frame(area: Rect) -> [Rect; 4] {
     .areas(area)
 }
 
-/// The parts of the screen of a problem.
-pub fn bench(area: Rect, focus: Focus) -> Areas {
+/// The parts of the screen of a problem; what has the focus takes the whole of it where it is `expanded`.
+pub fn bench(area: Rect, focus: Focus, expanded: bool) -> Areas {
     let [title, body, help, footer] = frame(area);
     let areas = Areas { title, form: None, pane: None, picture: None, help, footer };
-    if body.width >= THREE_COLUMNS {
+    if body.width >= THREE_COLUMNS && !expanded {
         let form = (body.width * 5 / 16).clamp(44, 60);
         let [form, pane, picture] =
             Layout::horizontal([Constraint::Length(form), Constraint::Fill(1), Constraint::Fill(1)])
                 .areas(body);
         return Areas { form: Some(form), pane: Some(pane), picture: Some(picture), ..areas };
     }
-    if body.width >= TWO_COLUMNS {
+    if body.width >= TWO_COLUMNS && !expanded {
         let form = (body.width * 2 / 5).max(FORM.min(body.width / 2));
         let [form, pane] = Layout::horizontal([Constraint::Length(form), Constraint::Fill(1)]).areas(body);
         return Areas { form: Some(form), pane: Some(pane), ..areas };

@@ -54,6 +54,8 @@ pub enum Glyph {
     Bar,
     /// A line across: `─`.
     Rule,
+    /// A film that is held: `‖`.
+    Held,
 }
 
 impl Look {
@@ -150,6 +152,7 @@ impl Look {
             Glyph::Dot => ("·", "-"),
             Glyph::Bar => ("│", "|"),
             Glyph::Rule => ("─", "-"),
+            Glyph::Held => ("‖", "="),
         };
         if self.ascii { ascii } else { unicode }
     }

@@ -81,9 +81,7 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
     match place.action(key) {
         Some(action) => act(model, place, action),
         None => match place {
-            Place::Picker | Place::Form | Place::Pane | Place::List | Place::Help => {
-                bench::begin_by_typing(model, place, key)
-            }
+            Place::Form => bench::begin_by_typing(model, key),
             Place::Sheet => {
                 dialog::edit_sheet(model, key);
                 Vec::new()
@@ -92,6 +90,7 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
                 Some(request) => type_in(model, &[request]),
                 None => Vec::new(),
             },
+            _ => Vec::new(),
         },
     }
 }
@@ -114,8 +113,8 @@ fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
         _ => {
             return match place {
                 Place::Picker | Place::Filter => picker::act(model, action),
-                Place::Form | Place::Edit | Place::Pane => bench::act(model, place, action),
                 Place::List | Place::Prompt | Place::Sheet | Place::Help => dialog::act(model, action),
+                _ => bench::act(model, place, action),
             };
         }
     }

@@ -9,7 +9,7 @@ mod text;
 
 use std::time::Duration;
 
-use dalembert_core::{Exhibit, Text};
+use dalembert_core::{Exhibit, Film, Text};
 use ratatui::{
     Frame,
     buffer::Buffer,
@@ -44,7 +44,7 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
     }
     let mut cursor = match model.shown_bench() {
         Some(bench) => {
-            let areas = layout::bench(area, bench.focus);
+            let areas = layout::bench(area, bench.focus, bench.expanded);
             bars::title(model, areas.title, buffer);
             let cursor = areas.form.and_then(|area| form::draw(model, bench, area, buffer));
             pane::draw(model, bench, &areas, buffer);
@@ -71,16 +71,17 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
 
 /// How long each frame of a film stands; `None` while none moves on the screen.
 pub fn tempo(model: &Model) -> Option<Duration> {
-    let bench = model.shown_bench().filter(|_| model.playing && model.dialog.is_none())?;
+    let film = film(model).filter(|_| model.playing && model.dialog.is_none())?;
+    Duration::try_from_secs_f64(film.period / film.frames.len() as f64).ok()
+}
+
+/// The film on the screen that can move.
+pub(crate) fn film(model: &Model) -> Option<&Film> {
+    let bench = model.shown_bench().filter(|bench| !bench.is_stale())?;
     let Exhibit::Film(film) = bench.sketch()? else { return None };
     let area = Rect::new(0, 0, model.size.0, model.size.1);
-    if film.frames.len() < 2
-        || bench.is_stale()
-        || !pane::shows_drawing(bench, &layout::bench(area, bench.focus))
-    {
-        return None;
-    }
-    Duration::try_from_secs_f64(film.period / film.frames.len() as f64).ok()
+    let areas = layout::bench(area, bench.focus, bench.expanded);
+    (film.frames.len() > 1 && pane::shows_drawing(bench, &areas)).then_some(film)
 }
 
 /// A frame with a title, and what is left inside.

@@ -35,7 +35,10 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
         Action::Save => return files::save(model),
         Action::SaveAs => return files::ask_path(model),
         Action::NextTab => return turn(model, 1),
-        Action::Play => model.playing = !model.playing,
+        Action::Play | Action::PreviousFrame | Action::NextFrame => {
+            film(model, action);
+            return Vec::new();
+        }
         Action::PreviousTab => return turn(model, -1),
         Action::Copy => return copy(model),
         Action::Rename => {
@@ -54,12 +57,21 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
             };
             Vec::new()
         }
+        Action::Expand => {
+            bench.expanded = !bench.expanded;
+            Vec::new()
+        }
+        // One step back from a pane that is alone: the others come back.
+        Action::Back if bench.expanded && place != Place::Edit && !has_cursor(bench) => {
+            bench.expanded = false;
+            Vec::new()
+        }
         Action::Undo => after(model, |bench| bench.form.undo(), "there is nothing to undo"),
         Action::Redo => after(model, |bench| bench.form.redo(), "there is nothing to redo"),
         _ => match place {
             Place::Edit => edit(model, action),
-            Place::Pane => pane(model, action),
-            _ => form(model, action),
+            Place::Form => form(model, action),
+            _ => pane(model, action),
         },
     }
 }
@@ -132,8 +144,8 @@ pub(super) fn take(bench: &mut Bench, outcome: Outcome) {
 }
 
 /// A digit on a field of numbers begins a new text.
-pub(super) fn begin_by_typing(model: &mut Model, place: Place, key: KeyEvent) -> Vec<Effect> {
-    let Some(bench) = model.bench.as_mut().filter(|_| place == Place::Form) else { return Vec::new() };
+pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
     let begins = matches!(key.code, KeyCode::Char(c) if c.is_ascii_digit() || matches!(c, '(' | '.' | ',' | '−' | '√'));
     let Some(request @ InputRequest::InsertChar(_)) = request(key).filter(|_| begins) else {
         return Vec::new();
@@ -319,7 +331,7 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
     let in_plot = bench.tab == Tab::Plot;
     match action {
         Action::Back => {
-            if in_plot && bench.plot_state.cursor.is_some() {
+            if has_cursor(bench) {
                 bench.plot_state = bench.plot_state.without_cursor();
             } else {
                 bench.focus = Focus::Form;
@@ -358,6 +370,28 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
     Vec::new()
 }
 
+/// Whether the keys act on a plot that has a cursor.
+fn has_cursor(bench: &Bench) -> bool {
+    bench.place() == Place::Plot && bench.plot_state.cursor.is_some()
+}
+
+/// Lets the film on the screen move, holds it, or holds it at a frame beside the one that is shown.
+fn film(model: &mut Model, action: Action) {
+    let Some(frames) = view::film(model).map(|film| film.frames.len()) else {
+        model.say("no film is on the screen");
+        return;
+    };
+    model.playing = action == Action::Play && !model.playing;
+    if let Some(bench) = &mut model.bench {
+        let by = match action {
+            Action::PreviousFrame => frames - 1,
+            Action::NextFrame => 1,
+            _ => 0,
+        };
+        bench.frame = (bench.frame % frames + by) % frames;
+    }
+}
+
 fn next(at: usize, of: usize) -> usize {
     if of == 0 { 0 } else { (at.min(of - 1) + 1) % of }
 }
@@ -375,7 +409,7 @@ fn turn(model: &mut Model, by: isize) -> Vec<Effect> {
     let at = tabs.iter().position(|tab| *tab == bench.tab).unwrap_or(0);
     bench.tab = tabs[(at as isize + by).rem_euclid(tabs.len() as isize) as usize];
     let (columns, rows) = model.size;
-    if layout::bench(Rect::new(0, 0, columns, rows), bench.focus).pane.is_none() {
+    if layout::bench(Rect::new(0, 0, columns, rows), bench.focus, bench.expanded).pane.is_none() {
         bench.focus = Focus::Pane;
     }
     if bench.tab == Tab::Sources && !bench.judging {
@@ -405,7 +439,7 @@ fn load_case(model: &mut Model) -> Vec<Effect> {
 fn area(model: &Model) -> Option<Rect> {
     let bench = model.bench.as_ref()?;
     let (columns, rows) = model.size;
-    let areas = layout::bench(Rect::new(0, 0, columns, rows), Focus::Pane);
+    let areas = layout::bench(Rect::new(0, 0, columns, rows), Focus::Pane, bench.expanded);
     view::area_of_tab(model, bench, &areas)
 }
 

@@ -7,7 +7,6 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::{act as act_there, bench, files, go_on};
 use crate::{
-    bench::Focus,
     dialog::{Answer, Chosen, Dialog, Purpose, offered},
     keys::{Action, Place},
     model::{After, Effect, Model, Screen},
@@ -185,12 +184,11 @@ fn command(model: &mut Model, typed: &str, chosen: usize) -> Vec<Effect> {
         model.complain(Text::new("there is no action `{typed}`").with("typed", shown));
         return Vec::new();
     };
-    if let Some(bench) = &mut model.bench {
-        match place {
-            Place::Form => bench.focus = Focus::Form,
-            Place::Pane => bench.focus = Focus::Pane,
-            _ => {}
-        }
+    if let Some(bench) = &mut model.bench
+        && !bench.go_to(place)
+    {
+        model.say("there is nothing to show here");
+        return Vec::new();
     }
     act_there(model, place, binding.action)
 }

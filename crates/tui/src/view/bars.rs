@@ -1,6 +1,6 @@
 //! The lines at the edges: what is worked on, what the field means, what keys do.
 
-use dalembert_core::{Exhibit, Shape, Text};
+use dalembert_core::{Shape, Text};
 use ratatui::{
     buffer::Buffer,
     layout::Rect,
@@ -9,6 +9,7 @@ use ratatui::{
 };
 
 use super::{
+    film,
     text::{fit, shortened, width, wrapped},
     word,
 };
@@ -63,7 +64,7 @@ pub(super) fn help(model: &Model, area: Rect, buffer: &mut Buffer) {
     let look = &model.look;
     let text = match model.shown_bench() {
         Some(bench) => match bench.place() {
-            Place::Pane => about_pane(model, bench),
+            place if place.is_pane() => about_pane(model, bench),
             _ => about_field(model, bench),
         },
         None => String::new(),
@@ -112,12 +113,19 @@ fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
         let keys = match binding.action {
             Action::Nudge(_) => "+ -".to_owned(),
             Action::NextTab => "[ ]".to_owned(),
+            Action::PreviousFrame => ", .".to_owned(),
             _ => binding.keys.first().map_or_else(String::new, |key| key.name()),
         };
         (keys, word(binding.hint, model))
     };
     let cells = |(keys, hint): &(String, String)| width(keys) + 1 + width(hint);
-    let all: Vec<_> = place.bindings().filter(|binding| !binding.hint.is_empty()).collect();
+    let has_film = film(model).is_some();
+    let serves = |binding: &&Binding| match binding.action {
+        Action::Play | Action::PreviousFrame => has_film,
+        _ => true,
+    };
+    let all: Vec<_> =
+        place.bindings().filter(|binding| !binding.hint.is_empty()).filter(serves).collect();
     let mut left = room + GAP;
     let has_help = all.iter().any(|binding| binding.action == Action::Help);
     let always = if has_help { Action::Help } else { Action::Back };
@@ -191,17 +199,14 @@ fn about_field(model: &Model, bench: &Bench) -> String {
 
 fn about_pane(model: &Model, bench: &Bench) -> String {
     let several = bench.exhibits_of(bench.tab) > 1;
-    let film = matches!(bench.sketch(), Some(Exhibit::Film(_)));
-    let hint = match bench.tab {
-        Tab::Plot if several => "← → move a cursor that reads the curves; m other marks; n next plot",
-        Tab::Plot => "← → move a cursor that reads the curves; m other marks",
-        Tab::Drawing if several && film => "p lets the film move or holds it; n next drawing",
-        Tab::Drawing if film => "p lets the film move or holds it",
-        Tab::Drawing if several => "n next drawing",
-        Tab::Sources => "↑ ↓ choose a case; Enter loads it",
-        Tab::Results | Tab::Working | Tab::Drawing | Tab::Table => "",
+    let hints: &[&'static str] = match bench.tab {
+        Tab::Plot if several => &["← → move a cursor that reads the curves", "m other marks", "n next plot"],
+        Tab::Plot => &["← → move a cursor that reads the curves", "m other marks"],
+        Tab::Drawing if several => &["n next drawing"],
+        Tab::Sources => &["↑ ↓ choose a case; Enter loads it"],
+        Tab::Results | Tab::Working | Tab::Drawing | Tab::Table => &[],
     };
-    if hint.is_empty() { String::new() } else { word(hint, model) }
+    hints.iter().map(|hint| word(hint, model)).collect::<Vec<_>>().join("; ")
 }
 
 fn file_name(model: &Model, bench: &Bench) -> String {

@@ -18,7 +18,7 @@ use super::{
 use crate::{
     dialog::{Answer, Choice, Dialog, Purpose, Sheet, offered},
     glyphs::filter_untrusted,
-    keys::{ALWAYS, Binding, COMMON, Place},
+    keys::{ALWAYS, Binding, COMMON, PANES, Place},
     layout,
     look::{Glyph, Look},
     model::{Model, Screen},
@@ -118,7 +118,15 @@ pub(crate) fn longest_scroll_of_help(
 fn help_lines(screen: Screen, look: &Look, locale: &Locale, room: usize) -> Vec<Line<'static>> {
     let places: &[Place] = match screen {
         Screen::Picker => &[Place::Picker, Place::Filter, Place::Prompt],
-        Screen::Bench => &[Place::Form, Place::Edit, Place::Pane, Place::Sheet],
+        Screen::Bench => &[
+            Place::Form,
+            Place::Edit,
+            Place::Pane,
+            Place::Working,
+            Place::Plot,
+            Place::Drawing,
+            Place::Sheet,
+        ],
     };
     let say = |text: &'static str| Text::from(text).render(locale);
     let mut lines = Vec::new();
@@ -139,6 +147,9 @@ fn help_lines(screen: Screen, look: &Look, locale: &Locale, room: usize) -> Vec<
     };
     for place in places {
         section(place.name(), &mut place.table().iter());
+    }
+    if screen == Screen::Bench {
+        section("In every tab", &mut PANES.iter());
     }
     section("Everywhere", &mut COMMON.iter().chain(ALWAYS));
     lines.push(Line::default());

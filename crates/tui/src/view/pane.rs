@@ -1,6 +1,6 @@
 //! What was found: the tabs, side by side where there is room.
 
-use dalembert_core::{FieldError, Text};
+use dalembert_core::{Exhibit, FieldError, Text};
 use ratatui::{
     buffer::Buffer,
     layout::Rect,
@@ -24,6 +24,9 @@ use crate::{
     plot,
     solver::Failure,
 };
+
+/// A drawing that has no more rows than this has none to spare for the bar of a film.
+const LEAST_UNDER_BAR: u16 = 5;
 
 /// Draws every pane of what was found.
 pub(super) fn draw(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buffer) {
@@ -154,16 +157,46 @@ fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area:
     let drawn = match tab {
         Tab::Plot => Bench::nth(bench.plots(), bench.plot)
             .map(|plot| plot::render(plot, &bench.plot_state, look, locale, room, buffer)),
-        _ => bench
-            .sketch()
-            .and_then(|exhibit| exhibit.sketch(bench.frame))
-            .map(|drawing| drawing::render(&drawing, look, locale, room, buffer)),
+        _ => bench.sketch().and_then(|exhibit| {
+            if let Exhibit::Film(film) = exhibit
+                && !stale
+                && room.height > LEAST_UNDER_BAR
+            {
+                room.height -= 1;
+                film_bar(model, bench.frame, film.frames.len(), Rect { y: room.bottom(), height: 1, ..room }, buffer);
+            }
+            let drawing = exhibit.sketch(bench.frame)?;
+            drawing::render(&drawing, look, locale, room, buffer);
+            Some(())
+        }),
     };
     if drawn.is_none() {
         draw_lines(&nothing(model, bench, inner.width).lines, 0, inner, buffer);
     } else if stale {
         buffer.set_style(room, look.dim());
     }
+}
+
+/// Whether a film moves, and which of its frames is shown: `▶ ━━━━────── 10/24`.
+fn film_bar(model: &Model, frame: usize, frames: usize, area: Rect, buffer: &mut Buffer) {
+    if frames < 2 {
+        return;
+    }
+    let look = &model.look;
+    let frame = frame % frames;
+    let sign = look.glyph(if model.playing { Glyph::Right } else { Glyph::Held });
+    let digits = frames.to_string().len();
+    let place = format!("{:>digits$}/{frames}", frame + 1);
+    let room = usize::from(area.width).saturating_sub(width(&place) + 4);
+    let done = (frame * room).div_ceil(frames - 1).min(room);
+    let (full, rest) = if look.ascii { ("=", "-") } else { ("━", "─") };
+    let line = Line::from(vec![
+        Span::styled(format!("{sign} "), look.key()),
+        Span::styled(full.repeat(done), look.border(true)),
+        Span::styled(rest.repeat(room - done), look.dim()),
+        Span::styled(format!("  {place}"), look.dim()),
+    ]);
+    buffer.set_line(area.x, area.y, &line, area.width);
 }
 
 /// Why the present inputs have no solution: what cannot be read, a refusal, a fault of the program.

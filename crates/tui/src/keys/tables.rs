@@ -1,0 +1,257 @@
+//! The tables themselves: a line is a key, what it does, and how that is called.
+
+use ratatui::crossterm::event::{KeyCode, KeyModifiers};
+
+use super::{Action, Binding, Key};
+
+/// Keys of the list of analyses.
+pub const PICKER: &[Binding] = &[
+    bind(Action::Enter, ENTER, "open", "open"),
+    bind(Action::Filter, &[typed('/')], "type a filter", "filter"),
+    bind(Action::Up, UP, "line up", ""),
+    bind(Action::Down, DOWN, "line down", ""),
+    bind(
+        Action::NextPane,
+        &[plain(KeyCode::Tab), plain(KeyCode::Right), typed('l')],
+        "to the published cases",
+        "see cases",
+    ),
+    bind(
+        Action::PreviousPane,
+        &[plain(KeyCode::BackTab), plain(KeyCode::Left), typed('h')],
+        "to the list",
+        "",
+    ),
+    bind(Action::PageUp, PAGE_UP, "page up", ""),
+    bind(Action::PageDown, PAGE_DOWN, "page down", ""),
+    bind(Action::First, FIRST, "to the first line", ""),
+    bind(Action::Last, LAST, "to the last line", ""),
+    bind(Action::Back, ESC, "one step back", ""),
+];
+
+/// Keys of the filter of the list.
+pub const FILTER: &[Binding] = &[
+    bind(Action::Enter, ENTER, "open", "open"),
+    bind(Action::Back, ESC, "drop the filter", "drop the filter"),
+    bind(Action::Up, &[plain(KeyCode::Up)], "line up", ""),
+    bind(Action::Down, &[plain(KeyCode::Down)], "line down", ""),
+    bind(Action::NextPane, TAB, "to the list", "to the list"),
+];
+
+/// Keys of the inputs.
+pub const FORM: &[Binding] = &[
+    bind(Action::Enter, &[plain(KeyCode::Enter), plain(KeyCode::F(2))], "edit or choose", "edit"),
+    bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "empty the field and type", ""),
+    bind(Action::NextPane, TAB, "to the results", "see results"),
+    bind(Action::PreviousPane, BACK_TAB, "to the results, backwards", ""),
+    bind(Action::NextTab, &[typed(']')], "next tab", "tabs"),
+    bind(Action::NextUnit, &[typed('u')], "next unit", "unit"),
+    bind(Action::Nudge(10), &[typed('+'), typed('=')], "last digit up", "nudge"),
+    bind(Action::Nudge(-10), &[typed('-')], "last digit down", ""),
+    bind(Action::Nudge(100), &[shift(KeyCode::Up)], "last digit up by ten", ""),
+    bind(Action::Nudge(-100), &[shift(KeyCode::Down), typed('_')], "last digit down by ten", ""),
+    bind(
+        Action::Nudge(1),
+        &[alt(KeyCode::Up), alt(KeyCode::Char('+')), alt(KeyCode::Char('='))],
+        "a tenth of the last digit up",
+        "",
+    ),
+    bind(
+        Action::Nudge(-1),
+        &[alt(KeyCode::Down), alt(KeyCode::Char('-'))],
+        "a tenth of the last digit down",
+        "",
+    ),
+    bind(Action::Left, LEFT, "alternative before", ""),
+    bind(Action::Right, RIGHT, "next alternative", ""),
+    bind(Action::Toggle, &[typed(' ')], "yes or no, in or out", ""),
+    bind(Action::AddRow, &[typed('a')], "add a row", ""),
+    bind(Action::DuplicateRow, &[typed('d')], "duplicate the row", ""),
+    bind(Action::DeleteRow, &[typed('x')], "delete the row, or leave the input out", ""),
+    bind(Action::MoveRowUp, &[typed('K')], "move the row up", ""),
+    bind(Action::MoveRowDown, &[typed('J')], "move the row down", ""),
+    bind(Action::Up, UP, "line up", ""),
+    bind(Action::Down, DOWN, "line down", ""),
+    bind(Action::PageUp, PAGE_UP, "page up", ""),
+    bind(Action::PageDown, PAGE_DOWN, "page down", ""),
+    bind(Action::First, FIRST, "to the first line", ""),
+    bind(Action::Last, LAST, "to the last line", ""),
+    bind(Action::PreviousTab, &[typed('[')], "tab before", ""),
+    bind(Action::Play, &[typed('p')], "let a film move, or hold it", "film"),
+    bind(Action::Expand, &[typed('e')], "this pane alone, or all of them", ""),
+    bind(Action::Undo, &[typed('z')], "undo", "undo"),
+    bind(Action::Redo, &[typed('Z')], "redo", ""),
+    bind(Action::Save, &[typed('s'), ctrl('s')], "save", "save"),
+    bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
+    bind(Action::Rename, &[typed('T')], "rename: give it a title", ""),
+    bind(Action::Copy, &[typed('y')], "copy what the tab shows", ""),
+    bind(Action::Back, ESC, "one step back", ""),
+];
+
+/// Keys while a field is typed in.
+pub const EDIT: &[Binding] = &[
+    bind(Action::Enter, ENTER, "keep the text", "keep"),
+    bind(Action::Back, ESC, "as it was before", "as before"),
+    bind(
+        Action::Down,
+        &[plain(KeyCode::Down), plain(KeyCode::Tab)],
+        "keep, and edit the next field",
+        "next field",
+    ),
+    bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "keep, and edit the field before", ""),
+];
+
+/// Keys of answers, tables and sources.
+pub const RESULTS: &[Binding] = &[
+    bind(Action::Enter, ENTER, "load the case", ""),
+    bind(Action::Up, UP, "line up", ""),
+    bind(Action::Down, DOWN, "line down", ""),
+    bind(Action::PageUp, PAGE_UP, "page up", ""),
+    bind(Action::PageDown, PAGE_DOWN_OR_SPACE, "page down", ""),
+    bind(Action::First, FIRST, "to the first line", ""),
+    bind(Action::Last, LAST, "to the last line", ""),
+];
+
+/// Keys of the worked solution.
+pub const WORKING: &[Binding] = &[
+    bind(Action::Up, UP, "line up", ""),
+    bind(Action::Down, DOWN, "line down", ""),
+    bind(Action::PageUp, PAGE_UP, "page up", ""),
+    bind(Action::PageDown, PAGE_DOWN_OR_SPACE, "page down", ""),
+    bind(Action::First, FIRST, "to the first line", ""),
+    bind(Action::Last, LAST, "to the last line", ""),
+];
+
+/// Keys of a plot.
+pub const PLOT: &[Binding] = &[
+    bind(Action::Left, LEFT, "cursor of the plot to the left", ""),
+    bind(Action::Right, RIGHT, "cursor of the plot to the right", ""),
+    bind(Action::PageUp, PAGE_UP, "cursor of the plot far to the left", ""),
+    bind(Action::PageDown, PAGE_DOWN_OR_SPACE, "cursor of the plot far to the right", ""),
+    bind(Action::First, FIRST, "cursor of the plot to its beginning", ""),
+    bind(Action::Last, LAST, "cursor of the plot to its end", ""),
+    bind(Action::NextExhibit, &[typed('n')], "next plot or drawing", ""),
+    bind(Action::NextMarker, &[typed('m')], "other marks for curves", ""),
+];
+
+/// Keys of a drawing or a film.
+pub const DRAWING: &[Binding] = &[
+    bind(Action::Play, &[typed(' '), typed('p')], "let a film move, or hold it", "film"),
+    bind(Action::PreviousFrame, &[typed(',')], "the frame of a film before", "frame"),
+    bind(Action::NextFrame, &[typed('.')], "the next frame of a film", ""),
+    bind(Action::NextExhibit, &[typed('n')], "next plot or drawing", ""),
+];
+
+/// Keys of a film beside the other panes.
+pub const FILM: &[Binding] = &[
+    bind(Action::Play, &[typed('p')], "let a film move, or hold it", ""),
+    bind(Action::PreviousFrame, &[typed(',')], "the frame of a film before", ""),
+    bind(Action::NextFrame, &[typed('.')], "the next frame of a film", ""),
+];
+
+/// Keys of every pane of what was found.
+pub const PANES: &[Binding] = &[
+    bind(Action::NextTab, &[typed(']')], "next tab", "tabs"),
+    bind(Action::PreviousTab, &[typed('[')], "tab before", ""),
+    bind(Action::NextPane, TAB, "to the inputs", "edit inputs"),
+    bind(Action::PreviousPane, BACK_TAB, "to the inputs, backwards", ""),
+    bind(Action::Expand, &[typed('e')], "this pane alone, or all of them", "expand"),
+    bind(Action::Copy, &[typed('y')], "copy what the tab shows", "copy"),
+    bind(Action::Undo, &[typed('z')], "undo", ""),
+    bind(Action::Redo, &[typed('Z')], "redo", ""),
+    bind(Action::Save, &[typed('s'), ctrl('s')], "save", ""),
+    bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
+    bind(Action::Back, ESC, "one step back", "back"),
+];
+
+/// Keys of a list to choose from.
+pub const LIST: &[Binding] = &[
+    bind(Action::Enter, ENTER, "choose", "choose"),
+    bind(Action::Back, ESC, "close", "close"),
+    bind(Action::Up, UP, "line up", ""),
+    bind(Action::Down, DOWN, "line down", ""),
+    bind(Action::First, FIRST, "to the first line", ""),
+    bind(Action::Last, LAST, "to the last line", ""),
+];
+
+/// Keys of a text that is asked for, and of the palette.
+pub const PROMPT: &[Binding] = &[
+    bind(Action::Enter, ENTER, "take it", "take it"),
+    bind(Action::Back, ESC, "close", "close"),
+    bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "line up", ""),
+    bind(Action::Down, &[plain(KeyCode::Down), plain(KeyCode::Tab)], "line down", ""),
+];
+
+/// Keys of a text of many lines.
+pub const SHEET: &[Binding] = &[bind(Action::Back, ESC, "keep and close", "keep and close")];
+
+/// Keys of the help.
+pub const HELP: &[Binding] = &[
+    bind(
+        Action::Back,
+        &[plain(KeyCode::Esc), plain(KeyCode::Enter), typed('q'), typed('?')],
+        "close",
+        "close",
+    ),
+    bind(Action::Up, UP, "line up", ""),
+    bind(Action::Down, DOWN, "line down", ""),
+    bind(Action::PageUp, PAGE_UP, "page up", ""),
+    bind(Action::PageDown, PAGE_DOWN_OR_SPACE, "page down", ""),
+    bind(Action::First, FIRST, "to the first line", ""),
+    bind(Action::Last, LAST, "to the last line", ""),
+];
+
+/// Keys of every place where characters are no text.
+pub const COMMON: &[Binding] = &[
+    bind(Action::Help, &[typed('?')], "help", "help"),
+    bind(Action::Palette, &[typed(':')], "every action by its name", "actions"),
+    bind(Action::Open, &[typed('o')], "open a problem file", ""),
+    bind(Action::Language, &[typed('L')], "em português", ""),
+    bind(Action::Quit, &[typed('q')], "quit", "quit"),
+];
+
+/// Keys of every place.
+pub const ALWAYS: &[Binding] = &[
+    bind(Action::Help, &[plain(KeyCode::F(1))], "help", ""),
+    bind(Action::Suspend, &[ctrl('z')], "to the shell; `fg` comes back", ""),
+    bind(Action::Redraw, &[ctrl('l')], "draw the screen again", ""),
+    bind(Action::Quit, &[ctrl('c')], "quit", ""),
+];
+
+const fn bind(action: Action, keys: &'static [Key], name: &'static str, hint: &'static str) -> Binding {
+    Binding { action, keys, name, hint }
+}
+
+pub(super) const fn plain(code: KeyCode) -> Key {
+    Key(code, KeyModifiers::NONE)
+}
+
+pub(super) const fn typed(character: char) -> Key {
+    plain(KeyCode::Char(character))
+}
+
+pub(super) const fn ctrl(character: char) -> Key {
+    Key(KeyCode::Char(character), KeyModifiers::CONTROL)
+}
+
+pub(super) const fn shift(code: KeyCode) -> Key {
+    Key(code, KeyModifiers::SHIFT)
+}
+
+const fn alt(code: KeyCode) -> Key {
+    Key(code, KeyModifiers::ALT)
+}
+
+const UP: &[Key] = &[plain(KeyCode::Up), typed('k')];
+const DOWN: &[Key] = &[plain(KeyCode::Down), typed('j')];
+const LEFT: &[Key] = &[plain(KeyCode::Left), typed('h')];
+const RIGHT: &[Key] = &[plain(KeyCode::Right), typed('l')];
+const PAGE_UP: &[Key] = &[plain(KeyCode::PageUp), ctrl('u')];
+const PAGE_DOWN: &[Key] = &[plain(KeyCode::PageDown), ctrl('d')];
+const PAGE_DOWN_OR_SPACE: &[Key] = &[plain(KeyCode::PageDown), ctrl('d'), typed(' ')];
+const FIRST: &[Key] = &[plain(KeyCode::Home), typed('g')];
+const LAST: &[Key] = &[plain(KeyCode::End), typed('G')];
+const TAB: &[Key] = &[plain(KeyCode::Tab)];
+const BACK_TAB: &[Key] = &[plain(KeyCode::BackTab)];
+const ENTER: &[Key] = &[plain(KeyCode::Enter)];
+const ESC: &[Key] = &[plain(KeyCode::Esc)];
