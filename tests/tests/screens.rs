@@ -556,6 +556,144 @@ fn the_plot_has_a_cursor_that_reads_values() {
 }
 
 #[test]
+fn a_plot_is_zoomed_and_panned() {
+    let mut person = fan(80, 24);
+    let whole = person.types("]]<tab>").sees();
+    assert!(!whole.contains("< > pan"), "{whole}");
+    assert!(person.types(">").sees().contains("all of the axis is shown"));
+    let near = person.types("++").sees();
+    assert_ne!(near, whole);
+    assert!(near.contains("< > pan") && near.contains("0 shows all of the axis"), "{near}");
+    assert_snapshot!("zoomed_plot", near);
+    let right = person.types(">").sees();
+    assert_ne!(right, near);
+    assert_eq!(person.types("<lt>").sees(), near);
+    // To the end of the axis and no further.
+    assert!(person.types(&">".repeat(30)).sees().contains("the axis ends here"), "{}", person.sees());
+    assert!(person.types(&"<lt>".repeat(30)).sees().contains("the axis begins here"));
+    person.types("0");
+    assert_eq!(person.sees(), whole);
+    person.types("0");
+    assert!(person.sees().contains("all of the axis is shown"));
+    // The cursor stays where it is on the screen, and what is shown follows it.
+    let column = |screen: &str| line_with(screen, "┬").chars().position(|c| c == '●');
+    let before = person.types("<right>").sees();
+    let after = person.types("+").sees();
+    assert_eq!(line_with(&before, "speed ="), line_with(&after, "speed ="));
+    assert_eq!(column(&before), column(&after));
+    assert_snapshot!("zoomed_plot_at_its_beginning", person.types("+<home>").sees());
+}
+
+#[test]
+fn the_values_of_a_plot_are_spread_as_they_allow() {
+    let mut person = fan(160, 50);
+    let linear = person.types("]]<tab>").sees();
+    let logarithmic = person.types("a").sees();
+    assert_ne!(logarithmic, linear);
+    let decibels = person.types("a<right>").sees();
+    assert!(decibels.contains("[dB over 1 mm]") && decibels.contains(" dB"), "{decibels}");
+    assert_snapshot!("plot_in_decibels", decibels);
+    assert_eq!(person.types("<esc>a").sees(), linear);
+    // What goes below zero has no logarithm, and that is said.
+    let mut swing = Person::in_portuguese(80, 24).opens("vibration/free-vibration");
+    let before = swing.types("]]<tab>").sees();
+    assert!(swing.types("a").sees().contains("valores negativos não têm logaritmo"), "{}", swing.sees());
+    swing.types("<esc><tab>");
+    assert_eq!(swing.sees(), before);
+    assert_snapshot!(
+        "ascii_plot_in_decibels",
+        Person::in_ascii(80, 24).opens(FAN).types("]]<tab>aa+").sees()
+    );
+}
+
+#[test]
+fn a_pinned_result_is_compared_with() {
+    let mut person = fan(80, 24);
+    let before = person.sees();
+    assert!(person.types("c").sees().contains("the same"), "{}", person.sees());
+    person.types("<end><del>1100 rpm<enter>");
+    let screen = person.sees();
+    assert_snapshot!("compared_results", screen);
+    assert!(line_with(&screen, "Amplitude").contains("mm"), "{screen}");
+    assert!(screen.contains(" %)"), "{screen}");
+    let plot = person.types("]]").sees();
+    assert!(plot.contains("pinned"), "{plot}");
+    person.types("<tab>c<tab>[[z");
+    assert_eq!(person.sees(), before, "let go, nothing is compared");
+    // What cannot be read has no result to pin.
+    person.types("<end><del>x<enter>c");
+    assert!(person.sees().contains("no result to compare with"), "{}", person.sees());
+}
+
+#[test]
+fn a_pinned_result_on_a_wide_screen_and_in_ascii() {
+    let mut wide = Person::in_portuguese(160, 50).opens(FAN);
+    assert_snapshot!("compared_wide", wide.types("c<end><del>1100 rpm<enter>").sees());
+    let mut ascii = Person::in_ascii(80, 24).opens(FAN);
+    let screen = ascii.types("c<end><del>1100 rpm<enter>]]").sees();
+    assert!(screen.is_ascii());
+    assert_snapshot!("compared_ascii", screen);
+}
+
+#[test]
+fn the_working_is_revealed_step_by_step() {
+    let mut person = fan(80, 24);
+    let shown = person.sees();
+    let steps = person.model.bench.as_ref().unwrap().found.solution.as_ref().unwrap().steps.len();
+    person.types("t");
+    assert!(person.sees().contains("Space in the working"), "{}", person.sees());
+    person.types("<home>");
+    assert_snapshot!("covered_results", person.sees());
+    person.types("]<tab>");
+    assert_snapshot!("covered_working", person.types("  ").sees());
+    assert!(person.types("]").sees().contains("covered until every step"), "{}", person.sees());
+    person.types("y");
+    assert_eq!(person.clipboard, "", "what is covered is not copied");
+    person.types("[").types(&" ".repeat(steps - 2));
+    assert!(person.sees().contains("every step is revealed"), "{}", person.sees());
+    person.types("[<tab>").types("<home>");
+    assert_eq!(person.sees(), shown.clone());
+    person.types("tt<home>");
+    assert_eq!(person.sees(), shown, "the same key uncovers everything");
+    let mut wide = Person::in_portuguese(160, 50).opens(FAN);
+    assert_snapshot!("covered_wide", wide.types("t]<tab>   <left>").sees());
+}
+
+#[test]
+fn a_symbol_leads_to_the_step_that_made_it_and_back() {
+    let mut person = fan(80, 24);
+    let place = |person: &Person| person.model.bench.as_ref().unwrap().reading.symbol;
+    let plain = person.types("]<tab>").sees();
+    let whole = person.types("<right>").sees();
+    assert!(whole.contains("made of"), "{whole}");
+    assert_snapshot!("symbols", whole);
+    // On to a symbol that some step has made, and along it.
+    let from = (0..100)
+        .find_map(|_| {
+            let line = line_with(&person.sees(), "made of");
+            let here = place(&person)?;
+            person.types("<enter>");
+            if person.model.place() == Place::Form {
+                person.types("<tab><right>");
+                return None;
+            }
+            Some((here, line))
+        })
+        .expect("some step is made of another");
+    let to = place(&person).unwrap();
+    assert!(to.0 < from.0.0, "{from:?} {to:?}");
+    assert!(from.1.contains(&format!("({})", to.0 + 1)), "{from:?} {to:?}");
+    person.types("<esc>");
+    assert_eq!(place(&person), Some(from.0), "escape comes back");
+    person.types("<esc><home>");
+    assert_eq!(person.sees(), plain);
+    // A symbol that is an input leads to its field.
+    let mut person = fan(80, 24);
+    person.types("]<tab><right><enter>");
+    assert_eq!(person.model.place(), Place::Form);
+}
+
+#[test]
 fn the_palette_knows_every_action_by_its_name() {
     let mut person = fan(80, 24);
     assert_snapshot!("palette", person.types(":undo").sees());

@@ -60,7 +60,7 @@ fn log(mut plot: Plot) -> Plot {
 }
 
 fn drawn(plot: &Plot, state: &State, look: &Look, locale: &Locale, (width, height): (u16, u16)) -> String {
-    screen(width, height, |area, buffer| plot::render(plot, state, look, locale, area, buffer))
+    screen(width, height, |area, buffer| plot::render(plot, None, state, look, locale, area, buffer))
 }
 
 fn screen(width: u16, height: u16, draw: impl FnOnce(Rect, &mut Buffer)) -> String {
@@ -122,7 +122,7 @@ fn a_peak_keeps_its_height_however_many_points_there_are() {
     let plot = Plot::new("", Axis::linear("x", ""), Axis::linear("y", ""), vec![Series::line("y", points)]);
     let area = Rect::new(0, 0, 60, 20);
     let mut buffer = Buffer::empty(area);
-    plot::render(&plot, &State::default(), &UNICODE, &Locale::english(), area, &mut buffer);
+    plot::render(&plot, None, &State::default(), &UNICODE, &Locale::english(), area, &mut buffer);
     let hundred = rows(&buffer).iter().position(|row| row.starts_with("100")).expect("the axis goes to 100");
     let spike: Vec<u16> = (4..60)
         .filter(|x| {
@@ -186,7 +186,7 @@ fn any_size_and_any_numbers_will_do() {
                 for (size, share) in
                     sizes.into_iter().zip([0.01, -0.3, 7.0, f64::NAN, 0.0].into_iter().cycle())
                 {
-                    let state = State { cursor, marker }.moved(plot, share);
+                    let state = State { cursor, marker, ..State::default() }.moved(plot, share);
                     drawn(plot, &state, &look, &Locale::portuguese(), size);
                 }
             }
@@ -290,7 +290,7 @@ fn curves_are_told_apart_with_and_without_colours() {
     let area = Rect::new(0, 0, 70, 18);
     let colors = |look: Look| {
         let mut buffer = Buffer::empty(area);
-        plot::render(&plot, &State::default(), &look, &Locale::english(), area, &mut buffer);
+        plot::render(&plot, None, &State::default(), &look, &Locale::english(), area, &mut buffer);
         let mut colors: Vec<Color> = buffer.content.iter().map(|cell| cell.fg).collect();
         colors.sort_by_key(|color| format!("{color}"));
         colors.dedup();

@@ -16,3 +16,4 @@ what-failed-relative-difference-gap = { $what }: NÃO CONFERE, diferença relati
 what-relative-difference-gap = { $what }: diferença relativa { $gap }
 working = Resolução
 yes = sim
+db-over-1-unit = dB sobre 1 { $unit }

@@ -3,10 +3,17 @@
 use std::path::PathBuf;
 
 use dalembert_core::{
-    Draft, Entry, Exhibit, FieldError, Plot, Solution, TableExhibit, Text, cases::Case, file::Problem,
+    Axis, Draft, Entry, Exhibit, FieldError, Plot, Solution, TableExhibit, Text, cases::Case, file::Problem,
 };
 
-use crate::{files::Fingerprint, form::Form, keys::Place, panes::sources::Judged, plot, solver::Failure};
+use crate::{
+    files::Fingerprint,
+    form::Form,
+    keys::Place,
+    panes::{sources::Judged, working::Reading},
+    plot,
+    solver::Failure,
+};
 
 /// A problem that is worked on.
 #[derive(Debug)]
@@ -25,6 +32,8 @@ pub struct Bench {
     pub errors: Vec<FieldError>,
     /// What was found.
     pub found: Found,
+    /// The result that every later one is compared with.
+    pub pinned: Option<Solution>,
     /// Its published cases.
     pub cases: Vec<Judged>,
     /// Whether they are compared with what was printed, or about to be.
@@ -45,6 +54,8 @@ pub struct Bench {
     pub drawing: usize,
     /// The frame that is shown of a film.
     pub frame: usize,
+    /// How far the worked solution is read.
+    pub reading: Reading,
     /// The cursor and the marks of the plot.
     pub plot_state: plot::State,
     /// Its file.
@@ -149,6 +160,7 @@ impl Bench {
             form: Form::new(entry, draft),
             errors: Vec::new(),
             found: Found::default(),
+            pinned: None,
             cases,
             judging: false,
             case: 0,
@@ -159,6 +171,7 @@ impl Bench {
             plot: 0,
             drawing: 0,
             frame: 0,
+            reading: Reading::default(),
             plot_state: plot::State::default(),
             file: None,
         }
@@ -274,8 +287,17 @@ impl Bench {
 
     /// The plots of the newest solution.
     pub fn plots(&self) -> impl Iterator<Item = &Plot> {
-        self.exhibits()
-            .filter_map(|exhibit| if let Exhibit::Plot(plot) = exhibit { Some(plot) } else { None })
+        plots_of(self.found.solution.iter())
+    }
+
+    /// The plot that is shown, and the pinned one of the same axes.
+    pub fn shown_plot(&self) -> Option<(&Plot, Option<&Plot>)> {
+        let plot = Self::nth(self.plots(), self.plot)?;
+        let of_pinned = plots_of(self.pinned.iter());
+        let same = |a: &Axis, b: &Axis| (&a.label, a.unit) == (&b.label, b.unit);
+        let pinned = Self::nth(of_pinned, self.plot)
+            .filter(|pinned| same(&pinned.x, &plot.x) && same(&pinned.y, &plot.y));
+        Some((plot, pinned))
     }
 
     /// The drawings and films of the newest solution.
@@ -319,4 +341,10 @@ impl Bench {
     fn exhibits(&self) -> impl Iterator<Item = &Exhibit> {
         self.found.solution.iter().flat_map(|solution| &solution.exhibits)
     }
+}
+
+fn plots_of<'a>(solutions: impl Iterator<Item = &'a Solution>) -> impl Iterator<Item = &'a Plot> {
+    solutions
+        .flat_map(|solution| &solution.exhibits)
+        .filter_map(|exhibit| if let Exhibit::Plot(plot) = exhibit { Some(plot) } else { None })
 }

@@ -117,6 +117,20 @@ impl Form {
         }
     }
 
+    /// The cursor at the line of a path, or of the innermost part of it that has one.
+    pub fn go_to_nearest(&mut self, path: &str) {
+        let lines = self.lines();
+        let mut path = path;
+        loop {
+            if let Some(at) = lines.iter().position(|line| line.path == path) {
+                self.cursor = at;
+                return;
+            }
+            let Some(end) = path.rfind(['.', '[']) else { return };
+            path = &path[..end];
+        }
+    }
+
     /// Begins to type in the field under the cursor, in its text or in an empty one.
     pub fn begin(&mut self, text: Option<String>) -> bool {
         let Some(Line { path, role: Role::Leaf { text: old, .. }, .. }) = self.line() else { return false };

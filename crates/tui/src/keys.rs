@@ -7,9 +7,7 @@ mod tables;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 pub use tables::{ALWAYS, COMMON, PANES};
-use tables::{
-    DRAWING, EDIT, FILM, FILTER, FORM, HELP, LIST, PICKER, PLOT, PROMPT, RESULTS, SHEET, WORKING,
-};
+use tables::{DRAWING, EDIT, FILM, FILTER, FORM, HELP, LIST, PICKER, PLOT, PROMPT, RESULTS, SHEET, WORKING};
 
 /// What a person wants when pressing a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,12 +48,30 @@ pub enum Action {
     NextExhibit,
     /// Another way to draw curves.
     NextMarker,
+    /// Less of the axis, larger.
+    ZoomIn,
+    /// More of the axis, smaller.
+    ZoomOut,
+    /// All of the axis.
+    ZoomAll,
+    /// What lies at the left of what is shown.
+    PanLeft,
+    /// What lies at the right of what is shown.
+    PanRight,
+    /// Linear, logarithmic, in decibels.
+    NextSpread,
     /// Lets films move, or holds them.
     Play,
     /// Holds the film at the frame before.
     PreviousFrame,
     /// Holds the film at the next frame.
     NextFrame,
+    /// Covers what was found, to be found by hand first, or covers it no more.
+    TryByHand,
+    /// Uncovers the next step.
+    Reveal,
+    /// Compares everything from now on with the present result, or no more.
+    Pin,
     /// The pane alone on the screen, or among the others.
     Expand,
     /// Changes the last digit by so many tenths.

@@ -3,6 +3,7 @@
 pub(crate) mod dots;
 mod frame;
 pub(crate) mod labels;
+mod state;
 
 use dalembert_core::{Locale, Plot, Series};
 use dalembert_report::figure::axes::Axes;
@@ -20,76 +21,33 @@ use self::{
 };
 use crate::look::{Glyph, Look};
 
+pub use self::state::State;
 pub use crate::glyphs::PlotMarker as Marker;
-
-/// What a person has set on a plot.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct State {
-    /// Where the cursor stands: a value of `x` in SI. One beyond the axis is shown at its end.
-    pub cursor: Option<f64>,
-    /// What curves are drawn with.
-    pub marker: Marker,
-}
-
-impl State {
-    /// The cursor moved by a share of the axis (0.01 to the right, −0.1 to the left), to a computed point or a
-    /// mark, and at least to the next one. A plot without a cursor gets one: at its first mark, else in its middle.
-    #[must_use]
-    pub fn moved(self, plot: &Plot, share: f64) -> Self {
-        let Some(axes) = Axes::of(plot) else { return self };
-        let stops = axes.stops();
-        let target = match self.cursor.and_then(|cursor| axes.x.of(cursor)) {
-            Some(place) => place.clamp(0.0, 1.0) + share,
-            None => plot.marks.iter().find_map(|mark| axes.x.of(mark.at.0)).unwrap_or(0.5),
-        };
-        let here = self.cursor.and_then(|cursor| axes.x.of(cursor)).map(|place| place.clamp(0.0, 1.0));
-        let beyond = |place: f64| match here {
-            Some(here) if share > 0.0 => place > here,
-            Some(here) if share < 0.0 => place < here,
-            _ => true,
-        };
-        let nearest = stops
-            .into_iter()
-            .filter(|(place, _)| beyond(*place))
-            .min_by(|(a, _), (b, _)| (a - target).abs().total_cmp(&(b - target).abs()));
-        Self { cursor: nearest.map_or(self.cursor, |(_, x)| Some(x)), ..self }
-    }
-
-    /// The same state without a cursor.
-    #[must_use]
-    pub fn without_cursor(self) -> Self {
-        Self { cursor: None, ..self }
-    }
-
-    /// The same state with the next kind of marker.
-    #[must_use]
-    pub fn next_marker(self) -> Self {
-        let marker = match self.marker {
-            Marker::Braille => Marker::HalfBlock,
-            Marker::HalfBlock => Marker::Dot,
-            Marker::Dot => Marker::Ascii,
-            Marker::Ascii => Marker::Braille,
-        };
-        Self { marker, ..self }
-    }
-}
 
 /// What the cursor reads: `speed = 1500 rpm   X = 4.62 mm`, with `≈` between two computed points, and the marks it
 /// stands on. `None` without a cursor.
 pub fn readout(plot: &Plot, state: &State, locale: &Locale) -> Option<String> {
-    Some(Axes::of(plot)?.readout(state.cursor?, locale).join("   "))
+    Some(Axes::seen(plot, None, &state.view)?.readout(state.cursor?, locale).join("   "))
 }
 
-/// Draws a plot; any size will do. What there is no room for is left out in this order: titles, names of curves and
+/// Draws a plot, over the faint curves of one that is pinned; any size will do. What there is no room for is left out in this order: titles, names of curves and
 /// axes, ticks, axes; the curves last.
-pub fn render(plot: &Plot, state: &State, look: &Look, locale: &Locale, area: Rect, buffer: &mut Buffer) {
+pub fn render(
+    plot: &Plot,
+    pinned: Option<&Plot>,
+    state: &State,
+    look: &Look,
+    locale: &Locale,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let area = area.intersection(buffer.area);
     if area.is_empty() {
         return;
     }
     let locale = Locale { style: dalembert_units::Style { ascii: look.ascii, ..locale.style }, ..*locale };
     let marker = if look.ascii { Marker::Ascii } else { state.marker };
-    let Some(axes) = Axes::of(plot) else {
+    let Some(axes) = Axes::seen(plot, pinned, &state.view) else {
         let words = dalembert_core::Text::new("nothing to draw").render(&locale);
         let words = look.shortened(&words, area.width.into());
         let x = area.x + (area.width - words.width() as u16) / 2;
@@ -112,6 +70,11 @@ pub(crate) fn pen(n: usize, of: usize, look: &Look) -> Pen {
         _ => (1, 0),
     };
     Pen { style: look.series(n), stamp: if look.ascii { STAMPS[n % STAMPS.len()] } else { '•' }, dash }
+}
+
+/// The pen of the curves of a pinned plot.
+pub(crate) fn pinned_pen(look: &Look) -> Pen {
+    Pen { style: look.dim(), stamp: if look.ascii { '.' } else { '·' }, dash: (2, 1) }
 }
 
 /// What a separate point of that curve is drawn as.
@@ -145,6 +108,18 @@ impl Canvas<'_> {
         self.bands(buffer);
         let mut dots = Dots::new(self.area, self.marker);
         self.levels(&mut dots);
+        let faint = pinned_pen(look);
+        for series in self.axes.pinned.iter().flat_map(|pinned| &pinned.series) {
+            if series.joined {
+                self.curve(series, faint, &mut dots);
+            } else {
+                for at in &series.points {
+                    if let Some(dot) = self.dot(&dots, *at) {
+                        dots.line(dot, dot, faint);
+                    }
+                }
+            }
+        }
         for (n, series) in plot.series.iter().enumerate().filter(|(_, series)| series.joined) {
             self.curve(series, pen(n, plot.series.len(), look), &mut dots);
         }

@@ -1,7 +1,7 @@
 //! What the axes of a plot cover, and what stands at a place of them.
 
-use dalembert_core::{Axis, Locale, Plot, Scale, Series};
-use dalembert_units::{Style, Unit, unit, write_quantity};
+use dalembert_core::{Axis, Locale, Plot, Scale, Series, Text};
+use dalembert_units::{Style, Unit, unit, write_number, write_quantity};
 
 use super::ticks::Span;
 
@@ -10,10 +10,14 @@ use super::ticks::Span;
 pub struct Axes<'a> {
     /// The plot.
     pub plot: &'a Plot,
+    /// One of the same axes, whose curves lie under those of the plot.
+    pub pinned: Option<&'a Plot>,
     /// The horizontal axis.
     pub x: Ruler<'a>,
     /// The vertical axis.
     pub y: Ruler<'a>,
+    /// What the horizontal axis covers when all of it is shown.
+    pub whole: Span,
 }
 
 /// An axis with its unit and what it covers in it.
@@ -23,32 +27,94 @@ pub struct Ruler<'a> {
     pub axis: &'a Axis,
     /// The unit it is shown in.
     pub unit: Unit,
-    /// What it covers, in that unit.
+    /// Decibels of a factor of ten over one of the unit: 20 for amplitudes, 10 for what is a square of one. `None` for
+    /// the values themselves.
+    pub decibels: Option<f64>,
+    /// What it covers, in that unit or in decibels.
     pub span: Span,
+}
+
+/// What is shown of a plot.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct View {
+    /// The part of `x`, in SI; `None` for all of it.
+    pub window: Option<(f64, f64)>,
+    /// How values are spread upwards, where not as the plot has it.
+    pub spread: Option<Spread>,
+}
+
+/// How the values of curves are spread upwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spread {
+    /// Equal distances for equal differences.
+    Linear,
+    /// Equal distances for equal ratios.
+    Log,
+    /// The same, numbered in decibels over one of the unit.
+    Decibel,
+}
+
+impl View {
+    /// How the values of a plot are spread: as was wished where they allow it, else as the plot has it.
+    pub fn spread_of(&self, plot: &Plot) -> Spread {
+        let own = if plot.y.scale == Scale::Log { Spread::Log } else { Spread::Linear };
+        self.spread.filter(|_| has_logarithms(plot)).unwrap_or(own)
+    }
+}
+
+/// Whether the values of a plot have logarithms: some are above zero, and none is below it.
+pub fn has_logarithms(plot: &Plot) -> bool {
+    let unit = unit(plot.y.unit).unwrap_or(Unit::ONE);
+    let curves = plot.series.iter().flat_map(|series| &series.points);
+    let all = || curves.clone().chain(plot.marks.iter().map(|mark| &mark.at)).map(|at| unit.value(at.1));
+    all().any(|value| value > 0.0) && !all().any(|value| value < 0.0)
 }
 
 impl<'a> Axes<'a> {
     /// `None` where there is nothing to draw.
     pub fn of(plot: &'a Plot) -> Option<Self> {
+        Self::seen(plot, None, &View::default())
+    }
+
+    /// The same for a part of it, with the curves of a pinned plot in sight.
+    pub fn seen(plot: &'a Plot, pinned: Option<&'a Plot>, view: &View) -> Option<Self> {
+        let spread = view.spread_of(plot);
+        let (across, up) =
+            (Ruler::of_axis(&plot.x, false), Ruler::of_axis(&plot.y, spread == Spread::Decibel));
+        let scale = if spread == Spread::Log { Scale::Log } else { Scale::Linear };
         // A point counts where both of its values can be shown.
-        let (x_unit, y_unit) = (unit_of(&plot.x), unit_of(&plot.y));
         let shown = |(x, y): (f64, f64)| {
-            let (x, y) = (x_unit.value(x), y_unit.value(y));
+            let (x, y) = (across.value(x), up.value(y));
             let shows =
                 |value: f64, scale: Scale| value.is_finite() && (scale == Scale::Linear || value > 0.0);
-            (shows(x, plot.x.scale) && shows(y, plot.y.scale)).then_some((x, y))
+            (shows(x, plot.x.scale) && shows(y, scale)).then_some((x, y))
         };
-        let curves = plot.series.iter().flat_map(|series| &series.points);
-        let points: Vec<(f64, f64)> =
-            curves.chain(plot.marks.iter().map(|mark| &mark.at)).copied().filter_map(shown).collect();
-        let x = Span::of(points.iter().map(|at| at.0), plot.x.scale)?;
-        let data = Span::of(points.iter().map(|at| at.1), plot.y.scale)?;
-        let y = levels(plot, &y_unit, data).with_room();
-        Some(Self {
-            plot,
-            x: Ruler { axis: &plot.x, unit: x_unit, span: x },
-            y: Ruler { axis: &plot.y, unit: y_unit, span: y },
-        })
+        let marks = plot.marks.iter().filter_map(|mark| shown(mark.at));
+        let curves = plot.series.iter().flat_map(|series| series.points.iter().copied().filter_map(shown));
+        let points: Vec<(f64, f64)> = curves.chain(marks).collect();
+        let whole = Span::of(points.iter().map(|at| at.0), plot.x.scale)?;
+        let window = view.window.and_then(|(from, to)| whole.part(across.value(from), across.value(to)));
+        let x = window.unwrap_or(whole);
+        // The vertical axis fits what is seen: the points inside, and where curves cross the edges.
+        let mut seen: Vec<f64> = match window {
+            None => points.iter().map(|at| at.1).collect(),
+            Some(_) => points.iter().filter(|at| x.from <= at.0 && at.0 <= x.to).map(|at| at.1).collect(),
+        };
+        let under = pinned.iter().flat_map(|pinned| &pinned.series).flat_map(|series| &series.points);
+        let inside = |at: &(f64, f64)| x.from <= at.0 && at.0 <= x.to;
+        seen.extend(under.copied().filter_map(shown).filter(inside).map(|at| at.1));
+        if window.is_some() {
+            let all = pinned.iter().flat_map(|pinned| &pinned.series).chain(&plot.series);
+            for series in all.filter(|series| series.joined) {
+                seen.extend(series.points.windows(2).flat_map(|pair| {
+                    let ends = shown(pair[0]).zip(shown(pair[1]));
+                    [x.from, x.to].into_iter().filter_map(move |edge| between(ends?, edge, &x, scale))
+                }));
+            }
+        }
+        let data = Span::of(seen, scale).or_else(|| Span::of(points.iter().map(|at| at.1), scale))?;
+        let y = levels(plot, &up, data).with_room();
+        Some(Self { plot, pinned, x: Ruler { span: x, ..across }, y: Ruler { span: y, ..up }, whole })
     }
 
     /// Where the cursor may stand: every computed point and every mark, with its place on the axis.
@@ -65,7 +131,7 @@ impl<'a> Axes<'a> {
             return Some(x);
         }
         let end = if place < 0.0 { self.x.span.from } else { self.x.span.to };
-        Some(self.x.unit.si(end))
+        Some(self.x.si(end))
     }
 
     /// What a curve reads at `x`, and whether that is a computed point. Between two of them a joined curve is read
@@ -83,7 +149,7 @@ impl<'a> Axes<'a> {
             let (low, high) = (self.y.of(pair[0].1)?, self.y.of(pair[1].1)?);
             let share = (here - from) / (to - from);
             let place = low * (1.0 - share) + high * share;
-            (0.0..=1.0).contains(&share).then(|| (self.y.unit.si(self.y.span.value(place)), false))
+            (0.0..=1.0).contains(&share).then(|| (self.y.si(self.y.span.value(place)), false))
         })
     }
 
@@ -112,15 +178,42 @@ impl<'a> Axes<'a> {
     }
 }
 
-impl Ruler<'_> {
+impl<'a> Ruler<'a> {
+    /// An axis that covers nothing in particular yet.
+    fn of_axis(axis: &'a Axis, in_decibels: bool) -> Self {
+        // A density is a mean square over a bandwidth.
+        let factor = if axis.unit.ends_with("/Hz") { 10.0 } else { 20.0 };
+        let scale = if in_decibels { Scale::Linear } else { axis.scale };
+        Self {
+            axis,
+            unit: unit(axis.unit).unwrap_or(Unit::ONE),
+            decibels: in_decibels.then_some(factor),
+            span: Span { from: 0.0, to: 1.0, scale },
+        }
+    }
+
+    /// What stands at the axis for a value in SI; not finite where it has no level.
+    pub fn value(&self, si: f64) -> f64 {
+        let value = self.unit.value(si);
+        self.decibels.map_or(value, |factor| factor * value.log10())
+    }
+
+    /// The value in SI that is shown so.
+    pub fn si(&self, value: f64) -> f64 {
+        self.unit.si(self.decibels.map_or(value, |factor| 10f64.powf(value / factor)))
+    }
+
     /// Where a value in SI stands: 0 at the lower end, 1 at the upper.
     pub fn of(&self, si: f64) -> Option<f64> {
-        self.span.place(self.unit.value(si)).filter(|place| place.is_finite())
+        self.span.place(self.value(si)).filter(|place| place.is_finite())
     }
 
     /// A value in SI as it is read.
     pub fn write(&self, si: f64, style: Style) -> String {
-        write_quantity(si, &self.unit, style)
+        match self.decibels {
+            None => write_quantity(si, &self.unit, style),
+            Some(_) => format!("{} dB", write_number(self.value(si), style)),
+        }
     }
 
     /// Whether zero lies inside, away from both ends.
@@ -131,7 +224,12 @@ impl Ruler<'_> {
     /// `speed [rpm]`; a power of ten that the ticks leave out stands before the unit.
     pub fn title(&self, ten: i32, locale: &Locale) -> String {
         let label = self.axis.label.render(locale);
-        let unit = if locale.style.ascii { self.unit.ascii() } else { self.unit.pretty() };
+        let unit = &self.unit;
+        let unit = if locale.style.ascii { unit.ascii() } else { unit.pretty() };
+        if self.decibels.is_some() {
+            let of = Text::new("dB over 1 {unit}").with("unit", &unit).render(locale);
+            return format!("{label} [{}]", if unit.is_empty() { "dB" } else { &of });
+        }
         let ten = if ten == 0 { String::new() } else { super::ticks::power_of_ten(ten, locale.style) };
         match (ten.is_empty(), unit.is_empty()) {
             (true, true) => label,
@@ -142,15 +240,26 @@ impl Ruler<'_> {
     }
 }
 
-fn unit_of(axis: &Axis) -> Unit {
-    unit(axis.unit).unwrap_or(Unit::ONE)
+/// The height of the line between two points at an edge that lies between them.
+fn between(((x0, y0), (x1, y1)): ((f64, f64), (f64, f64)), edge: f64, x: &Span, scale: Scale) -> Option<f64> {
+    let (from, to, here) = (x.place(x0)?, x.place(x1)?, x.place(edge)?);
+    let share = (here - from) / (to - from);
+    if !(0.0..=1.0).contains(&share) {
+        return None;
+    }
+    Some(match scale {
+        Scale::Linear => y0 * (1.0 - share) + y1 * share,
+        Scale::Log => (y0.ln() * (1.0 - share) + y1.ln() * share).exp(),
+    })
 }
 
 /// The span with the levels, as long as the data keep a third of it: a limit far away is named at the edge instead.
-fn levels(plot: &Plot, unit: &Unit, data: Span) -> Span {
+fn levels(plot: &Plot, ruler: &Ruler<'_>, data: Span) -> Span {
     let mut span = data;
     for level in &plot.levels {
-        let Some(wider) = Span::of([span.from, span.to, unit.value(level.y)], span.scale) else { continue };
+        let Some(wider) = Span::of([span.from, span.to, ruler.value(level.y)], span.scale) else {
+            continue;
+        };
         let share = |value: f64| wider.place(value).unwrap_or(0.0);
         if share(data.to) - share(data.from) >= 1.0 / 3.0 {
             span = wider;

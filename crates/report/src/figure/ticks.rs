@@ -86,6 +86,12 @@ impl Span {
         }
     }
 
+    /// The part of it between two values; `None` where it has none there.
+    pub fn part(&self, from: f64, to: f64) -> Option<Self> {
+        let (from, to) = (from.max(self.from), to.min(self.to));
+        (from < to).then_some(Self { from, to, ..*self })
+    }
+
     /// Where a value stands: 0 at the lower end, 1 at the upper; `None` for what the scale cannot show.
     pub fn place(&self, value: f64) -> Option<f64> {
         if !shows(value, self.scale) {

@@ -5,7 +5,7 @@ use ratatui::crossterm::event::{KeyCode, KeyModifiers};
 use super::{Action, Binding, Key};
 
 /// Keys of the list of analyses.
-pub const PICKER: &[Binding] = &[
+pub(super) const PICKER: &[Binding] = &[
     bind(Action::Enter, ENTER, "open", "open"),
     bind(Action::Filter, &[typed('/')], "type a filter", "filter"),
     bind(Action::Up, UP, "line up", ""),
@@ -30,7 +30,7 @@ pub const PICKER: &[Binding] = &[
 ];
 
 /// Keys of the filter of the list.
-pub const FILTER: &[Binding] = &[
+pub(super) const FILTER: &[Binding] = &[
     bind(Action::Enter, ENTER, "open", "open"),
     bind(Action::Back, ESC, "drop the filter", "drop the filter"),
     bind(Action::Up, &[plain(KeyCode::Up)], "line up", ""),
@@ -39,7 +39,7 @@ pub const FILTER: &[Binding] = &[
 ];
 
 /// Keys of the inputs.
-pub const FORM: &[Binding] = &[
+pub(super) const FORM: &[Binding] = &[
     bind(Action::Enter, &[plain(KeyCode::Enter), plain(KeyCode::F(2))], "edit or choose", "edit"),
     bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "empty the field and type", ""),
     bind(Action::NextPane, TAB, "to the results", "see results"),
@@ -79,6 +79,8 @@ pub const FORM: &[Binding] = &[
     bind(Action::PreviousTab, &[typed('[')], "tab before", ""),
     bind(Action::Play, &[typed('p')], "let a film move, or hold it", "film"),
     bind(Action::Expand, &[typed('e')], "this pane alone, or all of them", ""),
+    bind(Action::Pin, &[typed('c')], "compare with this result, or no more", ""),
+    bind(Action::TryByHand, &[typed('t')], "cover the results to try by hand, or show them", ""),
     bind(Action::Undo, &[typed('z')], "undo", "undo"),
     bind(Action::Redo, &[typed('Z')], "redo", ""),
     bind(Action::Save, &[typed('s'), ctrl('s')], "save", "save"),
@@ -89,7 +91,7 @@ pub const FORM: &[Binding] = &[
 ];
 
 /// Keys while a field is typed in.
-pub const EDIT: &[Binding] = &[
+pub(super) const EDIT: &[Binding] = &[
     bind(Action::Enter, ENTER, "keep the text", "keep"),
     bind(Action::Back, ESC, "as it was before", "as before"),
     bind(
@@ -102,7 +104,7 @@ pub const EDIT: &[Binding] = &[
 ];
 
 /// Keys of answers, tables and sources.
-pub const RESULTS: &[Binding] = &[
+pub(super) const RESULTS: &[Binding] = &[
     bind(Action::Enter, ENTER, "load the case", ""),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
@@ -113,29 +115,39 @@ pub const RESULTS: &[Binding] = &[
 ];
 
 /// Keys of the worked solution.
-pub const WORKING: &[Binding] = &[
+pub(super) const WORKING: &[Binding] = &[
+    bind(Action::Reveal, &[typed(' ')], "reveal the next step; without covered ones, page down", "reveal"),
+    bind(Action::Right, RIGHT, "next symbol", "symbols"),
+    bind(Action::Left, LEFT, "symbol before", ""),
+    bind(Action::Enter, ENTER, "to the step or input that the symbol comes from", "follow"),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
     bind(Action::PageUp, PAGE_UP, "page up", ""),
-    bind(Action::PageDown, PAGE_DOWN_OR_SPACE, "page down", ""),
+    bind(Action::PageDown, PAGE_DOWN, "page down", ""),
     bind(Action::First, FIRST, "to the first line", ""),
     bind(Action::Last, LAST, "to the last line", ""),
 ];
 
 /// Keys of a plot.
-pub const PLOT: &[Binding] = &[
+pub(super) const PLOT: &[Binding] = &[
     bind(Action::Left, LEFT, "cursor of the plot to the left", ""),
     bind(Action::Right, RIGHT, "cursor of the plot to the right", ""),
     bind(Action::PageUp, PAGE_UP, "cursor of the plot far to the left", ""),
     bind(Action::PageDown, PAGE_DOWN_OR_SPACE, "cursor of the plot far to the right", ""),
     bind(Action::First, FIRST, "cursor of the plot to its beginning", ""),
     bind(Action::Last, LAST, "cursor of the plot to its end", ""),
+    bind(Action::ZoomIn, &[typed('+'), typed('=')], "less of the axis, larger", "zoom"),
+    bind(Action::ZoomOut, &[typed('-')], "more of the axis, smaller", ""),
+    bind(Action::ZoomAll, &[typed('0')], "all of the axis", ""),
+    bind(Action::PanLeft, &[typed('<'), shift(KeyCode::Left)], "what lies further left", "pan"),
+    bind(Action::PanRight, &[typed('>'), shift(KeyCode::Right)], "what lies further right", ""),
+    bind(Action::NextSpread, &[typed('a')], "values linear, logarithmic, in decibels", "log dB"),
     bind(Action::NextExhibit, &[typed('n')], "next plot or drawing", ""),
     bind(Action::NextMarker, &[typed('m')], "other marks for curves", ""),
 ];
 
 /// Keys of a drawing or a film.
-pub const DRAWING: &[Binding] = &[
+pub(super) const DRAWING: &[Binding] = &[
     bind(Action::Play, &[typed(' '), typed('p')], "let a film move, or hold it", "film"),
     bind(Action::PreviousFrame, &[typed(',')], "the frame of a film before", "frame"),
     bind(Action::NextFrame, &[typed('.')], "the next frame of a film", ""),
@@ -143,7 +155,7 @@ pub const DRAWING: &[Binding] = &[
 ];
 
 /// Keys of a film beside the other panes.
-pub const FILM: &[Binding] = &[
+pub(super) const FILM: &[Binding] = &[
     bind(Action::Play, &[typed('p')], "let a film move, or hold it", ""),
     bind(Action::PreviousFrame, &[typed(',')], "the frame of a film before", ""),
     bind(Action::NextFrame, &[typed('.')], "the next frame of a film", ""),
@@ -156,6 +168,8 @@ pub const PANES: &[Binding] = &[
     bind(Action::NextPane, TAB, "to the inputs", "edit inputs"),
     bind(Action::PreviousPane, BACK_TAB, "to the inputs, backwards", ""),
     bind(Action::Expand, &[typed('e')], "this pane alone, or all of them", "expand"),
+    bind(Action::Pin, &[typed('c')], "compare with this result, or no more", "compare"),
+    bind(Action::TryByHand, &[typed('t')], "cover the results to try by hand, or show them", "try by hand"),
     bind(Action::Copy, &[typed('y')], "copy what the tab shows", "copy"),
     bind(Action::Undo, &[typed('z')], "undo", ""),
     bind(Action::Redo, &[typed('Z')], "redo", ""),
@@ -165,7 +179,7 @@ pub const PANES: &[Binding] = &[
 ];
 
 /// Keys of a list to choose from.
-pub const LIST: &[Binding] = &[
+pub(super) const LIST: &[Binding] = &[
     bind(Action::Enter, ENTER, "choose", "choose"),
     bind(Action::Back, ESC, "close", "close"),
     bind(Action::Up, UP, "line up", ""),
@@ -175,7 +189,7 @@ pub const LIST: &[Binding] = &[
 ];
 
 /// Keys of a text that is asked for, and of the palette.
-pub const PROMPT: &[Binding] = &[
+pub(super) const PROMPT: &[Binding] = &[
     bind(Action::Enter, ENTER, "take it", "take it"),
     bind(Action::Back, ESC, "close", "close"),
     bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "line up", ""),
@@ -183,10 +197,10 @@ pub const PROMPT: &[Binding] = &[
 ];
 
 /// Keys of a text of many lines.
-pub const SHEET: &[Binding] = &[bind(Action::Back, ESC, "keep and close", "keep and close")];
+pub(super) const SHEET: &[Binding] = &[bind(Action::Back, ESC, "keep and close", "keep and close")];
 
 /// Keys of the help.
-pub const HELP: &[Binding] = &[
+pub(super) const HELP: &[Binding] = &[
     bind(
         Action::Back,
         &[plain(KeyCode::Esc), plain(KeyCode::Enter), typed('q'), typed('?')],

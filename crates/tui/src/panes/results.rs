@@ -1,8 +1,8 @@
 //! The answers, how they were checked, and what is doubtful about them.
 
-use dalembert_core::{
-    Answer, AnswerValue, Check, Locale, Number, Refusal, Shape, Solution, SolveError, Text,
-};
+mod difference;
+
+use dalembert_core::{AnswerValue, Check, Locale, Number, Refusal, Shape, Solution, SolveError, Text};
 use dalembert_units::{Style as Digits, write_number};
 use ratatui::{
     style::Style,
@@ -12,12 +12,27 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{
     columns::{Aligned, number, padded, widths},
-    label_of, wrap,
+    label_of,
+    working::Reading,
+    wrap,
 };
 use crate::look::{Glyph, Look};
 
 /// Answers, warnings and checks of a solution; faults of the program before them.
 pub fn lines(solution: &Solution, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
+    read(solution, &Reading::default(), None, look, locale, width)
+}
+
+/// The same as far as the worked solution is revealed; each answer with its difference to the same one of a pinned
+/// solution, where there is one.
+pub fn read(
+    solution: &Solution,
+    reading: &Reading,
+    pinned: Option<&Solution>,
+    look: &Look,
+    locale: &Locale,
+    width: u16,
+) -> Vec<Line<'static>> {
     let width = usize::from(width).max(1);
     let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
     let mut lines = Vec::new();
@@ -29,7 +44,11 @@ pub fn lines(solution: &Solution, look: &Look, locale: &Locale, width: u16) -> V
         }
         lines.push(Line::default());
     }
-    lines.extend(answers(&solution.answers, look, locale, width));
+    if pinned.is_some() {
+        let note = Text::new("with the difference to the pinned result").render(locale);
+        lines.extend(wrap::words(&note, width).into_iter().map(|line| Line::styled(line, look.dim())));
+    }
+    lines.extend(answers(solution, reading, pinned, look, locale, width));
     if !solution.warnings.is_empty() {
         lines.push(Line::default());
         for warning in &solution.warnings {
@@ -106,12 +125,27 @@ const NARROWEST_LABELS: usize = 24;
 
 /// Labels at the left, numbers with their decimal marks in one column, units in another. In a narrow pane each answer
 /// stands beside its label, at the right edge, where both fit, and below it where they do not.
-fn answers(answers: &[Answer], look: &Look, locale: &Locale, width: usize) -> Vec<Line<'static>> {
+fn answers(
+    solution: &Solution,
+    reading: &Reading,
+    pinned: Option<&Solution>,
+    look: &Look,
+    locale: &Locale,
+    width: usize,
+) -> Vec<Line<'static>> {
+    let answers = &solution.answers;
+    let covered: Vec<bool> = answers.iter().map(|answer| reading.covers(solution, answer)).collect();
+    let shown: Vec<String> = answers
+        .iter()
+        .zip(&covered)
+        .map(|(answer, covered)| if *covered { "?".into() } else { answer.shown(locale) })
+        .collect();
     let labels: Vec<String> = answers.iter().map(|answer| answer.label(locale)).collect();
     let aligned: Vec<Option<Aligned>> = answers
         .iter()
-        .map(|answer| match answer.value {
-            AnswerValue::Number(Number::Scalar(_), _) => Some(Aligned::of(&answer.shown(locale))),
+        .zip(&shown)
+        .map(|(answer, shown)| match answer.value {
+            AnswerValue::Number(Number::Scalar(_), _) => Some(Aligned::of(shown)),
             _ => None,
         })
         .collect();
@@ -127,8 +161,9 @@ fn answers(answers: &[Answer], look: &Look, locale: &Locale, width: usize) -> Ve
     let columns = room >= longest.min(NARROWEST_LABELS);
     let label_width = longest.min(room).min(WIDEST_LABELS);
     let mut lines = Vec::new();
-    for ((answer, label), aligned) in answers.iter().zip(&labels).zip(aligned) {
-        let shown = answer.shown(locale);
+    for (((answer, label), aligned), (shown, covered)) in
+        answers.iter().zip(&labels).zip(aligned).zip(shown.into_iter().zip(covered))
+    {
         match aligned {
             Some(aligned) if columns => {
                 let number = number(&aligned, number_widths);
@@ -164,6 +199,12 @@ fn answers(answers: &[Answer], look: &Look, locale: &Locale, width: usize) -> Ve
                 lines.extend(wrap::words(label, width).into_iter().map(Line::from));
                 lines.extend(wrap::hanging(vec![Span::raw("  ")], &shown, look.answer(), width));
             }
+        }
+        if covered {
+            continue;
+        }
+        if let Some(pinned) = pinned {
+            difference::add(&difference::of(answer, pinned, locale), look, width, &mut lines);
         }
         if let AnswerValue::Set(_, limits) = &answer.value {
             for limit in limits {

@@ -1,7 +1,7 @@
 //! The worked solution: why, formula, substitution, result of every step.
 
 use dalembert_core::{
-    Locale, Solution,
+    Locale, Solution, Text,
     printer::{self, WrittenStep},
 };
 use dalembert_units::Style as Digits;
@@ -18,29 +18,111 @@ use super::{
 };
 use crate::look::Look;
 
+mod reading;
+
+pub use self::reading::{Place, Reading, step_of, symbols};
+
 /// The worked solution; the page starts at each step.
 ///
 /// Each step is a number, its reason and source, and below them `symbol = formula`, `= substitution`, `= result`
 /// with the signs of equality under one another. A long formula goes on below its beginning.
 pub fn lines(solution: &Solution, look: &Look, locale: &Locale, width: u16) -> Page {
+    read(solution, &Reading::default(), look, locale, width)
+}
+
+/// The same as far as it is revealed. Of the step to be found next there are its reason and its symbol; below the step
+/// with the cursor stand the symbols it is made of.
+pub fn read(solution: &Solution, reading: &Reading, look: &Look, locale: &Locale, width: u16) -> Page {
     let width = usize::from(width).max(1);
     let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
     let mut page = Page::default();
     let digits = solution.steps.len().to_string().len();
-    for (n, step) in solution.steps.iter().enumerate() {
+    let revealed = reading.steps(solution);
+    for (n, step) in solution.steps.iter().enumerate().take(revealed + 1) {
         if n > 0 {
             page.lines.push(Line::default());
         }
         page.starts.push(page.lines.len());
-        let written = printer::step(solution, step, locale);
+        let mut written = printer::step(solution, step, locale);
+        if n == revealed {
+            written = WrittenStep {
+                symbol: written.symbol,
+                why: written.why,
+                result: "?".into(),
+                formula: String::new(),
+                substitution: String::new(),
+                source: String::new(),
+                terms: Vec::new(),
+            };
+        }
         let head = format!("{:>digits$}  ", n + 1);
         // In a narrow pane the formulas begin nearer to the edge.
         let indent = if width < 30 { 1 } else { head.width() };
         reason(&written, head, look, width, &mut page.lines);
         equalities(&written, indent, look, width, &mut page.lines);
         terms(&written.terms, indent + 2, look, width, &mut page.lines);
+        if let Some((_, chosen)) = reading.symbol.filter(|(step, _)| *step == n && n < revealed) {
+            made_of(
+                solution,
+                n,
+                chosen,
+                &Reader { look, locale, width, indent: indent + 2 },
+                &mut page.lines,
+            );
+        }
+    }
+    let more = solution.steps.len().saturating_sub(revealed);
+    if more > 0 {
+        let words = Text::new("{count} of {all} steps are covered; Space in this tab reveals the next one")
+            .with("count", more)
+            .with("all", solution.steps.len())
+            .render(locale);
+        page.lines.push(Line::default());
+        page.lines.extend(wrap::words(&words, width).into_iter().map(|line| Line::styled(line, look.dim())));
     }
     page
+}
+
+/// The symbols that a step is made of, with the numbers of the steps that made them; the chosen one is marked.
+fn made_of(
+    solution: &Solution,
+    step: usize,
+    chosen: usize,
+    reader: &Reader<'_>,
+    lines: &mut Vec<Line<'static>>,
+) {
+    let &Reader { look, locale, width, indent } = reader;
+    let mut parts = vec![Span::styled(Text::new("made of").render(locale), look.dim())];
+    for (n, id) in symbols(solution, step).into_iter().enumerate() {
+        let symbol = printer::formula(solution, id, locale);
+        let from = step_of(solution, id).map_or_else(String::new, |step| format!(" ({})", step + 1));
+        let style = if n == chosen { look.focus() } else { look.symbol() };
+        parts.push(Span::styled(
+            look.shortened(&format!("{symbol}{from}"), width.saturating_sub(indent)),
+            style,
+        ));
+    }
+    if parts.len() == 1 {
+        parts = vec![Span::styled(Text::new("no other symbol").render(locale), look.dim())];
+    }
+    let mut line = Line::from(" ".repeat(indent));
+    for part in parts {
+        if line.width() > indent && line.width() + part.width() > width {
+            lines.push(std::mem::replace(&mut line, Line::from(" ".repeat(indent))));
+        }
+        line.push_span(part);
+        line.push_span(Span::raw("  "));
+    }
+    line.spans.pop();
+    lines.push(line);
+}
+
+/// For whom it is written, and where.
+struct Reader<'a> {
+    look: &'a Look,
+    locale: &'a Locale,
+    width: usize,
+    indent: usize,
 }
 
 /// The number of the step and why it is taken; the source at the right, or below where it does not fit.

@@ -5,7 +5,7 @@ use dalembert_report::figure::{axes::Axes, ticks::Ticks};
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
-use super::{Marker, State, dots::per_cell, pen, point, shade};
+use super::{Marker, State, dots::per_cell, pen, pinned_pen, point, shade};
 use crate::{look::Look, panes::wrap};
 
 /// Words and ticks round a canvas, each at its place.
@@ -273,9 +273,13 @@ fn legend_rows(legend: &[Sample], area: Rect) -> u16 {
 /// The curves by their names; empty where one curve needs no name.
 fn curves(axes: &Axes, look: &Look, locale: &Locale) -> Vec<Sample> {
     let series = &axes.plot.series;
-    if series.len() < 2 {
+    if series.len() < 2 && axes.pinned.is_none() {
         return Vec::new();
     }
+    let pinned = axes.pinned.map(|_| {
+        let sample = if look.ascii { "." } else { "┄┄" };
+        (sample.into(), Text::new("pinned").render(locale), pinned_pen(look).style)
+    });
     let sample = |n: usize, joined: bool| match (joined, look.ascii, pen(n, series.len(), look).dash) {
         (false, ..) | (_, true, _) => point(n, look).to_string(),
         (true, false, (_, 0)) => "──".into(),
@@ -286,6 +290,7 @@ fn curves(axes: &Axes, look: &Look, locale: &Locale) -> Vec<Sample> {
         .iter()
         .enumerate()
         .map(|(n, series)| (sample(n, series.joined), series.label.render(locale), look.series(n)))
+        .chain(pinned)
         .collect()
 }
 

@@ -1,5 +1,7 @@
 //! Keys of a problem.
 
+mod working;
+
 use std::path::PathBuf;
 
 use dalembert_core::{Draft, Shape, Text, file};
@@ -27,6 +29,14 @@ use crate::{
 
 /// The share of an axis that a key moves the cursor of a plot by.
 const CURSOR_STEP: f64 = 0.01;
+/// A share of an axis beyond any of its ends.
+const FAR: f64 = 1e6;
+/// What is said of a key that would show more.
+const ALL_SHOWN: &str = "all of the axis is shown";
+/// So much of the axis is shown after a zoom in.
+const ZOOM: f64 = 0.5;
+/// The share of what is shown that a key moves it by.
+const PAN: f64 = 0.25;
 /// What is said of a key that does nothing on a field with a list.
 const OPENS: &str = "Enter opens the choices";
 
@@ -57,6 +67,18 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
             };
             Vec::new()
         }
+        Action::Pin => {
+            pin(model);
+            Vec::new()
+        }
+        Action::TryByHand => {
+            working::try_by_hand(model);
+            Vec::new()
+        }
+        Action::Back if place == Place::Working && bench.reading.symbol.is_some() => {
+            working::back(model);
+            Vec::new()
+        }
         Action::Expand => {
             bench.expanded = !bench.expanded;
             Vec::new()
@@ -71,6 +93,7 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
         _ => match place {
             Place::Edit => edit(model, action),
             Place::Form => form(model, action),
+            Place::Working if working::act(model, action) => Vec::new(),
             _ => pane(model, action),
         },
     }
@@ -123,6 +146,7 @@ pub(super) fn rename(model: &mut Model, title: &str) -> Vec<Effect> {
 /// Takes the outcome of the newest job.
 pub(super) fn take(bench: &mut Bench, outcome: Outcome) {
     bench.found.state = State::Current;
+    (bench.reading.symbol, bench.reading.trail) = (None, Vec::new());
     match outcome.result {
         Ok(mut solution) => {
             for answer in solution.iter_mut().flat_map(|solution| &mut solution.answers) {
@@ -341,14 +365,25 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::Right if in_plot => move_cursor(bench, CURSOR_STEP),
         Action::PageUp if in_plot => move_cursor(bench, -10.0 * CURSOR_STEP),
         Action::PageDown if in_plot => move_cursor(bench, 10.0 * CURSOR_STEP),
-        Action::First if in_plot => move_cursor(bench, -1.0),
-        Action::Last if in_plot => move_cursor(bench, 1.0),
+        Action::First if in_plot => move_cursor(bench, -FAR),
+        Action::Last if in_plot => move_cursor(bench, FAR),
+        Action::ZoomIn
+        | Action::ZoomOut
+        | Action::ZoomAll
+        | Action::PanLeft
+        | Action::PanRight
+        | Action::NextSpread => look_otherwise(model, action),
         Action::NextMarker => {
             bench.plot_state = bench.plot_state.next_marker();
             model.marker = bench.plot_state.marker;
         }
         Action::NextExhibit => match bench.tab {
-            Tab::Plot => bench.plot = next(bench.plot, bench.plots().count()),
+            Tab::Plot => {
+                bench.plot = next(bench.plot, bench.plots().count());
+                // Another plot has another axis.
+                bench.plot_state =
+                    plot::State { view: dalembert_report::figure::axes::View::default(), ..bench.plot_state };
+            }
             Tab::Drawing => bench.drawing = next(bench.drawing, bench.drawings().count()),
             _ => {}
         },
@@ -362,7 +397,7 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::Up => scroll(model, -1),
         Action::Down => scroll(model, 1),
         Action::PageUp => scroll(model, -height),
-        Action::PageDown => scroll(model, height),
+        Action::PageDown | Action::Reveal => scroll(model, height),
         Action::First => scroll(model, isize::MIN),
         Action::Last => scroll(model, isize::MAX),
         _ => {}
@@ -394,6 +429,42 @@ fn film(model: &mut Model, action: Action) {
 
 fn next(at: usize, of: usize) -> usize {
     if of == 0 { 0 } else { (at.min(of - 1) + 1) % of }
+}
+
+/// Compares with the present result from now on, or no more.
+fn pin(model: &mut Model) {
+    let Some(bench) = &mut model.bench else { return };
+    if bench.pinned.take().is_some() {
+        model.say("nothing is compared any more");
+    } else if bench.is_stale() || bench.found.solution.is_none() {
+        model.say("these inputs have no result to compare with");
+    } else {
+        bench.pinned.clone_from(&bench.found.solution);
+        model.say("from now on every answer says how it differs from this result; c ends it");
+    }
+}
+
+/// Another part of the plot, or its values spread in another way; what cannot be done is said.
+fn look_otherwise(model: &mut Model, action: Action) {
+    let Some(bench) = &mut model.bench else { return };
+    let state = bench.plot_state;
+    let Some((plot, _)) = bench.shown_plot() else { return };
+    let (to, otherwise) = match action {
+        Action::ZoomIn => (state.zoomed(plot, ZOOM), "there is no more to be seen"),
+        Action::ZoomOut => (state.zoomed(plot, 1.0 / ZOOM), ALL_SHOWN),
+        Action::ZoomAll => (state.windowed(None), ALL_SHOWN),
+        Action::PanLeft if state.view.window.is_some() => (state.panned(plot, -PAN), "the axis begins here"),
+        Action::PanRight if state.view.window.is_some() => (state.panned(plot, PAN), "the axis ends here"),
+        Action::NextSpread => match state.next_spread(plot) {
+            Ok(to) => (to, ""),
+            Err(why) => (state, why),
+        },
+        _ => (state, ALL_SHOWN),
+    };
+    bench.plot_state = to;
+    if to == state {
+        model.say(otherwise);
+    }
 }
 
 fn move_cursor(bench: &mut Bench, share: f64) {
@@ -460,15 +531,22 @@ fn scroll(model: &mut Model, by: isize) {
 
 /// Scrolls so that the chosen case is seen from its first line.
 fn reveal_case(model: &mut Model) {
+    let case = model.bench.as_ref().map_or(0, |bench| bench.case);
+    bring_in(model, case);
+}
+
+/// Scrolls the shown tab so that one of its parts is seen from its first line.
+fn bring_in(model: &mut Model, part: usize) {
     let (Some(area), Some(bench)) = (area(model), &model.bench) else { return };
-    let page = view::page(model, bench, Tab::Sources, area.width);
+    let tab = bench.tab;
+    let page = view::page(model, bench, tab, area.width);
     let height = usize::from(area.height);
-    let begin = page.starts.get(bench.case).copied().unwrap_or(0);
-    let end = page.starts.get(bench.case + 1).copied().unwrap_or(page.lines.len());
-    let now = bench.scroll[Tab::Sources as usize];
+    let begin = page.starts.get(part).copied().unwrap_or(0);
+    let end = page.starts.get(part + 1).copied().unwrap_or(page.lines.len());
+    let now = bench.scroll[tab as usize];
     let to = if begin < now || end - begin >= height { begin } else { now.max(end.saturating_sub(height)) };
     if let Some(bench) = &mut model.bench {
-        bench.scroll[Tab::Sources as usize] = if bench.case == 0 { 0 } else { to };
+        bench.scroll[tab as usize] = if part == 0 { 0 } else { to };
     }
 }
 
@@ -479,7 +557,7 @@ fn copy(model: &mut Model) -> Vec<Effect> {
         return Vec::new();
     }
     let text = match Bench::nth(bench.plots(), bench.plot) {
-        Some(plot) if bench.tab == Tab::Plot => {
+        Some(plot) if bench.tab == Tab::Plot && bench.reading.revealed.is_none() => {
             plot::readout(plot, &bench.plot_state, &model.locale).unwrap_or_default()
         }
         _ if bench.tab.is_picture() => String::new(),

@@ -8,7 +8,7 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use super::{act as act_there, bench, files, go_on};
 use crate::{
     dialog::{Answer, Chosen, Dialog, Purpose, offered},
-    keys::{Action, Place},
+    keys::Action,
     model::{After, Effect, Model, Screen},
     solver::{Job, Work},
     terminal::Fault,

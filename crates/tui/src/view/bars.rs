@@ -111,9 +111,11 @@ fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
     let look = &model.look;
     let written = |binding: &Binding| {
         let keys = match binding.action {
-            Action::Nudge(_) => "+ -".to_owned(),
+            Action::Nudge(_) | Action::ZoomIn => "+ -".to_owned(),
+            Action::PanLeft => "< >".to_owned(),
             Action::NextTab => "[ ]".to_owned(),
             Action::PreviousFrame => ", .".to_owned(),
+            Action::Right if place == Place::Working => "← →".to_owned(),
             _ => binding.keys.first().map_or_else(String::new, |key| key.name()),
         };
         (keys, word(binding.hint, model))
@@ -122,10 +124,14 @@ fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
     let has_film = film(model).is_some();
     let serves = |binding: &&Binding| match binding.action {
         Action::Play | Action::PreviousFrame => has_film,
+        Action::Reveal => model.shown_bench().is_some_and(|bench| bench.reading.revealed.is_some()),
+        Action::Enter if place == Place::Working => {
+            model.shown_bench().is_some_and(|bench| bench.reading.symbol.is_some())
+        }
+        Action::PanLeft => model.shown_bench().is_some_and(|bench| bench.plot_state.view.window.is_some()),
         _ => true,
     };
-    let all: Vec<_> =
-        place.bindings().filter(|binding| !binding.hint.is_empty()).filter(serves).collect();
+    let all: Vec<_> = place.bindings().filter(|binding| !binding.hint.is_empty()).filter(serves).collect();
     let mut left = room + GAP;
     let has_help = all.iter().any(|binding| binding.action == Action::Help);
     let always = if has_help { Action::Help } else { Action::Back };
@@ -200,6 +206,9 @@ fn about_field(model: &Model, bench: &Bench) -> String {
 fn about_pane(model: &Model, bench: &Bench) -> String {
     let several = bench.exhibits_of(bench.tab) > 1;
     let hints: &[&'static str] = match bench.tab {
+        Tab::Plot if bench.plot_state.view.window.is_some() => {
+            &["0 shows all of the axis", "← → move a cursor that reads the curves"]
+        }
         Tab::Plot if several => &["← → move a cursor that reads the curves", "m other marks", "n next plot"],
         Tab::Plot => &["← → move a cursor that reads the curves", "m other marks"],
         Tab::Drawing if several => &["n next drawing"],

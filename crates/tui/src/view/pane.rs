@@ -84,13 +84,20 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
                 if !lines.is_empty() {
                     lines.push(Line::default());
                 }
-                lines.extend(stale(results::lines(solution, look, locale, width)));
+                lines.extend(stale(results::read(
+                    solution,
+                    &bench.reading,
+                    bench.pinned.as_ref(),
+                    look,
+                    locale,
+                    width,
+                )));
             }
             Page { lines, starts: Vec::new() }
         }
         Tab::Working => match solution {
             Some(solution) => {
-                let page = working::lines(solution, look, locale, width);
+                let page = working::read(solution, &bench.reading, look, locale, width);
                 let before = page.lines.len();
                 let lines = stale(page.lines);
                 let more = lines.len() - before;
@@ -98,6 +105,7 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
             }
             None => nothing(model, bench, width),
         },
+        Tab::Table if bench.reading.revealed.is_some() => covered(model, width),
         Tab::Table => {
             let mut lines = Vec::new();
             for table in bench.tables() {
@@ -114,7 +122,8 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
         }
         Tab::Sources => {
             let chosen = (bench.focus == Focus::Pane).then_some(bench.case);
-            let answers = bench.found.solution.as_ref().map_or(&[][..], |solution| &solution.answers);
+            let solution = solution.filter(|_| bench.reading.revealed.is_none());
+            let answers = solution.map_or(&[][..], |solution| &solution.answers);
             sources::lines(bench.entry, &bench.cases, chosen, answers, look, locale, width)
         }
         Tab::Plot | Tab::Drawing => Page::default(),
@@ -146,6 +155,10 @@ fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area:
         scroll_mark(first, height, lines.len(), look, area, buffer);
         return;
     }
+    if tab == Tab::Plot && bench.reading.revealed.is_some() {
+        draw_lines(&covered(model, inner.width).lines, 0, inner, buffer);
+        return;
+    }
     let stale = bench.is_stale();
     let mut room = inner;
     if stale && bench.found.solution.is_some() && room.height > 3 {
@@ -155,15 +168,22 @@ fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area:
         room.height -= 1;
     }
     let drawn = match tab {
-        Tab::Plot => Bench::nth(bench.plots(), bench.plot)
-            .map(|plot| plot::render(plot, &bench.plot_state, look, locale, room, buffer)),
+        Tab::Plot => bench.shown_plot().map(|(plot, pinned)| {
+            plot::render(plot, pinned, &bench.plot_state, look, locale, room, buffer);
+        }),
         _ => bench.sketch().and_then(|exhibit| {
             if let Exhibit::Film(film) = exhibit
                 && !stale
                 && room.height > LEAST_UNDER_BAR
             {
                 room.height -= 1;
-                film_bar(model, bench.frame, film.frames.len(), Rect { y: room.bottom(), height: 1, ..room }, buffer);
+                film_bar(
+                    model,
+                    bench.frame,
+                    film.frames.len(),
+                    Rect { y: room.bottom(), height: 1, ..room },
+                    buffer,
+                );
             }
             let drawing = exhibit.sketch(bench.frame)?;
             drawing::render(&drawing, look, locale, room, buffer);
@@ -258,6 +278,13 @@ fn nothing(model: &Model, bench: &Bench, width: u16) -> Page {
         lines: lines.into_iter().map(|text| Line::styled(text, model.look.dim())).collect(),
         starts: Vec::new(),
     }
+}
+
+/// What a tab says whose content would give away what is to be found.
+fn covered(model: &Model, width: u16) -> Page {
+    let words = word("covered until every step of the working is revealed; t ends that", model);
+    let lines = wrapped(&words, width.into()).into_iter();
+    Page { lines: lines.map(|text| Line::styled(text, model.look.dim())).collect(), starts: Vec::new() }
 }
 
 /// The names of these tabs, the chosen one marked; where there is no room for all, those around it.
