@@ -45,7 +45,7 @@ pub fn read(
         lines.push(Line::default());
     }
     if pinned.is_some() {
-        let note = Text::new("with the difference to the pinned result").render(locale);
+        let note = Text::new("with the difference to the pinned result, where there is one").render(locale);
         lines.extend(wrap::words(&note, width).into_iter().map(|line| Line::styled(line, look.dim())));
     }
     lines.extend(answers(solution, reading, pinned, look, locale, width));
@@ -203,8 +203,8 @@ fn answers(
         if covered {
             continue;
         }
-        if let Some(pinned) = pinned {
-            difference::add(&difference::of(answer, pinned, locale), look, width, &mut lines);
+        if let Some(difference) = pinned.and_then(|pinned| difference::of(answer, pinned, locale)) {
+            difference::add(&difference, look, width, &mut lines);
         }
         if let AnswerValue::Set(_, limits) = &answer.value {
             for limit in limits {

@@ -13,31 +13,31 @@ use crate::{look::Look, panes::wrap};
 /// Numbers that differ by less than this share of them are the same.
 const ROUNDING: f64 = 1e-12;
 
-/// `+0.12 mm (+2.3 %)`; what has no difference in numbers says what it was.
-pub(super) fn of(answer: &Answer, pinned: &Solution, locale: &Locale) -> String {
+/// `+0.12 mm (+2.3 %)`; what has no difference in numbers says what it was. `None` where it is the same.
+pub(super) fn of(answer: &Answer, pinned: &Solution, locale: &Locale) -> Option<String> {
     let Some(before) = pinned.answers.iter().find(|before| before.name == answer.name) else {
-        return Text::new("was not there").render(locale);
+        return Some(Text::new("was not there").render(locale));
     };
     let (Some(now), Some(then)) = (answer.si(), before.si()) else {
         if answer.value == before.value {
-            return Text::new("the same").render(locale);
+            return None;
         }
         let mut before = before.clone();
         before.unit = answer.unit.clone();
-        return Text::new("was {value}").with("value", before.shown(locale)).render(locale);
+        return Some(Text::new("was {value}").with("value", before.shown(locale)).render(locale));
     };
     let difference = now - then;
     if difference.abs() <= answer.noise.max(before.noise).max(ROUNDING * now.abs().max(then.abs())) {
-        return Text::new("the same").render(locale);
+        return None;
     }
     let style = Digits { digits: 3, ..locale.style };
     let signed = |text: String, of: f64| if of > 0.0 { format!("+{text}") } else { text };
     let absolute = signed(write_quantity(difference, &answer.unit, style), difference);
     let share = 100.0 * difference / then.abs();
     if then.abs() <= before.noise || !share.is_finite() {
-        return absolute;
+        return Some(absolute);
     }
-    format!("{absolute} ({} %)", signed(write_number(share, style), share))
+    Some(format!("{absolute} ({} %)", signed(write_number(share, style), share)))
 }
 
 /// Puts it at the right of the last line where it fits, else on a line of its own.
