@@ -559,11 +559,11 @@ fn the_plot_has_a_cursor_that_reads_values() {
 fn a_plot_is_zoomed_and_panned() {
     let mut person = fan(80, 24);
     let whole = person.types("]]<tab>").sees();
-    assert!(!whole.contains("< > pan"), "{whole}");
+    assert!(!whole.contains("< > move"), "{whole}");
     assert!(person.types(">").sees().contains("all of the axis is shown"));
     let near = person.types("++").sees();
     assert_ne!(near, whole);
-    assert!(near.contains("< > pan") && near.contains("0 shows all of the axis"), "{near}");
+    assert!(near.contains("< > move") && near.contains("0 shows all of the axis"), "{near}");
     assert_snapshot!("zoomed_plot", near);
     let right = person.types(">").sees();
     assert_ne!(right, near);
@@ -618,7 +618,7 @@ fn a_pinned_result_is_compared_with() {
     assert!(line_with(&screen, "Amplitude").contains("mm"), "{screen}");
     assert!(screen.contains(" %)"), "{screen}");
     let plot = person.types("]]").sees();
-    assert!(plot.contains("pinned"), "{plot}");
+    assert!(plot.contains("┄┄ before"), "{plot}");
     person.types("<tab>c<tab>[[z");
     assert_eq!(person.sees(), before, "let go, nothing is compared");
     // What cannot be read has no result to pin.

@@ -139,7 +139,7 @@ pub(super) const PLOT: &[Binding] = &[
     bind(Action::ZoomIn, &[typed('+'), typed('=')], "less of the axis, larger", "zoom"),
     bind(Action::ZoomOut, &[typed('-')], "more of the axis, smaller", ""),
     bind(Action::ZoomAll, &[typed('0')], "all of the axis", ""),
-    bind(Action::PanLeft, &[typed('<'), shift(KeyCode::Left)], "what lies further left", "pan"),
+    bind(Action::PanLeft, &[typed('<'), shift(KeyCode::Left)], "what lies further left", "move"),
     bind(Action::PanRight, &[typed('>'), shift(KeyCode::Right)], "what lies further right", ""),
     bind(Action::NextSpread, &[typed('a')], "values linear, logarithmic, in decibels", "log dB"),
     bind(Action::NextExhibit, &[typed('n')], "next plot or drawing", ""),

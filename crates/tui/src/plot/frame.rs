@@ -278,7 +278,7 @@ fn curves(axes: &Axes, look: &Look, locale: &Locale) -> Vec<Sample> {
     }
     let pinned = axes.pinned.map(|_| {
         let sample = if look.ascii { "." } else { "┄┄" };
-        (sample.into(), Text::new("pinned").render(locale), pinned_pen(look).style)
+        (sample.into(), Text::new("before").render(locale), pinned_pen(look).style)
     });
     let sample = |n: usize, joined: bool| match (joined, look.ascii, pen(n, series.len(), look).dash) {
         (false, ..) | (_, true, _) => point(n, look).to_string(),
