@@ -149,7 +149,7 @@ pub(super) const PLOT: &[Binding] = &[
 /// Keys of a drawing or a film.
 pub(super) const DRAWING: &[Binding] = &[
     bind(Action::Play, &[typed(' '), typed('p')], "let a film move, or hold it", "film"),
-    bind(Action::PreviousFrame, &[typed(',')], "the frame of a film before", "frame"),
+    bind(Action::PreviousFrame, &[typed(',')], "the frame of a film before", "frames"),
     bind(Action::NextFrame, &[typed('.')], "the next frame of a film", ""),
     bind(Action::NextExhibit, &[typed('n')], "next plot or drawing", ""),
 ];
