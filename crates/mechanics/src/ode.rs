@@ -25,6 +25,23 @@ const HELD: u32 = 15;
 /// Parts of a step in which a change of sign is looked for.
 const PARTS: u32 = 6;
 
+/// How far and how exactly a motion is followed.
+#[derive(Clone, Copy)]
+pub struct Run<'a, E> {
+    /// s.
+    pub duration: f64,
+    /// The error that each step may add.
+    pub tolerance: f64,
+    /// How many samples are taken at equal times, the start and the end among them.
+    pub samples: usize,
+    /// What ends the motion before.
+    pub ends: &'a [E],
+    /// The most steps.
+    pub most_steps: usize,
+    /// Asked now and then whether to stop.
+    pub cancelled: &'a dyn Fn() -> bool,
+}
+
 /// What is to be integrated.
 pub trait Problem {
     /// The rates `f(t, y)`. Rates that are not finite say that the motion cannot go on from there: the step is

@@ -6,24 +6,11 @@
 //! *Solving Ordinary Differential Equations II*, §VII.2).
 
 use super::{Measure, PlanarError, State, System, machine::Machine};
-use crate::ode::{Integrator, OdeError};
+use crate::ode::{self, Integrator, OdeError};
 
-/// What is to be followed.
-#[derive(Clone, Copy)]
-pub struct Run<'a> {
-    /// How long, s.
-    pub duration: f64,
-    /// The error that each step may add, in parts of the size of the mechanism and of its fastest velocity.
-    pub tolerance: f64,
-    /// How many samples are taken at equal times, the start and the end among them.
-    pub samples: usize,
-    /// What ends the motion before.
-    pub ends: &'a [End],
-    /// The most steps.
-    pub most_steps: usize,
-    /// Asked now and then whether to stop.
-    pub cancelled: &'a dyn Fn() -> bool,
-}
+/// How far and how exactly a motion is followed: the tolerance is in parts of the size of the mechanism and of its
+/// fastest velocity.
+pub type Run<'a> = ode::Run<'a, End>;
 
 /// What ends a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -13,7 +13,7 @@ pub use self::free::FreeRotation;
 use self::machine::Machine;
 use crate::{
     linalg::symmetric_eigen,
-    ode::{Integrator, OdeError},
+    ode::{self, Integrator, OdeError},
 };
 
 /// What cannot be followed.
@@ -108,22 +108,8 @@ pub enum End {
     Reverses(usize),
 }
 
-/// How far and how exactly a motion is followed.
-#[derive(Clone, Copy)]
-pub struct Run<'a> {
-    /// s.
-    pub duration: f64,
-    /// The error that each step may add, in parts of a radian and of the largest quantities.
-    pub tolerance: f64,
-    /// How many samples are taken at equal times, the start and the end among them.
-    pub samples: usize,
-    /// What ends the motion before.
-    pub ends: &'a [End],
-    /// The most steps.
-    pub most_steps: usize,
-    /// Asked now and then whether to stop.
-    pub cancelled: &'a dyn Fn() -> bool,
-}
+/// How far and how exactly a motion is followed: the tolerance is in parts of a radian and of the largest quantities.
+pub type Run<'a> = ode::Run<'a, End>;
 
 /// A moment of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]

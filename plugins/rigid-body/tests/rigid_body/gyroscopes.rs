@@ -1,7 +1,8 @@
 //! Rules, symmetries and ways there and back of the gyroscopic couples.
 
-use dalembert_core::{Solution, Stop, file};
-use dalembert_rigid_body as _;
+use dalembert_core::Solution;
+
+use crate::solved::{number, solve, sound};
 
 #[test]
 fn effects_of_a_rotor_clockwise_from_the_stern_are_those_of_the_textbooks() {
@@ -131,19 +132,6 @@ fn indicator(turn: &str) -> Solution {
     ))
 }
 
-fn solve(text: &str) -> Solution {
-    let problem = file::parse(text).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
-    let record =
-        problem.draft.read(&problem.entry.shape()).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
-    problem.entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{err}\n{text}"))
-}
-
-fn sound(solution: &Solution) {
-    assert!(solution.defects.is_empty(), "{:?}", solution.defects);
-    assert!(solution.checks.iter().all(|check| check.passed), "{:?}", solution.checks);
-    assert!(!solution.checks.is_empty());
-}
-
 fn labels(solution: &Solution) -> impl Iterator<Item = &str> {
     solution.answers.iter().map(|answer| answer.label)
 }
@@ -151,11 +139,4 @@ fn labels(solution: &Solution) -> impl Iterator<Item = &str> {
 fn effect(solution: &Solution, words: &str) {
     let all: Vec<&str> = labels(solution).collect();
     assert!(all.iter().any(|label| label.contains(words)), "{words}: {all:?}");
-}
-
-fn number(solution: &Solution, name: &str) -> f64 {
-    solution
-        .answer(name)
-        .and_then(dalembert_core::Answer::si)
-        .unwrap_or_else(|| panic!("{name} is no number"))
 }

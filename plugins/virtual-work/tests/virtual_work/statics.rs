@@ -3,8 +3,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use dalembert_core::{Solution, Stop, file};
-use dalembert_virtual_work as _;
+use dalembert_core::Solution;
+
+use crate::solved::solve;
 
 #[test]
 fn the_load_of_an_angle_has_its_equilibrium_at_that_angle() {
@@ -109,11 +110,7 @@ fn number(solution: &Solution, name: &str) -> f64 {
 
 /// The solution of a problem, all of whose checks hold.
 fn solved(text: &str) -> Solution {
-    let problem = file::parse(text).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
-    let record =
-        problem.draft.read(&problem.entry.shape()).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
-    let solution =
-        problem.entry.solve(&record, &Stop::new()).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
+    let solution = solve(text).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
     let failed: Vec<_> = solution.checks.iter().filter(|check| !check.passed).collect();
     assert!(failed.is_empty(), "{failed:?}\n{text}");
     solution

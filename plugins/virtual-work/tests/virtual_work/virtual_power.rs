@@ -2,9 +2,10 @@
 
 use std::fmt::Write as _;
 
-use dalembert_core::{Refusal, Solution, SolveError, Stop, file};
+use dalembert_core::{Refusal, SolveError};
 use dalembert_mechanics::slider_crank::{Branch, CrankMotion, Motion, SliderCrank};
-use dalembert_virtual_work as _;
+
+use crate::solved::solve;
 
 /// Rod and slider of an engine whose crank has no mass.
 struct Engine {
@@ -271,10 +272,4 @@ fn refusal(unknown: &str, loads: &str) -> String {
         Err(SolveError::Refused(Refusal::NoAnswer(why))) => why.english(),
         other => panic!("this was to be refused: {other:?}"),
     }
-}
-
-fn solve(text: &str) -> Result<Solution, SolveError> {
-    let problem = file::parse(text).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
-    let record = problem.draft.read(&problem.entry.shape()).map_err(SolveError::Fields)?;
-    problem.entry.solve(&record, &Stop::new())
 }

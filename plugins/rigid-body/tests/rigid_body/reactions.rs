@@ -1,7 +1,8 @@
 //! Reactions do not depend on how a problem is written down.
 
-use dalembert_core::{AnswerValue, Number, Solution, Stop, file};
-use dalembert_rigid_body as _;
+use dalembert_core::Solution;
+
+use crate::solved::{distance, number, size, sound, vector};
 
 const SUPPORTS: &str = "supports = [\n\
     { name = \"A\", at = \"(0; 0; 0) m\", kind = \"thrust-bearing\" },\n\
@@ -121,33 +122,7 @@ fn solve(inputs: &[&str]) -> Solution {
 
 /// Solves, and holds the solution to its own checks.
 fn solve_as(analysis: &str, inputs: &[&str]) -> Solution {
-    let text = format!("analysis = \"{analysis}\"\n[inputs]\n{}", inputs.concat());
-    let problem = file::parse(&text).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
-    let record =
-        problem.draft.read(&problem.entry.shape()).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
-    let solution = problem.entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{err}\n{text}"));
-    assert!(solution.checks.iter().all(|check| check.passed), "{:?}", solution.checks);
+    let solution = crate::solved::solve(&format!("analysis = \"{analysis}\"\n[inputs]\n{}", inputs.concat()));
+    sound(&solution);
     solution
-}
-
-fn vector(solution: &Solution, name: &str) -> [f64; 3] {
-    match solution.answer(name).map(|answer| &answer.value) {
-        Some(AnswerValue::Number(Number::Vector(value), _)) => *value,
-        other => panic!("{name} is no vector: {other:?}"),
-    }
-}
-
-fn number(solution: &Solution, name: &str) -> f64 {
-    solution
-        .answer(name)
-        .and_then(dalembert_core::Answer::si)
-        .unwrap_or_else(|| panic!("{name} is no number"))
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()))
-}
-
-fn size(a: [f64; 3]) -> f64 {
-    a.iter().fold(0.0f64, |most, x| most.max(x.abs()))
 }

@@ -1,7 +1,8 @@
 //! Symmetries and limits of the rod on a shaft and of the disc on an arm.
 
-use dalembert_core::{AnswerValue, Number, Solution, Stop, file};
-use dalembert_rigid_body as _;
+use dalembert_core::Solution;
+
+use crate::solved::{distance, number, solve, sound, vector};
 
 #[test]
 fn the_rod_is_the_same_from_whichever_line_its_angle_is_measured() {
@@ -75,12 +76,6 @@ fn every_way_to_the_couple_agrees_for_any_motion() {
     }
 }
 
-fn sound(solution: &Solution) {
-    assert!(solution.defects.is_empty(), "{:?}", solution.defects);
-    assert!(solution.checks.iter().all(|check| check.passed), "{:?}", solution.checks);
-    assert!(solution.checks.len() >= 3);
-}
-
 fn rod(inclination: &str, speed: f64, acceleration: f64) -> Solution {
     solve(&format!(
         "analysis = \"rigid-body/rod-on-shaft\"\n[inputs]\nmass = \"6 kg\"\nhalf_length = \"0.3 m\"\n\
@@ -95,29 +90,4 @@ fn disc(arm: f64, spin: f64, arm_rate: f64, spin_rate: f64, degrees: f64) -> Sol
          arm_speed = \"{arm} rad/s\"\nspin = \"{spin} rad/s\"\narm_acceleration = \"{arm_rate} rad/s^2\"\n\
          spin_acceleration = \"{spin_rate} rad/s^2\"\narm_angle = \"{degrees} deg\"\n"
     ))
-}
-
-fn solve(text: &str) -> Solution {
-    let problem = file::parse(text).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
-    let record =
-        problem.draft.read(&problem.entry.shape()).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
-    problem.entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{err}\n{text}"))
-}
-
-fn vector(solution: &Solution, name: &str) -> [f64; 3] {
-    match solution.answer(name).map(|answer| &answer.value) {
-        Some(AnswerValue::Number(Number::Vector(value), _)) => *value,
-        other => panic!("{name} is no vector: {other:?}"),
-    }
-}
-
-fn number(solution: &Solution, name: &str) -> f64 {
-    solution
-        .answer(name)
-        .and_then(dalembert_core::Answer::si)
-        .unwrap_or_else(|| panic!("{name} is no number"))
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()))
 }

@@ -1,7 +1,8 @@
 //! Templates of mechanisms with random numbers: every effort, motion and reaction in its two ways.
 
-use dalembert_core::{Refusal, Solution, SolveError, Stop, file};
-use dalembert_virtual_work as _;
+use dalembert_core::{Refusal, SolveError};
+
+use crate::solved::solve;
 
 /// Numbers without pattern, the same in every run.
 struct Random(u64);
@@ -230,10 +231,4 @@ fn held(name: &str, times: usize, inputs: impl Fn(&mut Random) -> String) {
         }
     }
     assert!(answered * 3 >= times, "only {answered} of {times} {name} problems have an answer");
-}
-
-fn solve(text: &str) -> Result<Solution, SolveError> {
-    let problem = file::parse(text).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
-    let record = problem.draft.read(&problem.entry.shape()).map_err(SolveError::Fields)?;
-    problem.entry.solve(&record, &Stop::new())
 }
