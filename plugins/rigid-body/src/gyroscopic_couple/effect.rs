@@ -77,20 +77,3 @@ pub(super) fn words(carrier: Carrier, axis: usize, positive: bool) -> &'static s
         (Frame, _, false) => "Effect: turns the frame to the right",
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_effect_has_words_of_its_own() {
-        for carrier in [Carrier::Ship, Carrier::Aircraft, Carrier::Vehicle, Carrier::Frame] {
-            let mut all: Vec<&str> = (0..3)
-                .flat_map(|axis| [true, false].map(|positive| words(carrier, axis, positive)))
-                .collect();
-            all.sort_unstable();
-            all.dedup();
-            assert_eq!(all.len(), 6, "{carrier:?}");
-        }
-    }
-}

@@ -1,0 +1,381 @@
+//! A mechanism at one position, or at several side by side.
+
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
+
+use super::super::{
+    Pose, System,
+    plan::{Core, Layout, Order, Work},
+};
+use super::Swept;
+use crate::lanes::{Numbers, widest};
+
+/// The largest move of one step, in parts of the size of the mechanism.
+const STEP: f64 = 0.2;
+/// The smallest step, in parts of the way between two positions.
+const SMALLEST: f64 = 1e-3;
+/// A correction above this part of the step is a jump.
+const JUMP: f64 = 0.1;
+/// A correction below this part of the step stays on the smooth path, even where two branches cross.
+const SMOOTH: f64 = 2e-3;
+/// Rounds of Newton's method for a step.
+const ROUNDS: usize = 8;
+/// Joints are closed to this part of the size of the mechanism, or at least to the second.
+const CLOSED: f64 = 4.0 * f64::EPSILON;
+const ALMOST: f64 = 1e-13;
+/// A position whose equations are nearer to singular than this is left to the general way.
+const SINGULAR: f64 = 1e-9;
+
+/// What does not change on the way.
+#[derive(Clone, Copy)]
+pub(super) struct Way<'a> {
+    pub(super) system: &'a System,
+    pub(super) layout: &'a Layout,
+    pub(super) loops: &'a [Vec<(usize, usize)>],
+    pub(super) masses: &'a [f64],
+    /// The equation of the driver that is swept, and the driver.
+    pub(super) row: usize,
+    pub(super) driver: usize,
+}
+
+/// The numbers of one position, or of several side by side.
+#[derive(Debug, Clone)]
+pub(super) struct Station<S> {
+    order: Order<S>,
+    core: Core<S>,
+    work: Work<S>,
+    /// The value of the driver and the kept coordinates …
+    value: S,
+    pub(super) kept: Vec<S>,
+    /// … and those from which a step began.
+    before: Vec<S>,
+    /// How the scaled coordinates change with the value of the driver: first and second derivative, and of the kept
+    /// ones the third about.
+    first: Vec<S>,
+    second: Vec<S>,
+    third: Vec<S>,
+    /// The largest first derivative.
+    fast: S,
+    /// The last diagonal of the factored matrix: its sign tells the branch.
+    side: S,
+    right: Vec<S>,
+    inner: Vec<S>,
+    velocities: Vec<[S; 3]>,
+    accelerations: Vec<S>,
+    forces: Vec<[S; 3]>,
+    balance: Vec<S>,
+    multipliers: Vec<S>,
+    effort: S,
+}
+
+impl<S: Numbers> Station<S> {
+    pub(super) fn new(system: &System, layout: &Layout, slopes: &[f64]) -> Self {
+        let (bodies, rows) = (system.mechanism.bodies.len(), system.equations.len());
+        let (columns, kept) = (3 * bodies, layout.kept.len());
+        let zero = S::from(0.0);
+        Self {
+            order: Order::of_explicit(layout, slopes, columns).0,
+            core: Core::new(kept),
+            work: layout.work(system),
+            value: zero,
+            kept: vec![zero; kept],
+            before: vec![zero; kept],
+            first: vec![zero; columns],
+            second: vec![zero; columns],
+            third: vec![zero; kept],
+            fast: zero,
+            side: zero,
+            right: vec![zero; rows],
+            inner: vec![zero; kept],
+            velocities: vec![[zero; 3]; bodies + 1],
+            accelerations: vec![zero; columns],
+            forces: vec![[zero; 3]; bodies],
+            balance: vec![zero; columns],
+            multipliers: vec![zero; rows],
+            effort: zero,
+        }
+    }
+
+    /// Stands in closed positions, given by each kept coordinate in each lane.
+    pub(super) fn begin(&mut self, way: &Way, value: S, kept: impl Fn(usize, usize) -> f64) -> bool {
+        for (number, place) in self.kept.iter_mut().enumerate() {
+            *place = S::of(|lane| kept(number, lane));
+        }
+        self.value = value;
+        self.work.sums[way.row] = value;
+        self.third.fill(S::from(0.0));
+        let Some(_) = self.close(way) else { return false };
+        self.side = self.core.determinant()[0];
+        self.derive(way);
+        true
+    }
+
+    /// Moves the driver to a value, in steps so short that the path of every body can be followed.
+    pub(super) fn reach(&mut self, way: &Way, value: S) -> bool {
+        let (from, whole) = (self.value, value - self.value);
+        let mut step = (STEP * way.system.length / largest(whole.abs() * self.fast)).min(1.0);
+        let mut done = 0.0;
+        while done < 1.0 {
+            let end = if step >= 1.0 - done { 1.0 } else { done + step };
+            let target = if end >= 1.0 { value } else { from + whole * end };
+            if self.step(way, target) {
+                done = end;
+                step *= 2.0;
+            } else {
+                step /= 2.0;
+                if step.is_nan() || step < SMALLEST {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+
+    fn step(&mut self, way: &Way, value: S) -> bool {
+        let h = value - self.value;
+        let from = self.value;
+        self.before.copy_from_slice(&self.kept);
+        for (number, &column) in way.layout.kept.iter().enumerate() {
+            let cubic = self.second[column] + self.third[number] * h / 3.0;
+            let change = (self.first[column] + cubic * h / 2.0) * h;
+            self.kept[number] = self.kept[number] + change;
+        }
+        self.work.sums[way.row] = value;
+        let stays = match self.close(way) {
+            Some(moved) => {
+                let [side, apart] = self.core.determinant();
+                let (allowed, rounding) = (h.abs() * self.fast, CLOSED * way.system.length);
+                let stays = (0..S::COUNT).all(|lane| {
+                    let (moved, allowed) = (moved.lane(lane), allowed.lane(lane));
+                    let turned = side.lane(lane) * self.side.lane(lane) <= 0.0;
+                    let smooth = moved <= SMOOTH * allowed + 16.0 * rounding;
+                    apart.lane(lane) > SINGULAR
+                        && moved <= JUMP * allowed + 16.0 * rounding
+                        && (!turned || smooth)
+                });
+                self.side = if stays { side } else { self.side };
+                stays
+            }
+            None => false,
+        };
+        if !stays {
+            self.kept.copy_from_slice(&self.before);
+            return false;
+        }
+        self.value = value;
+        for (number, &column) in way.layout.kept.iter().enumerate() {
+            self.third[number] = self.second[column];
+        }
+        self.derive(way);
+        for (number, &column) in way.layout.kept.iter().enumerate() {
+            let change = self.second[column] - self.third[number];
+            self.third[number] =
+                change.with(value - from, |change, h| if h == 0.0 { 0.0 } else { change / h });
+        }
+        true
+    }
+
+    /// Newton's method on the kept coordinates; leaves the factored equations of the closed position, and gives how
+    /// far it moved them.
+    fn close(&mut self, way: &Way) -> Option<S> {
+        widest_of::<S, _>(
+            #[inline(always)]
+            || self.closed(way),
+        )
+    }
+
+    #[inline(always)]
+    fn closed(&mut self, way: &Way) -> Option<S> {
+        let length = way.system.length;
+        let mut moved = S::from(0.0);
+        let mut last = f64::INFINITY;
+        for _ in 0..ROUNDS {
+            way.layout.set(&self.kept, &mut self.work);
+            way.layout.measure(&mut self.work);
+            let open = largest(way.layout.open_by(&self.work)) / length;
+            let stays = open <= ALMOST && open > 0.3 * last;
+            self.order.eliminate(&self.work.slopes);
+            for (row, entries) in way.loops.iter().enumerate() {
+                let row = &mut self.core.entries()[row * way.loops.len()..(row + 1) * way.loops.len()];
+                row.fill(S::from(0.0));
+                for &(place, number) in entries {
+                    row[number] = self.order.eliminated(place);
+                }
+            }
+            self.core.factor();
+            if open <= CLOSED || stays {
+                return Some(moved);
+            }
+            last = open;
+            for (inner, &row) in self.inner.iter_mut().zip(way.layout.loops()) {
+                *inner = self.work.gaps[row];
+            }
+            self.core.solve(&mut self.inner);
+            let mut size = S::from(0.0);
+            for (kept, change) in self.kept.iter_mut().zip(&self.inner) {
+                *kept = *kept - *change;
+                size = size.with(change.abs(), larger);
+            }
+            moved = moved + size;
+            let far = largest(moved);
+            if far.is_nan() || far > STEP * length {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// The derivatives by the value of the driver.
+    fn derive(&mut self, way: &Way) {
+        widest_of::<S, _>(
+            #[inline(always)]
+            || self.derived(way),
+        );
+    }
+
+    #[inline(always)]
+    fn derived(&mut self, way: &Way) {
+        self.right.fill(S::from(0.0));
+        self.right[way.row] = S::from(1.0);
+        solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.first);
+        self.fast = self.first.iter().fold(S::from(0.0), |most, x| most.with(x.abs(), larger));
+        rates(&self.first, way.system.length, &mut self.velocities);
+        way.layout.bend(&self.work, &self.velocities, &mut self.right);
+        solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.second);
+    }
+
+    /// Velocities, accelerations and reactions. False if something is not finite.
+    pub(super) fn load(&mut self, way: &Way) -> bool {
+        widest_of::<S, _>(
+            #[inline(always)]
+            || self.loaded(way),
+        )
+    }
+
+    #[inline(always)]
+    fn loaded(&mut self, way: &Way) -> bool {
+        let Way { system, layout, row, driver, masses, .. } = *way;
+        let drivers = &system.mechanism.drivers;
+        let length = system.length;
+        let alone = drivers
+            .iter()
+            .enumerate()
+            .all(|(other, of)| other == driver || (of.velocity == 0.0 && of.acceleration == 0.0));
+        if alone {
+            let (rate, acceleration) = (drivers[driver].velocity, drivers[driver].acceleration);
+            for ((a, first), second) in self.accelerations.iter_mut().zip(&self.first).zip(&self.second) {
+                *a = *second * (rate * rate) + *first * acceleration;
+            }
+            rates(&self.first, length, &mut self.velocities);
+            for velocity in &mut self.velocities {
+                *velocity = velocity.map(|x| x * rate);
+            }
+        } else {
+            let begin = row - driver;
+            self.right.fill(S::from(0.0));
+            for (right, of) in self.right[begin..].iter_mut().zip(drivers) {
+                *right = S::from(of.velocity);
+            }
+            solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.accelerations);
+            rates(&self.accelerations, length, &mut self.velocities);
+            layout.bend(&self.work, &self.velocities, &mut self.right);
+            for (right, of) in self.right[begin..].iter_mut().zip(drivers) {
+                *right = *right + of.acceleration;
+            }
+            solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.accelerations);
+        }
+        system.forces(&self.work.poses, &self.velocities, &mut self.forces);
+        let per_length = 1.0 / length;
+        let mut effort = S::from(0.0);
+        for (body, [x, y, moment]) in self.forces.iter().enumerate() {
+            for (part, force) in [*x, *y, *moment * per_length].into_iter().enumerate() {
+                let column = 3 * body + part;
+                let balance = self.accelerations[column] * masses[column] - force;
+                self.balance[column] = balance;
+                effort = effort + balance * self.first[column];
+            }
+        }
+        self.effort = effort;
+        self.order.reduce_transposed(&mut self.balance, &mut self.multipliers);
+        for (inner, &column) in self.inner.iter_mut().zip(&layout.kept) {
+            *inner = self.balance[column];
+        }
+        self.core.solve_transposed(&mut self.inner);
+        for (inner, &row) in self.inner.iter().zip(layout.loops()) {
+            self.multipliers[row] = *inner;
+        }
+        self.order.complete_transposed(&mut self.multipliers);
+        let sum = self.multipliers.iter().fold(self.effort, |sum, x| sum + *x);
+        (0..S::COUNT).all(|lane| sum.lane(lane).is_finite())
+    }
+
+    pub(super) fn store(&self, way: &Way, swept: &mut Swept, at: impl Fn(usize) -> usize) {
+        let per_length = 1.0 / way.system.length;
+        for lane in 0..S::COUNT {
+            let n = at(lane);
+            let bodies = n * swept.bodies..(n + 1) * swept.bodies;
+            let of_pose = |pose: &Pose<S>| [pose.x.lane(lane), pose.y.lane(lane), pose.angle.lane(lane)];
+            for (out, pose) in swept.positions[bodies.clone()].iter_mut().zip(&self.work.poses) {
+                *out = of_pose(pose);
+            }
+            for (out, v) in swept.velocities[bodies.clone()].iter_mut().zip(&self.velocities) {
+                *out = [v[0].lane(lane), v[1].lane(lane), v[2].lane(lane)];
+            }
+            for (out, a) in swept.accelerations[bodies].iter_mut().zip(self.accelerations.chunks_exact(3)) {
+                *out = [a[0].lane(lane), a[1].lane(lane), a[2].lane(lane) * per_length];
+            }
+            let rows = n * swept.equations..(n + 1) * swept.equations;
+            for (out, multiplier) in swept.multipliers[rows].iter_mut().zip(&self.multipliers) {
+                *out = multiplier.lane(lane);
+            }
+            swept.efforts[n] = self.effort.lane(lane);
+        }
+    }
+}
+
+/// Work with the widest registers, for numbers side by side.
+fn widest_of<S: Numbers, R>(mut work: impl FnMut() -> R) -> R {
+    if S::COUNT > 1 { widest(work) } else { work() }
+}
+
+/// `Φ_q x = right` with the factored equations. The right sides are overwritten.
+#[inline(always)]
+fn solve<S: Numbers>(
+    way: &Way,
+    order: &Order<S>,
+    core: &Core<S>,
+    inner: &mut [S],
+    right: &mut [S],
+    x: &mut [S],
+) {
+    order.reduce(right);
+    for (inner, &row) in inner.iter_mut().zip(way.layout.loops()) {
+        *inner = right[row];
+    }
+    core.solve(inner);
+    for (inner, &column) in inner.iter().zip(&way.layout.kept) {
+        x[column] = *inner;
+    }
+    order.complete(right, x);
+}
+
+/// Scaled rates as those of the bodies.
+#[inline(always)]
+fn rates<S: Numbers>(scaled: &[S], length: f64, of_bodies: &mut [[S; 3]]) {
+    let per_length = 1.0 / length;
+    for (rate, scaled) in of_bodies.iter_mut().zip(scaled.chunks_exact(3)) {
+        *rate = [scaled[0], scaled[1], scaled[2] * per_length];
+    }
+}
+
+/// Of two numbers; the second if it is not a number.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// The largest of numbers side by side; not a number if one is not.
+#[inline(always)]
+fn largest<S: Numbers>(x: S) -> f64 {
+    let worse = |most: f64, x: f64| if most.is_nan() { most } else { larger(most, x) };
+    (0..S::COUNT).fold(0.0, |most, lane| worse(most, x.lane(lane)))
+}
