@@ -181,6 +181,10 @@ impl Person {
                     let result = files::save(&path, &text, before);
                     Msg::Saved { path, text, result }
                 }
+                Effect::Export { files, before } => {
+                    let (path, result) = files::save_all(&files, before);
+                    Msg::Exported { path, result }
+                }
                 Effect::Open(path) => {
                     let result = files::read(&path);
                     Msg::Opened { path, result }

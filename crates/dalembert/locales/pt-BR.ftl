@@ -24,10 +24,10 @@ the-language-of-everything-that-is-printed = A língua de tudo o que é impresso
 the-shell = O shell
 the-subcommand-without-it-the-whole-program = O subcomando; sem ele, o programa inteiro
 the-table-to-print-as-csv-answers-inputs-steps-checks-table-1-plot-1 = A tabela a imprimir como CSV: answers, inputs, steps, checks, table-1, plot-1
-what-is-printed = O que é impresso
+what-is-printed-without-it-what-the-ending-of-the-file-asks-for-else-text = O que é impresso; sem isto, o que a extensão do arquivo pede, senão texto
 without-arguments-the-workbench-in-a-terminal-a-worked-problem-elsewhere-exit-status-0-solved-1 = Sem argumentos: a bancada em um terminal, um problema resolvido fora dele. Código de saída: 0 resolvido; 1 recusado, ou uma verificação falhou; 2 entrada ou uso errado.
 words-that-the-id-the-title-the-summary-or-the-keywords-contain = Palavras contidas no id, no título, no resumo ou nas palavras-chave
-write-to-a-file = Gravar em um arquivo
+write-to-a-file-markdown-and-typst-write-their-figures-beside-it = Gravar em um arquivo; Markdown e Typst gravam as figuras ao lado dele
 
 ## Descriptions of analyses
 a-table-with-the-columns = uma tabela com as colunas

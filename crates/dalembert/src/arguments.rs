@@ -78,13 +78,13 @@ pub(crate) struct Solve {
     /// Change an input: mass="40 kg", masses[2].radius="0.1 m"; a table can be read from a file: samples=@data.csv
     #[arg(long, value_name = "PATH=VALUE")]
     pub(crate) set: Vec<String>,
-    /// What is printed
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
+    /// What is printed; without it, what the ending of the file asks for, else text
+    #[arg(long, value_enum)]
+    pub(crate) format: Option<Format>,
     /// The table to print as CSV: answers, inputs, steps, checks, table-1, plot-1
     #[arg(long, value_name = "NAME", default_value = "answers")]
     pub(crate) table: String,
-    /// Write to a file
+    /// Write to a file; Markdown and Typst write their figures beside it
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// Show so many significant digits
@@ -101,6 +101,12 @@ pub(crate) enum Format {
     Text,
     /// The worked solution in Markdown
     Markdown,
+    /// The worked solution as one HTML page, with figures
+    Html,
+    /// The worked solution in LaTeX, with figures
+    Latex,
+    /// The worked solution in Typst
+    Typst,
     /// Inputs, answers and checks for another program
     Json,
     /// One table for a spreadsheet

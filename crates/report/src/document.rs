@@ -2,6 +2,8 @@
 
 use dalembert_core::printer::WrittenStep;
 
+use crate::figure::picture::{Part, Picture};
+
 /// A text with headings, lists, steps and tables, every word of it in one language.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
@@ -26,6 +28,8 @@ pub enum Block {
     Step(usize, WrittenStep),
     /// Rows and columns.
     Table(Table),
+    /// A plot or a drawing.
+    Figure(Picture),
 }
 
 /// A name with a value, within others.
@@ -57,6 +61,15 @@ pub struct Table {
 }
 
 impl Document {
+    /// Its figures as files: the name of each, which begins with `stem`, and its SVG.
+    pub fn figures(&self, stem: &str) -> Vec<(String, String)> {
+        let pictures = self.blocks.iter().filter_map(|block| match block {
+            Block::Figure(picture) => Some(picture),
+            _ => None,
+        });
+        pictures.enumerate().map(|(n, picture)| (figure_name(stem, n + 1), picture.svg())).collect()
+    }
+
     /// The same document with every text passed through `change`.
     #[must_use]
     pub fn map(self, change: &impl Fn(&str) -> String) -> Self {
@@ -102,6 +115,20 @@ impl Block {
                 rows: table.rows.into_iter().map(all).collect(),
                 foot: all(table.foot),
             }),
+            Block::Figure(mut picture) => {
+                picture.title = change(&picture.title);
+                for part in &mut picture.parts {
+                    if let Part::Words { text, .. } = part {
+                        *text = change(text);
+                    }
+                }
+                Block::Figure(picture)
+            }
         }
     }
+}
+
+/// The name of the file of a figure, counted from 1.
+pub(crate) fn figure_name(stem: &str, number: usize) -> String {
+    format!("{stem}-{number}.svg")
 }

@@ -2,15 +2,20 @@
 
 use dalembert_core::printer::WrittenStep;
 
-use crate::document::{Block, Document, Line, Table};
+use crate::document::{Block, Document, Line, Table, figure_name};
 
 /// The document in Markdown. Formulas stand in code blocks, so that nothing in them is taken for markup.
-pub fn markdown(document: &Document) -> String {
+/// Figures are links to files that begin with `figures`; without that they are left out.
+pub fn markdown(document: &Document, figures: Option<&str>) -> String {
     let mut text = String::new();
+    let mut count = 0;
     if !document.title.is_empty() {
         text += &format!("# {}\n", escaped(&document.title));
     }
     for block in &document.blocks {
+        if matches!(block, Block::Figure(_)) && figures.is_none() {
+            continue;
+        }
         if !text.is_empty() {
             text.push('\n');
         }
@@ -23,6 +28,11 @@ pub fn markdown(document: &Document) -> String {
             Block::Lines(lines) => lines.iter().map(pair).collect(),
             Block::Step(number, step) => written_step(*number, step),
             Block::Table(table) => pipes(table),
+            Block::Figure(picture) => {
+                count += 1;
+                let name = figure_name(figures.unwrap_or_default(), count);
+                format!("![{}](<{name}>)\n", escaped(&picture.title))
+            }
         };
     }
     text

@@ -34,6 +34,8 @@ pub fn text(document: &Document, width: usize) -> String {
             Block::Lines(lines) => page.pairs(lines),
             Block::Step(number, step) => page.step(*number, step),
             Block::Table(table) => page.table(table),
+            // There is no way to draw one with letters that could be read.
+            Block::Figure(_) => {}
         }
     }
     let mut text = page.lines.join("\n");
@@ -57,7 +59,7 @@ impl Page {
         let under_heading = self.lines.len() >= 2 && self.lines.last().is_some_and(|last| is_rule(last));
         let wanted = match block {
             Block::Heading(_) | Block::Paragraph(_) | Block::Step(..) | Block::Table(_) => !under_heading,
-            Block::Lines(_) | Block::Items(_) => false,
+            Block::Lines(_) | Block::Items(_) | Block::Figure(_) => false,
         };
         if wanted && !self.lines.is_empty() {
             self.lines.push(String::new());

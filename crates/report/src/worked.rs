@@ -9,6 +9,7 @@ use dalembert_units as units;
 use crate::{
     ascii::ascii,
     document::{Block, Document, Line, Table},
+    figure::figure,
     inputs::inputs,
 };
 
@@ -34,7 +35,7 @@ pub struct Worked<'a> {
     pub outcome: Result<&'a Solution, &'a Text>,
 }
 
-/// The worked solution as a person reads it: problem, inputs, answers, steps, tables, checks, warnings, sources.
+/// The worked solution as a person reads it: problem, inputs, answers, steps, figures and tables, checks, warnings, sources.
 pub fn document(worked: &Worked<'_>, locale: &Locale) -> Document {
     let about = worked.entry.about;
     let say = |words: &'static str| Text::from(words).render(locale);
@@ -84,6 +85,7 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
         }
     }
     for exhibit in &solution.exhibits {
+        blocks.extend(figure(exhibit, locale).map(Block::Figure));
         match exhibit {
             Exhibit::Table(table) => blocks.push(Block::Table(written_table(table, locale))),
             Exhibit::Plot(plot) => blocks.extend(plotted(plot, locale)),

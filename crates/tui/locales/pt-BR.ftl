@@ -253,3 +253,11 @@ device = dispositivo
 
 ## Files of tables
 file-why = { $file }: { $why }
+
+## The worked solution as a file
+export-the-worked-solution = exportar a solução resolvida
+the-worked-solution-is-in-file = a solução resolvida está em { $file }
+there-is-no-solution-of-these-inputs-to-export = não há solução destes dados para exportar
+worked-solution-html-tex-typ-md-txt = Solução resolvida (.html, .tex, .typ, .md, .txt)
+write-a-name-that-ends-in-html-tex-typ-md-or-txt = escreva um nome que termine em .html, .tex, .typ, .md ou .txt
+write-under-another-name = gravar com outro nome

@@ -224,6 +224,11 @@ impl World {
                     let result = files::save(&path, &text, before);
                     Msg::Saved { path, text, result }
                 }
+                Effect::Export { files, before } => {
+                    let files: Vec<_> = files.into_iter().map(|(path, text)| (at_home(path), text)).collect();
+                    let (path, result) = files::save_all(&files, before);
+                    Msg::Exported { path, result }
+                }
                 Effect::Open(path) => {
                     let path = at_home(path);
                     let result = files::read(&path);

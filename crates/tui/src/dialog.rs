@@ -95,6 +95,8 @@ pub enum Chosen {
 pub enum Purpose {
     /// The path to save under.
     SaveAs,
+    /// The path of the worked solution.
+    Export,
     /// The path to open.
     Open,
     /// The title of the problem.
@@ -114,6 +116,10 @@ pub enum Answer {
     Overwrite(PathBuf),
     /// Another name is asked for.
     SaveAs,
+    /// Another name for the worked solution is asked for.
+    ExportAs,
+    /// The worked solution is written over what is there.
+    ExportOver(PathBuf),
     /// The file is read again; changes are given up.
     Reload(PathBuf),
     /// The work of a crashed session is taken up.

@@ -19,7 +19,7 @@ use std::{
 };
 
 pub use autosave::{Autosave, Crashed};
-pub use save::{Before, remove_strays, save};
+pub use save::{Before, remove_strays, save, save_all};
 
 use dalembert_core::{Field, Text, uff};
 

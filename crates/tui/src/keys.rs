@@ -98,6 +98,8 @@ pub enum Action {
     Save,
     /// Saves it under another name.
     SaveAs,
+    /// Writes the worked solution to a file.
+    Export,
     /// Asks for the title of the problem.
     Rename,
     /// Opens a problem file.

@@ -111,6 +111,13 @@ pub enum Msg {
         /// What the file is now.
         result: Result<Fingerprint, FileError>,
     },
+    /// The worked solution was written, or not.
+    Exported {
+        /// Where.
+        path: PathBuf,
+        /// Whether it was.
+        result: Result<(), FileError>,
+    },
     /// A file was read, or not.
     Opened {
         /// Which.
@@ -148,6 +155,13 @@ pub enum Effect {
         path: PathBuf,
         /// What.
         text: String,
+        /// What must stand there now.
+        before: Before,
+    },
+    /// Write files that belong together, the first under this condition; [`Msg::Exported`].
+    Export {
+        /// Where, and what.
+        files: Vec<(PathBuf, String)>,
         /// What must stand there now.
         before: Before,
     },

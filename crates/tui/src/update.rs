@@ -2,6 +2,7 @@
 
 mod bench;
 mod dialog;
+mod export;
 mod files;
 mod picker;
 
@@ -59,6 +60,7 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
             Vec::new()
         }
         Msg::Saved { path, text, result } => files::saved(model, &path, text, result),
+        Msg::Exported { path, result } => export::written(model, &path, result),
         Msg::Opened { path, result } => files::opened(model, path, result),
         Msg::TableRead { field, result } => bench::table_read(model, &field, result),
         Msg::Crashed(sessions) => {

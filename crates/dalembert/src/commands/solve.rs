@@ -1,10 +1,13 @@
 //! `dalembert solve`
 
-use std::process::ExitCode;
+use std::{ffi::OsStr, path::Path, process::ExitCode};
 
 use dalembert_core::{Locale, Text};
-use dalembert_report::{Worked, csv, csv_tables, document, json, markdown, show_answer_in};
-use dalembert_tui::files::{self, Before};
+use dalembert_report::{Paper, Worked, csv, csv_tables, document, json, show_answer_in, text};
+use dalembert_tui::{
+    files::{self, Before},
+    glyphs::filter_untrusted,
+};
 
 use crate::{
     arguments::{Format, Solve},
@@ -28,17 +31,60 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
     locale.style.digits = solve.digits.unwrap_or(locale.style.digits);
     let outcome = outcome(&problem)?;
     let worked = worked(&problem, &outcome);
-    let text = match solve.format {
-        Format::Text => console.laid_out(document(&worked, &locale)),
-        Format::Markdown => markdown(&document(&worked, &locale).map(&|words| console.plain(words))),
-        Format::Json => format!("{:#}\n", json(&worked, &locale)),
-        Format::Csv => spreadsheet(&worked, &solve.table, &locale)?,
+    let paper = match format(solve) {
+        Format::Text => Paper::Text,
+        Format::Markdown => Paper::Markdown,
+        Format::Html => Paper::Html,
+        Format::Latex => Paper::Latex,
+        Format::Typst => Paper::Typst,
+        Format::Json => {
+            put(solve, &format!("{:#}\n", json(&worked, &locale)))?;
+            return status(&worked);
+        }
+        Format::Csv => {
+            put(solve, &spreadsheet(&worked, &solve.table, &locale)?)?;
+            return status(&worked);
+        }
     };
+    // Formulas are set as mathematics, of which ASCII has none; LaTeX is ASCII but for accents anyway.
+    let set = matches!(paper, Paper::Html | Paper::Latex | Paper::Typst);
+    locale.style.ascii &= !set;
+    let plain = |words: &str| if set { filter_untrusted(words).into_owned() } else { console.plain(words) };
+    let document = document(&worked, &locale).map(&plain);
     match &solve.output {
-        Some(path) => drop(files::save(path, &text, Before::Whatever)?),
-        None => print(&text)?,
+        _ if paper == Paper::Text => put(solve, &text(&document, console.width))?,
+        None => print(&paper.write(&document, None, &locale))?,
+        Some(path) => {
+            for (name, text) in paper.files(&document, path, &locale).unwrap_or_default() {
+                files::save(&path.with_file_name(name), &text, Before::Whatever)?;
+            }
+        }
     }
     status(&worked)
+}
+
+/// What is asked for: by name, else by the ending of the file.
+fn format(solve: &Solve) -> Format {
+    solve.format.unwrap_or_else(|| {
+        let path = solve.output.as_deref().unwrap_or(Path::new(""));
+        match (Paper::of(path), path.extension().and_then(OsStr::to_str)) {
+            (Some(Paper::Markdown), _) => Format::Markdown,
+            (Some(Paper::Html), _) => Format::Html,
+            (Some(Paper::Latex), _) => Format::Latex,
+            (Some(Paper::Typst), _) => Format::Typst,
+            (_, Some("json")) => Format::Json,
+            (_, Some("csv")) => Format::Csv,
+            _ => Format::Text,
+        }
+    })
+}
+
+/// Writes a text to the file that is asked for, or prints it.
+fn put(solve: &Solve, text: &str) -> Result<(), Failure> {
+    match &solve.output {
+        Some(path) => files::save(path, text, Before::Whatever).map(drop).map_err(Failure::File),
+        None => print(text),
+    }
 }
 
 /// Prints the worked solution of a problem on the screen.

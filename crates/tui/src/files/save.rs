@@ -35,6 +35,19 @@ pub fn save(path: &Path, text: &str, before: Before) -> Result<Fingerprint, File
     save_with(path, text, before, &mut |_| Ok(()))
 }
 
+/// Saves files that belong together: the first where that is as it must be, then the others over what is there. The
+/// answer names the first, or the one that could not be written.
+pub fn save_all(files: &[(PathBuf, String)], before: Before) -> (PathBuf, Result<(), FileError>) {
+    let mut before = before;
+    for (path, text) in files {
+        if let Err(error) = save(path, text, before) {
+            return (path.clone(), Err(error));
+        }
+        before = Before::Whatever;
+    }
+    (files.first().map(|(path, _)| path.clone()).unwrap_or_default(), Ok(()))
+}
+
 /// Removes what crashed programs left in a folder: their temporary files, older than a minute, whose process has
 /// ended. Answers how many were removed; what cannot be looked at is left.
 pub fn remove_strays(folder: &Path) -> usize {

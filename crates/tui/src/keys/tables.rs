@@ -85,6 +85,7 @@ pub(super) const FORM: &[Binding] = &[
     bind(Action::Redo, &[typed('Z')], "redo", ""),
     bind(Action::Save, &[typed('s'), ctrl('s')], "save", "save"),
     bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
+    bind(Action::Export, &[typed('X')], "export the worked solution", ""),
     bind(Action::Rename, &[typed('T')], "rename: give it a title", ""),
     bind(Action::Copy, &[typed('y')], "copy what the tab shows", ""),
     bind(Action::Back, ESC, "one step back", ""),
@@ -175,6 +176,7 @@ pub const PANES: &[Binding] = &[
     bind(Action::Redo, &[typed('Z')], "redo", ""),
     bind(Action::Save, &[typed('s'), ctrl('s')], "save", ""),
     bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
+    bind(Action::Export, &[typed('X')], "export the worked solution", ""),
     bind(Action::Back, ESC, "one step back", "back"),
 ];
 

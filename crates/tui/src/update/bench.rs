@@ -12,7 +12,7 @@ use ratatui::{
 };
 use tui_input::InputRequest;
 
-use super::{files, request, too_long, type_in};
+use super::{export, files, request, too_long, type_in};
 use crate::{
     bench::{Bench, Focus, State, Tab},
     dialog::{Choice, Chosen, Dialog, Purpose, Sheet},
@@ -44,6 +44,7 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
     match action {
         Action::Save => return files::save(model),
         Action::SaveAs => return files::ask_path(model),
+        Action::Export => return export::ask_path(model),
         Action::NextTab => return turn(model, 1),
         Action::Play | Action::PreviousFrame | Action::NextFrame => {
             film(model, action);

@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use dalembert_core::Text;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::{act as act_there, bench, files, go_on};
+use super::{act as act_there, bench, export, files, go_on};
 use crate::{
     dialog::{Answer, Chosen, Dialog, Purpose, offered},
+    files::Before,
     keys::Action,
     model::{After, Effect, Model, Screen},
     solver::{Job, Work},
@@ -83,6 +84,8 @@ fn answer(model: &mut Model, answer: Answer) -> Vec<Effect> {
         }
         Answer::Overwrite(path) => files::overwrite(model, path),
         Answer::SaveAs => files::ask_path(model),
+        Answer::ExportAs => export::ask_path(model),
+        Answer::ExportOver(path) => export::write(model, path, Before::Whatever),
         Answer::Reload(path) => {
             model.after_save = After::Stay;
             vec![Effect::Open(path)]
@@ -157,6 +160,7 @@ fn enter(model: &mut Model) -> Vec<Effect> {
                     Vec::new()
                 }
                 Purpose::SaveAs => files::save_as(model, PathBuf::from(typed)),
+                Purpose::Export => export::write(model, PathBuf::from(typed), Before::Absent),
                 Purpose::Open => super::leave(model, After::File(PathBuf::from(typed))),
             }
         }

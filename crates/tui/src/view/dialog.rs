@@ -52,6 +52,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
         Dialog::Prompt { purpose, input, proposed, error } => {
             let title = match purpose {
                 Purpose::SaveAs => "Save as",
+                Purpose::Export => "Worked solution (.html, .tex, .typ, .md, .txt)",
                 Purpose::Open => "File to open",
                 Purpose::Title => "Title of the problem",
             };

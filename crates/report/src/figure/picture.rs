@@ -1,0 +1,294 @@
+//! Lines, areas and words at their places, and how they are written as SVG and as TikZ.
+//!
+//! Lengths are CSS pixels, `y` down. TikZ comes with every TeX and needs neither a converter nor a second file, which
+//! SVG does in LaTeX.
+
+use crate::xml;
+
+/// The height of words.
+pub const WORDS: f64 = 13.0;
+
+/// A picture.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Picture {
+    /// What it shows.
+    pub title: String,
+    /// Its width.
+    pub width: f64,
+    /// Its height.
+    pub height: f64,
+    /// Its parts, later ones over earlier ones.
+    pub parts: Vec<Part>,
+}
+
+/// A part of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Part {
+    /// Straight lines from point to point.
+    Line {
+        /// The points.
+        points: Vec<(f64, f64)>,
+        /// Their colour.
+        tone: Tone,
+        /// Their width.
+        width: f64,
+        /// How they are dashed.
+        dash: Dash,
+    },
+    /// A filled disc.
+    Disc {
+        /// Its centre.
+        at: (f64, f64),
+        /// Its radius.
+        radius: f64,
+        /// Its colour.
+        tone: Tone,
+    },
+    /// A shaded rectangle.
+    Area {
+        /// Its upper left corner.
+        from: (f64, f64),
+        /// Its lower right corner.
+        to: (f64, f64),
+        /// Its colour.
+        tone: Tone,
+    },
+    /// Words on one line.
+    Words {
+        /// A point of their base line.
+        at: (f64, f64),
+        /// Which end of them stands there.
+        anchor: Anchor,
+        /// The words.
+        text: String,
+        /// Their colour.
+        tone: Tone,
+    },
+}
+
+/// What a colour stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tone {
+    /// The colour of the words around.
+    Ink,
+    /// The same, faint: grids, centre lines.
+    Faint,
+    /// The curve of that place.
+    Curve(usize),
+    /// What is permitted.
+    Good,
+    /// What is forbidden or to be avoided.
+    Bad,
+}
+
+/// How a line is dashed: curves can be told apart without colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dash {
+    /// Not at all.
+    Solid,
+    /// Long dashes.
+    Long,
+    /// Short dashes.
+    Short,
+    /// Dashes and dots.
+    Mixed,
+}
+
+/// Which end of words stands at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// Their beginning.
+    Start,
+    /// Their middle.
+    Middle,
+    /// Their end.
+    End,
+}
+
+/// The colours of curves: of middle brightness, so that they stand out on white and on black.
+const CURVES: [&str; 6] = ["2878C8", "D0700C", "2A9658", "C84864", "8660C8", "188E98"];
+
+impl Tone {
+    /// Red, green and blue; `None` for the colour of the words around.
+    fn rgb(self) -> Option<&'static str> {
+        match self {
+            Tone::Ink | Tone::Faint => None,
+            Tone::Curve(n) => Some(CURVES[n % CURVES.len()]),
+            Tone::Good => Some(CURVES[2]),
+            Tone::Bad => Some(CURVES[3]),
+        }
+    }
+}
+
+impl Dash {
+    /// The dash of the curve of that place.
+    pub fn of_curve(n: usize) -> Self {
+        [Dash::Solid, Dash::Long, Dash::Short, Dash::Mixed][n % 4]
+    }
+
+    fn lengths(self) -> &'static [u32] {
+        match self {
+            Dash::Solid => &[],
+            Dash::Long => &[9, 4],
+            Dash::Short => &[3, 3],
+            Dash::Mixed => &[9, 3, 2, 3],
+        }
+    }
+}
+
+impl Picture {
+    /// The picture as an SVG that needs nothing else. Lines and words take the colour of the page; alone, they are
+    /// dark, or light for those who ask for dark pages.
+    pub fn svg(&self) -> String {
+        let (width, height) = (short(self.width), short(self.height));
+        let mut text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
+             height=\"{height}\" role=\"img\" font-family=\"sans-serif\" font-size=\"{}\">\n<title>{}</title>\n\
+             <style>:root {{ color: #1c1c1c }} @media (prefers-color-scheme: dark) {{ :root {{ color: #e4e4e4 }} \
+             }}</style>\n",
+            short(WORDS),
+            xml::escaped(&self.title)
+        );
+        for part in &self.parts {
+            text += &svg(part);
+            text.push('\n');
+        }
+        text + "</svg>\n"
+    }
+
+    /// The picture as a `tikzpicture`, its words passed through `set`. Its colours are those of [`tikz_colours`].
+    pub fn tikz(&self, set: impl Fn(&str) -> String) -> String {
+        let mut text = "\\begin{tikzpicture}[x=0.02cm,y=-0.02cm,line join=round]\n".to_owned();
+        for part in &self.parts {
+            text += &tikz(part, &set);
+            text.push('\n');
+        }
+        text + "\\end{tikzpicture}\n"
+    }
+}
+
+/// The colours that a `tikzpicture` uses, for the preamble.
+pub fn tikz_colours() -> String {
+    let colour = |(n, rgb): (usize, &&str)| format!("\\definecolor{{curve{n}}}{{HTML}}{{{rgb}}}\n");
+    CURVES.iter().enumerate().map(colour).collect()
+}
+
+fn svg(part: &Part) -> String {
+    let paint = |tone: &Tone| tone.rgb().map_or_else(|| "currentColor".to_owned(), |rgb| format!("#{rgb}"));
+    let faint = |tone: &Tone| if *tone == Tone::Faint { " opacity=\"0.35\"" } else { "" };
+    match part {
+        Part::Line { points, tone, width, dash } => {
+            let dash = match dash.lengths() {
+                [] => String::new(),
+                lengths => {
+                    let lengths: Vec<String> = lengths.iter().map(u32::to_string).collect();
+                    format!(" stroke-dasharray=\"{}\"", lengths.join(" "))
+                }
+            };
+            let points: Vec<String> =
+                points.iter().map(|(x, y)| format!("{},{}", short(*x), short(*y))).collect();
+            format!(
+                "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{dash}{} \
+                 stroke-linejoin=\"round\"/>",
+                points.join(" "),
+                paint(tone),
+                short(*width),
+                faint(tone)
+            )
+        }
+        Part::Disc { at, radius, tone } => format!(
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"{}/>",
+            short(at.0),
+            short(at.1),
+            short(*radius),
+            paint(tone),
+            faint(tone)
+        ),
+        Part::Area { from, to, tone } => format!(
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" opacity=\"0.15\"/>",
+            short(from.0),
+            short(from.1),
+            short(to.0 - from.0),
+            short(to.1 - from.1),
+            paint(tone)
+        ),
+        Part::Words { at, anchor, text, tone } => {
+            let anchor = match anchor {
+                Anchor::Start => "",
+                Anchor::Middle => " text-anchor=\"middle\"",
+                Anchor::End => " text-anchor=\"end\"",
+            };
+            format!(
+                "<text x=\"{}\" y=\"{}\"{anchor} fill=\"{}\">{}</text>",
+                short(at.0),
+                short(at.1),
+                paint(tone),
+                xml::escaped(text)
+            )
+        }
+    }
+}
+
+fn tikz(part: &Part, set: &impl Fn(&str) -> String) -> String {
+    let paint = |tone: &Tone| match tone {
+        Tone::Ink => "black".to_owned(),
+        Tone::Faint => "black!35".to_owned(),
+        Tone::Curve(n) => format!("curve{}", n % CURVES.len()),
+        Tone::Good => "curve2".to_owned(),
+        Tone::Bad => "curve3".to_owned(),
+    };
+    let place = |(x, y): &(f64, f64)| format!("({},{})", short(*x), short(*y));
+    match part {
+        Part::Line { points, tone, width, dash } => {
+            let dash = match dash.lengths() {
+                [] => String::new(),
+                lengths => {
+                    let runs = lengths
+                        .iter()
+                        .enumerate()
+                        .map(|(n, length)| format!("{} {length}bp", if n % 2 == 0 { "on" } else { "off" }));
+                    format!(",dash pattern={}", runs.collect::<Vec<_>>().join(" "))
+                }
+            };
+            // TeX reads short lines only.
+            let mut path = String::new();
+            for (n, point) in points.iter().enumerate() {
+                path += if n == 0 {
+                    " "
+                } else if n % 6 == 0 {
+                    "\n  -- "
+                } else {
+                    " -- "
+                };
+                path += &place(point);
+            }
+            format!("\\draw[{},line width={}bp{dash}]{path};", paint(tone), short(0.6 * width))
+        }
+        Part::Disc { at, radius, tone } => {
+            format!("\\fill[{}] {} circle[radius={}bp];", paint(tone), place(at), short(0.6 * radius))
+        }
+        Part::Area { from, to, tone } => {
+            format!("\\fill[{},opacity=0.15] {} rectangle {};", paint(tone), place(from), place(to))
+        }
+        Part::Words { at, anchor, text, tone } => {
+            let anchor = match anchor {
+                Anchor::Start => "base west",
+                Anchor::Middle => "base",
+                Anchor::End => "base east",
+            };
+            format!(
+                "\\node[{},anchor={anchor},inner sep=0pt,font=\\footnotesize] at {} {{{}}};",
+                paint(tone),
+                place(at),
+                set(text)
+            )
+        }
+    }
+}
+
+/// A length with no more digits than can be seen.
+pub(crate) fn short(length: f64) -> String {
+    let text = format!("{length:.1}");
+    let text = text.strip_suffix(".0").unwrap_or(&text);
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}

@@ -1,0 +1,265 @@
+//! A plot as a picture.
+
+use dalembert_core::{Locale, Plot, Series};
+
+use super::{
+    axes::Axes,
+    labels::{Labels, width},
+    picture::{Anchor, Dash, Part, Picture, Tone, WORDS},
+    ticks::{Tick, Ticks},
+};
+
+const WIDTH: f64 = 640.0;
+/// The height of what is inside the axes.
+const INSIDE: f64 = 300.0;
+/// A line of words.
+const LINE: f64 = 1.5 * WORDS;
+
+/// The plot with its axes, ticks, legend and names; `None` where there is nothing to draw.
+pub(super) fn picture(plot: &Plot, locale: &Locale) -> Option<Picture> {
+    let axes = Axes::of(plot)?;
+    let up = axes.y.span.ticks(7, locale.style);
+    let longest = |ticks: &Ticks| ticks.ticks.iter().map(|tick| width(&tick.label)).fold(0.0, f64::max);
+    let left = longest(&up) + 16.0;
+    let right = WIDTH - 20.0;
+    let across = axes.x.span.ticks_that_fit(10, locale.style, |ticks| {
+        let labelled = ticks.ticks.iter().filter(|tick| !tick.label.is_empty()).count();
+        (longest(ticks) + 14.0) * labelled as f64 <= right - left
+    });
+    let legend = Legend::of(plot, locale, right - 12.0);
+    let top = LINE + legend.height + 8.0;
+    let area = Area { left, top, right, bottom: top + INSIDE, axes: &axes };
+    let mut parts = Vec::new();
+    area.bands(&mut parts);
+    area.grid(&across.ticks, &up.ticks, &mut parts);
+    let mut labels = Labels::new((area.left + 3.0, area.top + 3.0, area.right - 3.0, area.bottom - 3.0));
+    area.levels(locale, &mut labels, &mut parts);
+    for (n, series) in plot.series.iter().enumerate() {
+        area.curve(n, series, &mut labels, &mut parts);
+    }
+    for mark in &plot.marks {
+        if let Some(at) = area.place(mark.at) {
+            labels.avoid(&[at]);
+            parts.push(Part::Disc { at, radius: 4.0, tone: Tone::Ink });
+        }
+    }
+    for mark in &plot.marks {
+        if let Some(at) = area.place(mark.at) {
+            labels.beside(&mark.label.render(locale), Tone::Ink, at);
+        }
+    }
+    area.band_names(locale, &mut labels);
+    parts.append(&mut labels.parts);
+    let words = |at, anchor, text| Part::Words { at, anchor, text, tone: Tone::Ink };
+    parts.push(words((12.0, LINE - 4.0), Anchor::Start, axes.y.title(up.ten, locale)));
+    parts.extend(legend.parts);
+    let foot = (f64::midpoint(left, right), area.bottom + 2.0 * LINE);
+    parts.push(words(foot, Anchor::Middle, axes.x.title(across.ten, locale)));
+    let height = area.bottom + 2.0 * LINE + 10.0;
+    Some(Picture { title: plot.title.render(locale), width: WIDTH, height, parts })
+}
+
+/// The inside of the axes.
+struct Area<'a> {
+    left: f64,
+    top: f64,
+    right: f64,
+    bottom: f64,
+    axes: &'a Axes<'a>,
+}
+
+impl Area<'_> {
+    fn x(&self, place: f64) -> f64 {
+        self.left + place * (self.right - self.left)
+    }
+
+    fn y(&self, place: f64) -> f64 {
+        self.bottom + place * (self.top - self.bottom)
+    }
+
+    /// Where a point in SI stands; `None` for one that the scales cannot show.
+    fn place(&self, (x, y): (f64, f64)) -> Option<(f64, f64)> {
+        Some((self.x(self.axes.x.of(x)?), self.y(self.axes.y.of(y)?)))
+    }
+
+    fn grid(&self, across: &[Tick], up: &[Tick], parts: &mut Vec<Part>) {
+        let mut line = |from, to, tone, width| {
+            parts.push(Part::Line { points: vec![from, to], tone, width, dash: Dash::Solid });
+        };
+        let mut words = Vec::new();
+        for tick in across {
+            let Some(x) = self.axes.x.span.place(tick.at).map(|place| self.x(place)) else { continue };
+            let named = !tick.label.is_empty();
+            line((x, self.top), (x, self.bottom), Tone::Faint, if named { 0.8 } else { 0.3 });
+            let at = (x, self.bottom + LINE);
+            words.push(Part::Words { at, anchor: Anchor::Middle, text: tick.label.clone(), tone: Tone::Ink });
+        }
+        for tick in up {
+            let Some(y) = self.axes.y.span.place(tick.at).map(|place| self.y(place)) else { continue };
+            let named = !tick.label.is_empty();
+            line((self.left, y), (self.right, y), Tone::Faint, if named { 0.8 } else { 0.3 });
+            let at = (self.left - 6.0, y + 0.35 * WORDS);
+            words.push(Part::Words { at, anchor: Anchor::End, text: tick.label.clone(), tone: Tone::Ink });
+        }
+        if self.axes.y.passes_zero()
+            && let Some(place) = self.axes.y.of(0.0)
+        {
+            line((self.left, self.y(place)), (self.right, self.y(place)), Tone::Ink, 0.8);
+        }
+        let (left, top, right, bottom) = (self.left, self.top, self.right, self.bottom);
+        for (from, to) in [((left, top), (left, bottom)), ((left, bottom), (right, bottom))] {
+            line(from, to, Tone::Ink, 1.2);
+        }
+        parts.extend(
+            words.into_iter().filter(|part| !matches!(part, Part::Words { text, .. } if text.is_empty())),
+        );
+    }
+
+    fn curve(&self, n: usize, series: &Series, labels: &mut Labels, parts: &mut Vec<Part>) {
+        let tone = Tone::Curve(n);
+        if !series.joined {
+            for at in series.points.iter().filter_map(|at| self.place(*at)) {
+                labels.avoid(&[at]);
+                parts.push(Part::Disc { at, radius: 2.5, tone });
+            }
+            return;
+        }
+        // A point that cannot be shown breaks the line.
+        for run in series.points.split(|at| self.place(*at).is_none()) {
+            let points = thinned(run.iter().filter_map(|at| self.place(*at)));
+            if points.len() > 1 {
+                labels.avoid(&points);
+                parts.push(Part::Line { points, tone, width: 1.8, dash: Dash::of_curve(n) });
+            } else if let [at] = points[..] {
+                parts.push(Part::Disc { at, radius: 1.8, tone });
+            }
+        }
+    }
+
+    /// Lines across, named at their right end; a level beyond the axis is named at its edge, with its value.
+    fn levels(&self, locale: &Locale, labels: &mut Labels, parts: &mut Vec<Part>) {
+        for level in &self.axes.plot.levels {
+            let Some(place) = self.axes.y.of(level.y) else { continue };
+            let name = level.label.render(locale);
+            let inside = (0.0..=1.0).contains(&place);
+            let y = self.y(place.clamp(0.0, 1.0));
+            let name = if inside {
+                let points = vec![(self.left, y), (self.right, y)];
+                labels.avoid(&points);
+                parts.push(Part::Line { points, tone: Tone::Bad, width: 1.2, dash: Dash::Long });
+                name
+            } else {
+                let arrow = match (place > 1.0, locale.style.ascii) {
+                    (_, true) => "",
+                    (true, false) => "↑ ",
+                    (false, false) => "↓ ",
+                };
+                format!("{arrow}{name}: {}", self.axes.y.write(level.y, locale.style))
+            };
+            let (right, above, below) = (self.right - width(&name) - 4.0, y - 5.0, y + WORDS + 1.0);
+            let left = self.left + 6.0;
+            labels.put(&name, Tone::Bad, &[(right, above), (right, below), (left, above), (left, below)]);
+        }
+    }
+
+    /// Where a band begins and ends inside the axes.
+    fn ends(&self, from: f64, to: f64) -> Option<(f64, f64)> {
+        let end = |at: f64| match at {
+            f64::INFINITY => Some(1.0),
+            // An end that a logarithmic axis cannot show lies at or below zero: left of it.
+            _ if at == f64::NEG_INFINITY || (!at.is_nan() && self.axes.x.of(at).is_none()) => Some(0.0),
+            _ => self.axes.x.of(at),
+        };
+        let (from, to) = (end(from)?, end(to)?);
+        let (from, to) = (from.min(to), from.max(to));
+        (to >= 0.0 && from <= 1.0).then(|| (self.x(from.clamp(0.0, 1.0)), self.x(to.clamp(0.0, 1.0))))
+    }
+
+    fn bands(&self, parts: &mut Vec<Part>) {
+        for band in &self.axes.plot.bands {
+            if let Some((from, to)) = self.ends(band.from, band.to) {
+                let tone = if band.permitted { Tone::Good } else { Tone::Bad };
+                parts.push(Part::Area { from: (from, self.top), to: (to, self.bottom), tone });
+            }
+        }
+    }
+
+    fn band_names(&self, locale: &Locale, labels: &mut Labels) {
+        for band in &self.axes.plot.bands {
+            let Some((from, to)) = self.ends(band.from, band.to) else { continue };
+            let name = band.label.render(locale);
+            let x = f64::midpoint(from, to) - width(&name) / 2.0;
+            let mut places: Vec<(f64, f64)> =
+                (1..5).map(|row| (x, self.top + f64::from(row) * LINE)).collect();
+            places.push((x, self.bottom - 6.0));
+            labels.put(&name, if band.permitted { Tone::Good } else { Tone::Bad }, &places);
+        }
+    }
+}
+
+/// The names of the curves, in rows above the axes.
+struct Legend {
+    height: f64,
+    parts: Vec<Part>,
+}
+
+impl Legend {
+    fn of(plot: &Plot, locale: &Locale, right: f64) -> Self {
+        const SAMPLE: f64 = 26.0;
+        let mut legend = Self { height: 0.0, parts: Vec::new() };
+        let mut x = 12.0;
+        for (n, series) in plot.series.iter().enumerate() {
+            let name = series.label.render(locale);
+            if name.is_empty() {
+                continue;
+            }
+            let long = SAMPLE + 6.0 + width(&name) + 16.0;
+            if legend.height == 0.0 || x + long > right {
+                (x, legend.height) = (12.0, legend.height + LINE);
+            }
+            let base = LINE + legend.height - 4.0;
+            let (tone, middle) = (Tone::Curve(n), base - 0.35 * WORDS);
+            legend.parts.push(if series.joined {
+                let points = vec![(x, middle), (x + SAMPLE, middle)];
+                Part::Line { points, tone, width: 1.8, dash: Dash::of_curve(n) }
+            } else {
+                Part::Disc { at: (x + SAMPLE / 2.0, middle), radius: 2.5, tone }
+            });
+            let at = (x + SAMPLE + 6.0, base);
+            legend.parts.push(Part::Words { at, anchor: Anchor::Start, text: name, tone: Tone::Ink });
+            x += long;
+        }
+        legend
+    }
+}
+
+/// The points of a curve that can be told apart: of those within half a pixel across, the first, the least, the
+/// greatest and the last.
+fn thinned(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    let mut out: Vec<(f64, f64)> = Vec::new();
+    let mut column: Vec<(f64, f64)> = Vec::new();
+    let column_of = |at: (f64, f64)| (2.0 * at.0).round();
+    for at in points {
+        if column.first().is_some_and(|first| column_of(*first) != column_of(at)) {
+            out.extend(outermost(&column));
+            column.clear();
+        }
+        column.push(at);
+    }
+    out.extend(outermost(&column));
+    out
+}
+
+fn outermost(column: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    if column.len() <= 4 {
+        return column.to_vec();
+    }
+    let by_height = |a: &usize, b: &usize| column[*a].1.total_cmp(&column[*b].1);
+    let least = (0..column.len()).min_by(by_height).unwrap_or(0);
+    let greatest = (0..column.len()).max_by(by_height).unwrap_or(0);
+    let mut kept = [0, least, greatest, column.len() - 1];
+    kept.sort_unstable();
+    let mut all: Vec<(f64, f64)> = kept.iter().map(|at| column[*at]).collect();
+    all.dedup();
+    all
+}

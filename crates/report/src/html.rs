@@ -1,0 +1,166 @@
+//! A document as one HTML page that needs nothing else: figures inline, formulas as MathML, no scripts.
+
+use dalembert_core::{Language, Locale, printer::WrittenStep};
+
+use crate::{
+    document::{Block, Document, Line, Table},
+    math::{self, Math, sides},
+    xml::escaped,
+};
+
+const STYLE: &str = "\
+:root { color-scheme: light dark }
+body { max-width: 48rem; margin: 2rem auto; padding: 0 1rem; font: 1rem/1.5 Georgia, serif }
+h1, h2 { line-height: 1.2 }
+table { border-collapse: collapse; margin: .8rem 0 }
+th, td { padding: .15rem .7rem .15rem 0; text-align: left; vertical-align: top; font-weight: normal }
+table.rows th { border-bottom: 1px solid; font-weight: bold }
+table.rows tfoot td { border-top: 1px solid; font-weight: bold }
+.number { text-align: right }
+caption { text-align: left; font-weight: bold }
+figure { margin: 1.2rem 0 }
+figure svg { max-width: 100%; height: auto }
+.formula { overflow-x: auto; margin: .4rem 0 1rem 2rem }
+.formula mtd { text-align: left; padding: .25em .2em }
+.source { opacity: .7 }
+@media print { body { max-width: none; margin: 0 } .formula, figure, tr { break-inside: avoid } }
+";
+
+/// The document as an HTML page.
+pub fn html(document: &Document, locale: &Locale) -> String {
+    let language = match locale.language {
+        Language::English => "en",
+        Language::Portuguese => "pt-BR",
+    };
+    let title = escaped(&document.title);
+    let blocks: String = document.blocks.iter().map(block).collect();
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta \
+         name=\"viewport\" content=\"width=device-width\"/>\n<title>{title}</title>\n<style>\n{STYLE}</style>\n\
+         </head>\n<body>\n<h1>{title}</h1>\n{blocks}</body>\n</html>\n"
+    )
+}
+
+fn block(block: &Block) -> String {
+    match block {
+        Block::Heading(words) => format!("<h2>{}</h2>\n", escaped(words)),
+        Block::Paragraph(words) => format!("<p>{}</p>\n", escaped(words)),
+        Block::Items(items) => {
+            let items: String = items.iter().map(|item| format!("<li>{}</li>\n", escaped(item))).collect();
+            format!("<ul>\n{items}</ul>\n")
+        }
+        Block::Lines(lines) => {
+            format!("<table>\n<tbody>\n{}</tbody>\n</table>\n", lines.iter().map(pair).collect::<String>())
+        }
+        Block::Step(number, step) => written_step(*number, step),
+        Block::Table(table) => rows(table),
+        Block::Figure(picture) => format!(
+            "<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n",
+            picture.svg(),
+            escaped(&picture.title)
+        ),
+    }
+}
+
+fn pair(line: &Line) -> String {
+    let symbol = if line.symbol.is_empty() { String::new() } else { inline(&math::symbols(&line.symbol)) };
+    format!(
+        "<tr><th style=\"padding-left: {}em\">{}</th><td>{symbol}</td><td>{}</td></tr>\n",
+        1.2 * line.depth as f64,
+        escaped(&line.label),
+        escaped(&line.value)
+    )
+}
+
+fn inline(formula: &Math) -> String {
+    format!("<math>{}</math>", mathml(formula))
+}
+
+fn written_step(number: usize, step: &WrittenStep) -> String {
+    let source = if step.source.is_empty() {
+        String::new()
+    } else {
+        format!(" <span class=\"source\">({})</span>", escaped(&step.source))
+    };
+    let mut text = format!("<p><b>{number}.</b> {}{source}</p>\n", escaped(&step.why));
+    let sides = sides(step);
+    let symbol = mathml(&math::symbols(&step.symbol));
+    let lines = sides.iter().enumerate().map(|(n, side)| {
+        let symbol = if n == 0 { symbol.as_str() } else { "" };
+        format!(
+            "<mtr><mtd>{symbol}</mtd><mtd><mo>=</mo></mtd><mtd><mrow>{}</mrow></mtd></mtr>\n",
+            mathml(side)
+        )
+    });
+    text += &format!(
+        "<div class=\"formula\"><math display=\"inline\" displaystyle=\"true\"><mtable \
+         displaystyle=\"true\">\n{}</mtable></math></div>\n",
+        lines.collect::<String>()
+    );
+    if !step.terms.is_empty() {
+        let terms = step.terms.iter().map(|(term, value)| {
+            format!(
+                "<tr><td>{}</td><td class=\"number\">{}</td></tr>\n",
+                inline(&math::symbols(term)),
+                escaped(value)
+            )
+        });
+        text += &format!("<table>\n<tbody>\n{}</tbody>\n</table>\n", terms.collect::<String>());
+    }
+    text
+}
+
+fn rows(table: &Table) -> String {
+    let number = |at: usize| if table.numeric.get(at) == Some(&true) { " class=\"number\"" } else { "" };
+    let row = |cells: &[String], tag: &str| {
+        let cells = (0..table.columns.len()).map(|at| {
+            format!("<{tag}{}>{}</{tag}>", number(at), escaped(cells.get(at).map_or("", String::as_str)))
+        });
+        format!("<tr>{}</tr>\n", cells.collect::<String>())
+    };
+    let caption = if table.title.is_empty() {
+        String::new()
+    } else {
+        format!("<caption>{}</caption>\n", escaped(&table.title))
+    };
+    let foot = if table.foot.is_empty() {
+        String::new()
+    } else {
+        format!("<tfoot>\n{}</tfoot>\n", row(&table.foot, "td"))
+    };
+    format!(
+        "<table class=\"rows\">\n{caption}<thead>\n{}</thead>\n<tbody>\n{}</tbody>\n{foot}</table>\n",
+        row(&table.columns, "th"),
+        table.rows.iter().map(|cells| row(cells, "td")).collect::<String>()
+    )
+}
+
+/// A formula in MathML, without the element around it.
+fn mathml(formula: &Math) -> String {
+    // Every child of a fraction, a root or a power must be one element.
+    let one = |part: &Math| format!("<mrow>{}</mrow>", mathml(part));
+    match formula {
+        Math::Row(parts) => parts.iter().map(mathml).collect(),
+        Math::Number(digits) => format!("<mn>{}</mn>", escaped(digits)),
+        Math::Upright(words) => format!("<mtext>{}</mtext>", escaped(words)),
+        Math::Symbol(base, index) if index.is_empty() => format!("<mi>{}</mi>", escaped(base)),
+        Math::Symbol(base, index) => {
+            format!("<msub><mi>{}</mi><mtext>{}</mtext></msub>", escaped(base), escaped(index))
+        }
+        Math::Operator(sign) => format!("<mo>{}</mo>", escaped(&sign.to_string())),
+        Math::Gap => "<mspace width=\"0.2em\"/>".to_owned(),
+        Math::Fraction(top, bottom) => format!("<mfrac>{}{}</mfrac>", one(top), one(bottom)),
+        Math::Root(degree, of) if degree.is_empty() => format!("<msqrt>{}</msqrt>", mathml(of)),
+        Math::Root(degree, of) => format!("<mroot>{}<mn>{}</mn></mroot>", one(of), escaped(degree)),
+        Math::Power(base, power) => format!("<msup>{}<mn>{}</mn></msup>", one(base), escaped(power)),
+        Math::Index(base, index) => format!("<msub>{}<mtext>{}</mtext></msub>", one(base), escaped(index)),
+        Math::Brackets(open, inner) => {
+            let close = match open {
+                '(' => ')',
+                '[' => ']',
+                other => *other,
+            };
+            format!("<mrow><mo>{open}</mo>{}<mo>{close}</mo></mrow>", mathml(inner))
+        }
+    }
+}

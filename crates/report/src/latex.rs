@@ -1,0 +1,337 @@
+//! A document in LaTeX, for pdfLaTeX, XeLaTeX and LuaLaTeX alike: one file, its figures drawn by TikZ.
+
+use dalembert_core::printer::WrittenStep;
+
+use crate::{
+    ascii::ascii,
+    document::{Block, Document, Line, Table},
+    figure::picture::tikz_colours,
+    math::{self, Math, sides},
+};
+
+const PREAMBLE: &str = r"\documentclass[11pt,a4paper]{article}
+\usepackage[utf8]{inputenc}
+\usepackage[T1]{fontenc}
+\usepackage{textcomp}
+\usepackage{amsmath}
+\usepackage[margin=2.5cm]{geometry}
+\usepackage{longtable}
+\usepackage{tikz}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{0.5\baselineskip}
+\newsavebox{\formula}
+% A formula that is wider than the page is made as wide as the page.
+\newcommand{\fitted}[1]{\sbox{\formula}{$\displaystyle #1$}%
+  \ifdim\wd\formula>\linewidth\resizebox{\linewidth}{!}{\usebox{\formula}}\else\usebox{\formula}\fi\par}
+";
+
+/// The document in LaTeX.
+pub fn latex(document: &Document) -> String {
+    let blocks: Vec<String> = document.blocks.iter().map(block).collect();
+    format!(
+        "{PREAMBLE}{}\\begin{{document}}\n\\section*{{{}}}\n\n{}\n\\end{{document}}\n",
+        tikz_colours(),
+        words(&document.title),
+        blocks.join("\n")
+    )
+}
+
+fn block(block: &Block) -> String {
+    match block {
+        Block::Heading(heading) => format!("\\subsection*{{{}}}\n", words(heading)),
+        Block::Paragraph(sentences) => format!("{}\n", words(sentences)),
+        Block::Items(items) => {
+            let items: String = items.iter().map(|item| format!("\\item {{}}{}\n", words(item))).collect();
+            format!("\\begin{{itemize}}\n{items}\\end{{itemize}}\n")
+        }
+        Block::Lines(lines) => format!(
+            "\\begin{{longtable}}[l]{{@{{}}p{{0.55\\linewidth}}lp{{0.25\\linewidth}}@{{}}}}\n{}\\end{{longtable}}\n",
+            lines.iter().map(pair).collect::<String>()
+        ),
+        Block::Step(number, step) => written_step(*number, step),
+        Block::Table(table) => rows(table),
+        Block::Figure(picture) => format!(
+            "\\begin{{center}}\n{}\n\\smallskip\n{}\n\\end{{center}}\n",
+            picture.tikz(words),
+            words(&picture.title)
+        ),
+    }
+}
+
+fn pair(line: &Line) -> String {
+    let symbol = if line.symbol.is_empty() {
+        String::new()
+    } else {
+        format!("${}$", set(&math::symbols(&line.symbol)))
+    };
+    let indent = if line.depth == 0 { String::new() } else { format!("\\hspace*{{{}em}}", line.depth) };
+    format!("{{}}{indent}{} & {symbol} & {} \\\\\n", words(&line.label), words(&line.value))
+}
+
+fn written_step(number: usize, step: &WrittenStep) -> String {
+    let source = if step.source.is_empty() { String::new() } else { format!(" ({})", words(&step.source)) };
+    let mut text = format!("\\textbf{{{number}.}} {}{source}\n\n\\begin{{quote}}\n", words(&step.why));
+    let symbol = set(&math::symbols(&step.symbol));
+    for (n, side) in sides(step).iter().enumerate() {
+        let left = if n == 0 { symbol.clone() } else { format!("\\phantom{{{symbol}}}") };
+        text += &format!("\\fitted{{{left} = {}}}\n", set(side));
+    }
+    text += "\\end{quote}\n";
+    if !step.terms.is_empty() {
+        let terms = step
+            .terms
+            .iter()
+            .map(|(term, value)| format!("${}$ & {} \\\\\n", set(&math::symbols(term)), words(value)));
+        text += &format!("\\begin{{longtable}}{{lr}}\n{}\\end{{longtable}}\n", terms.collect::<String>());
+    }
+    text
+}
+
+fn rows(table: &Table) -> String {
+    let row = |cells: &[String]| {
+        let cells: Vec<String> =
+            (0..table.columns.len()).map(|at| words(cells.get(at).map_or("", String::as_str))).collect();
+        // A cell that begins with a bracket would be taken for an option of the line break before it.
+        format!("{{}}{} \\\\\n", cells.join(" & "))
+    };
+    let sides: String = (0..table.columns.len())
+        .map(|at| if table.numeric.get(at) == Some(&true) { 'r' } else { 'l' })
+        .collect();
+    let title = if table.title.is_empty() {
+        String::new()
+    } else {
+        format!("\\textbf{{{}}}\n\n", words(&table.title))
+    };
+    let foot = if table.foot.is_empty() { String::new() } else { format!("\\hline\n{}", row(&table.foot)) };
+    format!(
+        "{title}\\begin{{longtable}}{{{sides}}}\n{}\\hline\n\\endhead\n{}{foot}\\end{{longtable}}\n",
+        row(&table.columns),
+        table.rows.iter().map(|cells| row(cells)).collect::<String>()
+    )
+}
+
+/// A formula, to stand within `$`.
+fn set(formula: &Math) -> String {
+    match formula {
+        Math::Row(parts) => parts.iter().map(set).collect::<Vec<_>>().join(" "),
+        Math::Number(digits) => digits.replace(',', "{,}"),
+        Math::Upright(text) => match text.as_str() {
+            "sin" | "cos" | "tan" | "arcsin" | "arccos" | "arctan" | "exp" | "ln" => format!("\\{text}"),
+            _ => format!("\\mathrm{{{}}}", letters(text)),
+        },
+        Math::Symbol(base, index) => format!("{}{}", symbol(base), lowered(index)),
+        // Without braces, so that it keeps the room of a sign.
+        Math::Operator(sign) => match COMMANDS.iter().find(|(like, _)| like == sign) {
+            Some((_, command)) => (*command).to_owned(),
+            None => letters(&sign.to_string()),
+        },
+        Math::Gap => "\\,".to_owned(),
+        Math::Fraction(top, bottom) => format!("\\frac{{{}}}{{{}}}", set(top), set(bottom)),
+        Math::Root(degree, of) if degree.is_empty() => format!("\\sqrt{{{}}}", set(of)),
+        Math::Root(degree, of) => format!("\\sqrt[{}]{{{}}}", letters(degree), set(of)),
+        Math::Power(base, power) => format!("{{{}}}^{{{}}}", set(base), letters(power)),
+        Math::Index(base, index) => format!("{{{}}}{}", set(base), lowered(index)),
+        Math::Brackets(open, inner) => {
+            let close = match open {
+                '(' => ')',
+                '[' => ']',
+                other => *other,
+            };
+            format!("\\left{open}{}\\right{close}", set(inner))
+        }
+    }
+}
+
+fn lowered(index: &str) -> String {
+    match index.chars().count() {
+        0 => String::new(),
+        1 => format!("_{{{}}}", letters(index)),
+        _ => format!("_{{\\mathrm{{{}}}}}", letters(index)),
+    }
+}
+
+fn symbol(base: &str) -> String {
+    let mut characters = base.chars();
+    match (characters.next(), characters.next(), characters.next()) {
+        (Some(_), None, _) => letters(base),
+        (Some(letter), Some('\u{307}'), None) => format!("\\dot{{{}}}", letters(&letter.to_string())),
+        (Some(letter), Some('\u{308}'), None) => format!("\\ddot{{{}}}", letters(&letter.to_string())),
+        (Some(letter), Some('\u{304}' | '\u{305}'), None) => {
+            format!("\\bar{{{}}}", letters(&letter.to_string()))
+        }
+        (Some(letter), Some('\u{302}'), None) => format!("\\hat{{{}}}", letters(&letter.to_string())),
+        _ => format!("\\mathit{{{}}}", letters(base)),
+    }
+}
+
+/// Characters within mathematics.
+fn letters(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text.chars().peekable();
+    while let Some(character) = rest.next() {
+        if let Some(plain) = math::lowered(character) {
+            let mut power = letters(&plain.to_string());
+            while let Some(plain) = rest.peek().copied().and_then(math::lowered) {
+                power += &letters(&plain.to_string());
+                rest.next();
+            }
+            out += &format!("^{{{power}}}");
+        } else if let Some(plain) = math::raised(character) {
+            out += &format!("_{{{}}}", letters(&plain.to_string()));
+        } else if let Some((_, command)) = COMMANDS.iter().find(|(like, _)| *like == character) {
+            out += &format!("{{{command}}}");
+        } else {
+            match character {
+                '−' => out.push('-'),
+                '%' | '#' | '&' | '$' | '_' | '{' | '}' => out.extend(['\\', character]),
+                '\\' => out += "\\backslash{}",
+                '^' => out += "\\hat{}",
+                '~' => out += "\\sim{}",
+                '\'' | '′' => out += "{}'",
+                ' '..='~' => out.push(character),
+                'À'..='ÿ' => out += &format!("\\text{{{character}}}"),
+                _ => out += &format!("\\text{{{}}}", plain(character)),
+            }
+        }
+    }
+    out
+}
+
+/// Words outside of mathematics.
+fn words(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text.chars().peekable();
+    while let Some(character) = rest.next() {
+        for (of, command) in [
+            (math::lowered as fn(char) -> Option<char>, "\\textsuperscript"),
+            (math::raised, "\\textsubscript"),
+        ] {
+            if let Some(first) = of(character) {
+                let mut run = first.to_string();
+                while let Some(next) = rest.peek().copied().and_then(of) {
+                    run.push(next);
+                    rest.next();
+                }
+                out += &format!("{command}{{{}}}", words(&run));
+            }
+        }
+        if math::lowered(character).is_some() || math::raised(character).is_some() {
+            continue;
+        }
+        if let Some((_, command)) = COMMANDS.iter().find(|(like, _)| *like == character) {
+            out += &format!("\\ensuremath{{{command}}}");
+            continue;
+        }
+        match character {
+            '%' | '#' | '&' | '$' | '_' | '{' | '}' => out.extend(['\\', character]),
+            '\\' => out += "\\textbackslash{}",
+            '^' => out += "\\textasciicircum{}",
+            '~' => out += "\\textasciitilde{}",
+            '<' => out += "\\textless{}",
+            '>' => out += "\\textgreater{}",
+            '|' => out += "\\textbar{}",
+            '"' => out += "\\textquotedbl{}",
+            '–' => out += "--",
+            '—' => out += "---",
+            '“' => out += "``",
+            '”' => out += "''",
+            '‘' => out += "`",
+            '’' => out += "'",
+            '…' => out += "\\ldots{}",
+            'ª' => out += "\\textordfeminine{}",
+            'º' => out += "\\textordmasculine{}",
+            '§' => out += "\\S{}",
+            '\u{A0}' => out.push('~'),
+            '\n' | '\r' | '\t' => out.push(' '),
+            ' '..='~' | 'À'..='ÿ' => out.push(character),
+            _ => out += &words(&plain(character)),
+        }
+    }
+    out
+}
+
+/// What stands for a character that is in no table here.
+fn plain(character: char) -> String {
+    ascii(&character.to_string())
+}
+
+const COMMANDS: &[(char, &str)] = &[
+    ('α', "\\alpha"),
+    ('β', "\\beta"),
+    ('γ', "\\gamma"),
+    ('δ', "\\delta"),
+    ('ε', "\\varepsilon"),
+    ('ϵ', "\\epsilon"),
+    ('ζ', "\\zeta"),
+    ('η', "\\eta"),
+    ('θ', "\\theta"),
+    ('ϑ', "\\vartheta"),
+    ('ι', "\\iota"),
+    ('κ', "\\kappa"),
+    ('λ', "\\lambda"),
+    ('μ', "\\mu"),
+    ('µ', "\\mu"),
+    ('ν', "\\nu"),
+    ('ξ', "\\xi"),
+    ('π', "\\pi"),
+    ('ρ', "\\rho"),
+    ('σ', "\\sigma"),
+    ('τ', "\\tau"),
+    ('υ', "\\upsilon"),
+    ('φ', "\\varphi"),
+    ('ϕ', "\\phi"),
+    ('χ', "\\chi"),
+    ('ψ', "\\psi"),
+    ('ω', "\\omega"),
+    ('Γ', "\\Gamma"),
+    ('Δ', "\\Delta"),
+    ('Θ', "\\Theta"),
+    ('Λ', "\\Lambda"),
+    ('Ξ', "\\Xi"),
+    ('Π', "\\Pi"),
+    ('Σ', "\\Sigma"),
+    ('Φ', "\\Phi"),
+    ('Ψ', "\\Psi"),
+    ('Ω', "\\Omega"),
+    ('ℓ', "\\ell"),
+    ('∂', "\\partial"),
+    ('∫', "\\int"),
+    ('∑', "\\sum"),
+    ('√', "\\surd"),
+    ('∞', "\\infty"),
+    ('°', "^\\circ"),
+    ('×', "\\times"),
+    ('÷', "\\div"),
+    ('·', "\\cdot"),
+    ('⋅', "\\cdot"),
+    ('±', "\\pm"),
+    ('∓', "\\mp"),
+    ('≤', "\\le"),
+    ('≥', "\\ge"),
+    ('≠', "\\ne"),
+    ('≈', "\\approx"),
+    ('∠', "\\angle"),
+    ('→', "\\rightarrow"),
+    ('←', "\\leftarrow"),
+    ('↑', "\\uparrow"),
+    ('↓', "\\downarrow"),
+    ('↔', "\\leftrightarrow"),
+    ('⇒', "\\Rightarrow"),
+    ('∈', "\\in"),
+    ('∪', "\\cup"),
+    ('∩', "\\cap"),
+    ('∅', "\\emptyset"),
+    ('−', "-"),
+    ('ẋ', "\\dot x"),
+    ('ẍ', "\\ddot x"),
+    ('ẏ', "\\dot y"),
+    ('ÿ', "\\ddot y"),
+    ('ż', "\\dot z"),
+    ('ṙ', "\\dot r"),
+    ('ṡ', "\\dot s"),
+    ('Ḣ', "\\dot H"),
+    ('Ṗ', "\\dot P"),
+    ('Ṫ', "\\dot T"),
+    ('ẇ', "\\dot w"),
+    ('ℏ', "\\hbar"),
+];

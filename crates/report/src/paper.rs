@@ -1,0 +1,62 @@
+//! A document as the files that hold it.
+
+use std::path::Path;
+
+use dalembert_core::Locale;
+
+use crate::{Document, html, latex, markdown, text, typst};
+
+/// The width of a text in a file.
+const COLUMNS: usize = 80;
+
+/// What a document is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Paper {
+    /// Plain text, without figures.
+    Text,
+    /// Markdown; its figures are files beside it.
+    Markdown,
+    /// One HTML page.
+    Html,
+    /// One LaTeX file.
+    Latex,
+    /// Typst; its figures are files beside it.
+    Typst,
+}
+
+impl Paper {
+    /// What the ending of a file asks for.
+    pub fn of(path: &Path) -> Option<Self> {
+        Some(match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "txt" => Paper::Text,
+            "md" | "markdown" => Paper::Markdown,
+            "html" | "htm" => Paper::Html,
+            "tex" => Paper::Latex,
+            "typ" => Paper::Typst,
+            _ => return None,
+        })
+    }
+
+    /// The document; where it links to figures, their files begin with `figures`.
+    pub fn write(self, document: &Document, figures: Option<&str>, locale: &Locale) -> String {
+        match self {
+            Paper::Text => text(document, COLUMNS),
+            Paper::Markdown => markdown(document, figures),
+            Paper::Html => html(document, locale),
+            Paper::Latex => latex(document),
+            Paper::Typst => typst(document, figures, locale),
+        }
+    }
+
+    /// The document as files beside one another: the name and the text of each, the document itself first. `None`
+    /// where the path has no name.
+    pub fn files(self, document: &Document, path: &Path, locale: &Locale) -> Option<Vec<(String, String)>> {
+        let name = path.file_name()?.to_string_lossy().into_owned();
+        let stem = path.file_stem()?.to_string_lossy().into_owned();
+        let mut files = vec![(name, self.write(document, Some(&stem), locale))];
+        if matches!(self, Paper::Markdown | Paper::Typst) {
+            files.extend(document.figures(&stem));
+        }
+        Some(files)
+    }
+}

@@ -1,0 +1,179 @@
+//! A document in Typst; its figures are SVG files beside it, which Typst reads as they are.
+
+use dalembert_core::{Language, Locale, printer::WrittenStep};
+
+use crate::{
+    document::{Block, Document, Line, Table, figure_name},
+    math::{self, Math, sides},
+};
+
+/// The document in Typst. Its figures are files that begin with `figures`; without that they are left out.
+pub fn typst(document: &Document, figures: Option<&str>, locale: &Locale) -> String {
+    let language = match locale.language {
+        Language::English => "#set text(lang: \"en\")\n",
+        Language::Portuguese => "#set text(lang: \"pt\", region: \"BR\")\n",
+    };
+    let mut text = format!(
+        "#set document(title: {})\n#set page(margin: 2.5cm)\n{language}\n= {}\n",
+        string(&document.title),
+        words(&document.title)
+    );
+    let mut count = 0;
+    for block in &document.blocks {
+        text.push('\n');
+        text += &match block {
+            Block::Heading(heading) => format!("== {}\n", words(heading)),
+            Block::Paragraph(sentences) => format!("{}\n", words(sentences)),
+            Block::Items(items) => items.iter().map(|item| format!("- {}\n", words(item))).collect(),
+            Block::Lines(lines) => pairs(lines),
+            Block::Step(number, step) => written_step(*number, step),
+            Block::Table(table) => rows(table),
+            Block::Figure(picture) => {
+                count += 1;
+                match figures {
+                    Some(stem) => format!(
+                        "#figure(image({}, width: 100%), caption: [{}])\n",
+                        string(&figure_name(stem, count)),
+                        words(&picture.title)
+                    ),
+                    None => String::new(),
+                }
+            }
+        };
+    }
+    text
+}
+
+fn pairs(lines: &[Line]) -> String {
+    let cells = lines.iter().map(|line| {
+        let symbol = if line.symbol.is_empty() {
+            String::new()
+        } else {
+            format!("${}$", set(&math::symbols(&line.symbol)))
+        };
+        format!("  [#h({}em){}], [{symbol}], [{}],\n", line.depth, words(&line.label), words(&line.value))
+    });
+    format!("#table(columns: 3, stroke: none, inset: 3pt,\n{})\n", cells.collect::<String>())
+}
+
+fn written_step(number: usize, step: &WrittenStep) -> String {
+    let source = if step.source.is_empty() { String::new() } else { format!(" ({})", words(&step.source)) };
+    let mut text = format!("*{number}.* {}{source}\n\n#pad(left: 2em)[\n", words(&step.why));
+    let symbol = set(&math::symbols(&step.symbol));
+    // Formulas within a line are broken at their signs, those that stand apart are not.
+    for (n, side) in sides(step).iter().enumerate() {
+        let left = if n == 0 { symbol.clone() } else { format!("#hide(${symbol}$)") };
+        text += &format!("  ${left} = {}$ \\\n", set(side));
+    }
+    text += "]\n";
+    if !step.terms.is_empty() {
+        let cells = step
+            .terms
+            .iter()
+            .map(|(term, value)| format!("  [${}$], [{}],\n", set(&math::symbols(term)), words(value)));
+        text += &format!(
+            "#table(columns: 2, align: (left, right), stroke: none,\n{})\n",
+            cells.collect::<String>()
+        );
+    }
+    text
+}
+
+fn rows(table: &Table) -> String {
+    let cells = |row: &[String]| {
+        let cells: Vec<String> = (0..table.columns.len())
+            .map(|at| format!("[{}]", words(row.get(at).map_or("", String::as_str))))
+            .collect();
+        cells.join(", ")
+    };
+    let sides: Vec<&str> = (0..table.columns.len())
+        .map(|at| if table.numeric.get(at) == Some(&true) { "right" } else { "left" })
+        .collect();
+    let title = if table.title.is_empty() { String::new() } else { format!("*{}*\n\n", words(&table.title)) };
+    let foot = if table.foot.is_empty() {
+        String::new()
+    } else {
+        format!("  table.hline(),\n  {},\n", cells(&table.foot))
+    };
+    let body: String = table.rows.iter().map(|row| format!("  {},\n", cells(row))).collect();
+    // The comma after the only side makes a list of it.
+    format!(
+        "{title}#table(columns: {}, align: ({},), stroke: none, inset: 3pt,\n  table.header({}),\n  \
+         table.hline(),\n{body}{foot})\n",
+        table.columns.len(),
+        sides.join(", "),
+        cells(&table.columns)
+    )
+}
+
+/// A formula, to stand within `$`.
+fn set(formula: &Math) -> String {
+    match formula {
+        Math::Row(parts) => parts.iter().map(set).collect::<Vec<_>>().join(" "),
+        Math::Number(digits) if digits.contains(',') => string(digits),
+        Math::Number(digits) => digits.clone(),
+        Math::Upright(text) => match text.as_str() {
+            "sin" | "cos" | "tan" | "arcsin" | "arccos" | "arctan" | "exp" | "ln" => text.clone(),
+            _ => string(text),
+        },
+        Math::Symbol(base, index) => {
+            let base = match (base.chars().next(), base.chars().count()) {
+                (Some(letter), 1) if letter.is_alphabetic() => base.clone(),
+                _ => format!("italic({})", string(base)),
+            };
+            format!("{base}{}", lowered(index))
+        }
+        Math::Operator(sign) => match sign {
+            '+' | '−' | '=' | '×' | '·' | '≤' | '≥' | '<' | '>' | '±' | '∑' | '…' => {
+                sign.to_string()
+            }
+            other => string(&other.to_string()),
+        },
+        Math::Gap => "thin".to_owned(),
+        Math::Fraction(top, bottom) => format!("frac({}, {})", set(top), set(bottom)),
+        Math::Root(degree, of) if degree.is_empty() => format!("sqrt({})", set(of)),
+        Math::Root(degree, of) => format!("root({}, {})", string(degree), set(of)),
+        Math::Power(base, power) => format!("{}^({})", set(base), string(power)),
+        Math::Index(base, index) => format!("{}{}", set(base), lowered(index)),
+        Math::Brackets('|', inner) => format!("abs({})", set(inner)),
+        Math::Brackets('[', inner) => format!("[{}]", set(inner)),
+        Math::Brackets(_, inner) => format!("({})", set(inner)),
+    }
+}
+
+fn lowered(index: &str) -> String {
+    if index.is_empty() { String::new() } else { format!("_({})", string(index)) }
+}
+
+/// A text between quotation marks.
+fn string(text: &str) -> String {
+    let mut out = String::from('"');
+    for character in text.chars() {
+        match character {
+            '"' | '\\' => out.extend(['\\', character]),
+            '\n' | '\r' | '\t' => out.push(' '),
+            _ => out.push(character),
+        }
+    }
+    out.push('"');
+    out
+}
+
+/// Words on one line, without anything that would be taken for markup.
+fn words(text: &str) -> String {
+    let mut out = String::new();
+    for character in text.chars() {
+        match character {
+            '\\' | '#' | '$' | '*' | '_' | '`' | '<' | '>' | '@' | '~' | '[' | ']' | '/' | '"' | '\'' => {
+                out.extend(['\\', character]);
+            }
+            // A line that begins with one of these, or with a number and a point, would be a list or a heading.
+            '-' | '+' | '=' | '.' if out.chars().all(|before| before.is_ascii_digit()) => {
+                out.extend(['\\', character]);
+            }
+            '\n' | '\r' | '\t' => out.push(' '),
+            _ => out.push(character),
+        }
+    }
+    out
+}
