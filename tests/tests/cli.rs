@@ -237,7 +237,20 @@ fn a_worked_solution_is_written_in_every_format() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("fan.md");
     assert_eq!(printed(&["solve", FAN, "--format", "markdown", "-o", path.to_str().unwrap()]), "");
-    assert_eq!(fs::read_to_string(path).unwrap(), markdown);
+    // A file has its figures beside it.
+    let written = fs::read_to_string(&path).unwrap();
+    assert!(written.contains("](<fan-1.svg>)"), "{written}");
+    assert!(fs::read_to_string(path.with_file_name("fan-1.svg")).unwrap().starts_with("<svg"));
+    for line in markdown.lines() {
+        assert!(written.contains(line), "{line}");
+    }
+    for (name, begins) in
+        [("fan.html", "<!DOCTYPE html>"), ("fan.tex", "\\documentclass"), ("fan.typ", "#set")]
+    {
+        let path = path.with_file_name(name);
+        assert_eq!(printed(&["solve", FAN, "-o", path.to_str().unwrap()]), "");
+        assert!(fs::read_to_string(&path).unwrap().starts_with(begins), "{name}");
+    }
     assert!(
         refused(&["solve", FAN, "-o", "/no/such/folder/fan.txt"], 2).contains("no folder /no/such/folder:")
     );
