@@ -15,8 +15,12 @@ const PAPERS: [(Paper, &str); 4] = [
 
 /// The first case of an analysis, worked out.
 fn worked_out(entry: &'static Entry, locale: &Locale) -> Document {
-    let case = cases::cases(entry).unwrap().into_iter().next().expect("an analysis has a case");
-    let record = case.draft.read(&entry.shape()).unwrap();
+    let case = cases::cases(entry)
+        .expect("the case files are well formed")
+        .into_iter()
+        .next()
+        .expect("an analysis has a case");
+    let record = case.draft.read(&entry.shape()).expect("the case files are well formed");
     let solved = match entry.solve(&record, &Stop::new()) {
         Ok(solution) => Ok(solution),
         Err(SolveError::Refused(Refusal::NoAnswer(why))) => Err(why),
@@ -99,7 +103,7 @@ fn markup_fault(text: &str) -> Option<String> {
         }
         let Some(end) = rest[at..].find('>') else { return Some("a tag without an end".to_owned()) };
         let tag = &rest[at + 1..at + end];
-        if tag.matches('"').count() % 2 != 0 {
+        if !tag.matches('"').count().is_multiple_of(2) {
             return Some(format!("<{tag}>"));
         }
         if let Some(name) = tag.strip_prefix('/') {
@@ -158,14 +162,12 @@ fn typst_fault(text: &str) -> Option<String> {
         let code = matches!(top, Some('(' | '$'));
         match (top, character) {
             (_, '\\') => drop(rest.next()),
-            (Some('"'), '"') => drop(open.pop()),
+            (Some('"'), '"') | (Some('$'), '$') | (Some('('), ')') | (Some('['), ']') => drop(open.pop()),
             (Some('"'), _) => {}
             (_, '"') if code => open.push('"'),
-            (Some('$'), '$') => drop(open.pop()),
             (_, '$') => open.push('$'),
             (_, '(') if code || text_is_call(text, rest.as_str()) => open.push('('),
             (_, '[') => open.push('['),
-            (Some('('), ')') | (Some('['), ']') => drop(open.pop()),
             (Some('$'), ')') | (_, ']') => return Some(format!("{character} closes nothing")),
             _ => {}
         }

@@ -46,7 +46,8 @@ fn block(block: &Block) -> String {
         Block::Heading(words) => format!("<h2>{}</h2>\n", escaped(words)),
         Block::Paragraph(words) => format!("<p>{}</p>\n", escaped(words)),
         Block::Items(items) => {
-            let items: String = items.iter().map(|item| format!("<li>{}</li>\n", escaped(item))).collect();
+            let items =
+                items.iter().map(|item| format!("<li>{}</li>\n", escaped(item))).collect::<Vec<_>>().concat();
             format!("<ul>\n{items}</ul>\n")
         }
         Block::Lines(lines) => {

@@ -41,7 +41,8 @@ fn block(block: &Block) -> String {
         Block::Heading(heading) => format!("\\subsection*{{{}}}\n", words(heading)),
         Block::Paragraph(sentences) => format!("{}\n", words(sentences)),
         Block::Items(items) => {
-            let items: String = items.iter().map(|item| format!("\\item {{}}{}\n", words(item))).collect();
+            let items =
+                items.iter().map(|item| format!("\\item {{}}{}\n", words(item))).collect::<Vec<_>>().concat();
             format!("\\begin{{itemize}}\n{items}\\end{{itemize}}\n")
         }
         Block::Lines(lines) => format!(

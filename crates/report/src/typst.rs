@@ -24,7 +24,9 @@ pub fn typst(document: &Document, figures: Option<&str>, locale: &Locale) -> Str
         text += &match block {
             Block::Heading(heading) => format!("== {}\n", words(heading)),
             Block::Paragraph(sentences) => format!("{}\n", words(sentences)),
-            Block::Items(items) => items.iter().map(|item| format!("- {}\n", words(item))).collect(),
+            Block::Items(items) => {
+                items.iter().map(|item| format!("- {}\n", words(item))).collect::<Vec<_>>().concat()
+            }
             Block::Lines(lines) => pairs(lines),
             Block::Step(number, step) => written_step(*number, step),
             Block::Table(table) => rows(table),
@@ -95,7 +97,7 @@ fn rows(table: &Table) -> String {
     } else {
         format!("  table.hline(),\n  {},\n", cells(&table.foot))
     };
-    let body: String = table.rows.iter().map(|row| format!("  {},\n", cells(row))).collect();
+    let body = table.rows.iter().map(|row| format!("  {},\n", cells(row))).collect::<Vec<_>>().concat();
     // The comma after the only side makes a list of it.
     format!(
         "{title}#table(columns: {}, align: ({},), stroke: none, inset: 3pt,\n  table.header({}),\n  \
