@@ -1,5 +1,6 @@
 //! The command line, run as a person or a script runs it: what is printed, where, and with which exit status.
 
+// Long because a command line has many commands, each of them run as it is typed.
 use std::{
     fs,
     io::Write as _,

@@ -263,10 +263,9 @@ fn a_pane_takes_the_whole_screen_and_gives_it_back() {
         person.types("e");
         assert!(!person.sees().contains("Results"), "{}", person.sees());
         assert_eq!(person.types("e").sees(), together);
-        let mut steps = 0;
-        for tab in ["Results", "Working", "Plot", "Drawing", "Sources"] {
-            person.types(if steps == 0 { "<tab>e" } else { "]" });
-            steps += 1;
+        let tabs = ["Results", "Working", "Plot", "Drawing", "Sources"];
+        for (tab, keys) in tabs.into_iter().zip(["<tab>e", "]", "]", "]", "]"]) {
+            person.types(keys);
             let screen = person.sees();
             assert!(screen.contains(tab) && !screen.contains("Inputs"), "{tab}:\n{screen}");
         }

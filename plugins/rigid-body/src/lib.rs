@@ -11,6 +11,7 @@ pub mod heavy_top;
 pub mod impulse;
 mod inertia;
 pub mod joints;
+pub mod mass_properties;
 pub mod momentum;
 pub mod motion;
 pub mod rate_of_change;

@@ -316,3 +316,36 @@ pub(crate) fn gained<S: Real>(own: S, gain: Option<S>) -> S {
         None => own,
     }
 }
+
+/// What the inertia about a point is called.
+pub(crate) struct AboutPoint {
+    /// The symbols of the moments and products.
+    pub(crate) symbols: [&'static str; 6],
+    /// The reason of a moment.
+    pub(crate) moment: &'static str,
+    /// The reason of a product.
+    pub(crate) product: &'static str,
+}
+
+/// Moments and products of inertia about a point of the body, from which `arm` leads to G.
+pub(crate) fn about_point<W: Worksheet>(
+    body: &Worked<W>,
+    arm: W::Vec,
+    named: &AboutPoint,
+    sheet: W,
+) -> [W::Num; 6] {
+    let [x, y, z] = body.moments;
+    let [yz, zx, xy] = body.products;
+    if arm.value() == Vector3::zeros() {
+        return [x, y, z, yz, zx, xy];
+    }
+    let moment = |own: W::Num, n: usize| {
+        let value = gained(own, transferred(body.mass, arm, n));
+        sheet.step(named.symbols[n], "kg*m^2", value, (named.moment, MERIAM.at("App. B/1")))
+    };
+    let product = |own: W::Num, n: usize| {
+        let value = gained(own, crossed(body.mass, arm, n));
+        sheet.step(named.symbols[n + 3], "kg*m^2", value, (named.product, MERIAM.at("App. B/2")))
+    };
+    [moment(x, 0), moment(y, 1), moment(z, 2), product(yz, 0), product(zx, 1), product(xy, 2)]
+}
