@@ -939,7 +939,6 @@ precession-at-the-start = Precessão no início
 radii-of-gyration-given = Raios de giração dados
 radius-of-the-circle-that-touches-the-floor = Raio da circunferência que toca o piso
 rate-of-tilting-at-the-start = Taxa de inclinação no início
-ratio = razão
 spin-at-the-start = Rotação própria no início
 the-energy-is-not-kept-to-nine-digits-the-last-digits-of-the-motion-are-doubtful = a energia não se conserva com nove algarismos: os últimos algarismos do movimento são duvidosos
 the-energy-t-v-over-the-motion = a energia T + V no movimento

@@ -297,7 +297,7 @@ impl RollingMotion {
             let plot = Plot::new(
                 "Friction over normal force",
                 Axis::linear("Time", "s"),
-                Axis::linear("ratio", "1"),
+                Axis::linear("F/N", "1"),
                 series,
             );
             Exhibit::Plot(match self.friction {
