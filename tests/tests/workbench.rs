@@ -93,6 +93,30 @@ fn a_problem_file_is_opened_changed_and_saved() {
 }
 
 #[test]
+fn the_worked_solution_is_exported_and_exported_anew() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let script = format!("cd '{}' && \"$PROGRAM\"; exit $?", folder.path().display());
+    let mut pty = started(Launch::new(pty::program()).in_script(&script));
+    pty.expect("19.456 mm");
+    pty.types("X");
+    pty.expect("rotating-unbalance.html");
+    pty.types("<enter>");
+    pty.expect("the worked solution is in");
+    let path = folder.path().join("rotating-unbalance.html");
+    let first = fs::read_to_string(&path).expect("the file is there");
+    assert!(first.contains("<svg") && first.contains("19.456") && first.ends_with("</html>\n"));
+    // At another speed: the file is not lost without a word.
+    pty.types("<end><del>1500 rpm<enter>");
+    pty.expect("4.5535 mm");
+    pty.types("X<enter>");
+    pty.expect("exists already");
+    pty.types("<down><enter>");
+    pty.expect("the worked solution is in");
+    let second = fs::read_to_string(&path).expect("the file is there");
+    assert!(second.contains("4.5535") && !second.contains("19.456"));
+}
+
+#[test]
 fn copies_go_to_the_clipboard_of_the_terminal() {
     let mut pty = started(Launch::new(pty::program()));
     pty.expect("19.456 mm");

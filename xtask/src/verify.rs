@@ -190,7 +190,7 @@ fn as_plain_as_here(root: &Path) -> Result<Vec<String>> {
         for folder in fs::read_dir(root.join(group))? {
             let folder = folder?.file_name().to_string_lossy().into_owned();
             let package = match folder.as_str() {
-                "mechanics" => continue,
+                "mechanics" | "core" | "units" => continue,
                 "dalembert" => folder,
                 "bundle" => "dalembert-plugins".to_owned(),
                 _ => format!("dalembert-{folder}"),

@@ -175,18 +175,19 @@ impl Reader {
         }
     }
 
-    /// `₁,₂`, `_x`, `_G₂`
+    /// `₁,₂`, `_x`, `_G₂`, `₁_x`
     fn index(&mut self) -> String {
-        // `I_G₂` goes on with letters, `m₀e` is a product.
-        let named = self.peek() == Some('_');
+        // Behind the line `I_G₂` and `ω₁_x` go on with letters; `m₀e` is a product.
+        let mut named = false;
         let text = self.take_while(|reader, c| {
+            named |= c == '_';
             c == '_'
                 || named && c.is_alphanumeric() && lowered(c).is_none()
                 || raised(c).is_some()
                 || c == '\''
                 || c == ',' && reader.after(1).is_some_and(|next| raised(next).is_some())
         });
-        text.trim_start_matches('_').chars().map(|c| raised(c).unwrap_or(c)).collect()
+        text.chars().filter(|c| *c != '_').map(|c| raised(c).unwrap_or(c)).collect()
     }
 
     fn under_root(&mut self) -> Math {

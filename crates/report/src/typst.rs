@@ -46,6 +46,9 @@ pub fn typst(document: &Document, figures: Option<&str>, locale: &Locale) -> Str
     text
 }
 
+/// Lines of formulas are as high as their fractions, and as far apart as those of words.
+const LINES: &str = "  #set text(top-edge: \"bounds\", bottom-edge: \"bounds\")\n  #set par(leading: 0.8em)";
+
 fn pairs(lines: &[Line]) -> String {
     let cells = lines.iter().map(|line| {
         let symbol = if line.symbol.is_empty() {
@@ -60,12 +63,12 @@ fn pairs(lines: &[Line]) -> String {
 
 fn written_step(number: usize, step: &WrittenStep) -> String {
     let source = if step.source.is_empty() { String::new() } else { format!(" ({})", words(&step.source)) };
-    let mut text = format!("*{number}.* {}{source}\n\n#pad(left: 2em)[\n", words(&step.why));
+    let mut text = format!("*{number}.* {}{source}\n\n#pad(left: 2em)[\n{LINES}\n", words(&step.why));
     let symbol = set(&math::symbols(&step.symbol));
     // Formulas within a line are broken at their signs, those that stand apart are not.
     for (n, side) in sides(step).iter().enumerate() {
         let left = if n == 0 { symbol.clone() } else { format!("#hide(${symbol}$)") };
-        text += &format!("  ${left} = {}$ \\\n", set(side));
+        text += &format!("  ${left} = display({})$ \\\n", set(side));
     }
     text += "]\n";
     if !step.terms.is_empty() {
