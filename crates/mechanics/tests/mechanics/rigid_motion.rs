@@ -2,9 +2,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use dalembert_mechanics::rigid::simulate::{
-    Body, End, FreeRotation, History, Loads, Motion, Run, SimulateError, Torque, Turning, simulate,
-    simulate_free,
+use dalembert_mechanics::rigid::{
+    simulate::{
+        Body, End, FreeRotation, History, Loads, Motion, Run, SimulateError, Torque, Turning, simulate,
+        simulate_free,
+    },
+    torque_free::FreeBody,
 };
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
@@ -182,6 +185,28 @@ fn energy_and_momentum_are_kept_over_a_thousand_revolutions() {
     for seed in 1..=20 {
         let [energy, momentum] = long(seed, 1e3);
         assert!(energy < 5e-14 && momentum < 5e-14, "body {seed}: {energy:e} {momentum:e}");
+    }
+}
+
+/// Steps of a twentieth of a radian against Jacobi's solution, after a thousand revolutions.
+#[test]
+fn the_attitude_after_a_thousand_revolutions_is_that_of_jacobi() {
+    for (moments, omega) in [
+        ([1.0, 2.0, 3.0], [0.6, 0.3, 1.1]),
+        ([1.0, 2.0, 2.5], [1.4, 0.2, 0.3]),
+        ([0.7, 0.9, 1.5], [0.1, 0.9, 0.8]),
+    ] {
+        let (moments, omega) = (Vector3::<f64>::from(moments), Vector3::<f64>::from(omega));
+        let time = 1e3 * TAU / omega.norm();
+        let steps = (time * moments.component_mul(&omega).norm() / moments.min() / 0.05).ceil();
+        let mut rotation =
+            FreeRotation::new(moments, UnitQuaternion::identity(), omega, time / steps).expect("short steps");
+        for _ in 0..steps as u64 {
+            rotation.advance();
+        }
+        let exact = FreeBody::new(moments, omega).expect("a body").attitude(time);
+        let off = rotation.attitude().angle_to(&UnitQuaternion::from_rotation_matrix(&exact));
+        assert!(off < 1e-9, "{moments:?} turning with {omega:?}: {off:e} rad");
     }
 }
 
