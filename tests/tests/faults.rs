@@ -217,7 +217,15 @@ fn jobs_in_the_background(program: &Path) {
     let mut pty = started(launch(program).under_shell());
     pty.types("<c-z>");
     pty.expect("Stopped");
-    pty.types("kill %1; sleep 0.5<enter>");
+    pty.types("kill %1<enter>");
+    // The shell tells of it at a prompt, once it has happened.
+    for _ in 0..40 {
+        if pty.screen().contains("Exit 143") {
+            break;
+        }
+        pty.idle(Duration::from_millis(100));
+        pty.types("<enter>");
+    }
     pty.expect("Exit 143");
     assert_eq!(pty.leftovers(), [""; 0], "ended while stopped");
 
