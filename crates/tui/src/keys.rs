@@ -6,8 +6,8 @@ mod tables;
 
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-pub use tables::{ALWAYS, COMMON, PANES};
-use tables::{DRAWING, EDIT, FILM, FILTER, FORM, HELP, LIST, PICKER, PLOT, PROMPT, RESULTS, SHEET, WORKING};
+pub use tables::{ALWAYS, COMMON, PANES, PROBLEM};
+use tables::{DRAWING, EDIT, FILTER, FORM, HELP, LIST, PICKER, PLOT, PROMPT, RESULTS, SHEET, WORKING};
 
 /// What a person wants when pressing a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -167,7 +167,7 @@ pub enum Place {
 }
 
 impl Place {
-    /// Its table; for places with the common keys, [`COMMON`] comes after it.
+    /// Its table; the keys that it shares with others come after it, see [`bindings`](Self::bindings).
     pub fn table(self) -> &'static [Binding] {
         match self {
             Place::Picker => PICKER,
@@ -221,11 +221,14 @@ impl Place {
 
     /// Every binding that holds here, the most useful first.
     pub fn bindings(self) -> impl Iterator<Item = &'static Binding> {
-        let panes = if self.is_pane() { PANES } else { &[] };
-        // A film plays on beside other panes; its own has handier keys for it.
-        let film = if self.is_pane() && self != Place::Drawing { FILM } else { &[] };
-        let common = if self.is_pane() || matches!(self, Place::Picker | Place::Form) { COMMON } else { &[] };
-        self.table().iter().chain(film).chain(panes).chain(common).chain(ALWAYS)
+        let of = |holds: bool, table: &'static [Binding]| if holds { table } else { &[] };
+        let in_problem = self.is_pane() || self == Place::Form;
+        self.table()
+            .iter()
+            .chain(of(self.is_pane(), PANES))
+            .chain(of(in_problem, PROBLEM))
+            .chain(of(in_problem || self == Place::Picker, COMMON))
+            .chain(ALWAYS)
     }
 }
 

@@ -44,7 +44,6 @@ pub(super) const FORM: &[Binding] = &[
     bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "empty the field and type", ""),
     bind(Action::NextPane, TAB, "to the results", "see results"),
     bind(Action::PreviousPane, BACK_TAB, "to the results, backwards", ""),
-    bind(Action::NextTab, &[typed(']')], "next tab", "tabs"),
     bind(Action::NextUnit, &[typed('u')], "next unit", "unit"),
     bind(Action::Nudge(10), &[typed('+'), typed('=')], "last digit up", "nudge"),
     bind(Action::Nudge(-10), &[typed('-')], "last digit down", ""),
@@ -76,19 +75,7 @@ pub(super) const FORM: &[Binding] = &[
     bind(Action::PageDown, PAGE_DOWN, "page down", ""),
     bind(Action::First, FIRST, "to the first line", ""),
     bind(Action::Last, LAST, "to the last line", ""),
-    bind(Action::PreviousTab, &[typed('[')], "tab before", ""),
-    bind(Action::Play, &[typed('p')], "let a film move, or hold it", "film"),
-    bind(Action::Expand, &[typed('e')], "this pane alone, or all of them", ""),
-    bind(Action::Pin, &[typed('c')], "compare with this result, or no more", ""),
-    bind(Action::TryByHand, &[typed('t')], "cover the results to try by hand, or show them", ""),
-    bind(Action::Undo, &[typed('z')], "undo", "undo"),
-    bind(Action::Redo, &[typed('Z')], "redo", ""),
-    bind(Action::Save, &[typed('s'), ctrl('s')], "save", "save"),
-    bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
-    bind(Action::Export, &[typed('X')], "export the worked solution", ""),
     bind(Action::Rename, &[typed('T')], "rename: give it a title", ""),
-    bind(Action::Copy, &[typed('y')], "copy what the tab shows", ""),
-    bind(Action::Back, ESC, "one step back", ""),
 ];
 
 /// Keys while a field is typed in.
@@ -149,34 +136,32 @@ pub(super) const PLOT: &[Binding] = &[
 
 /// Keys of a drawing or a film.
 pub(super) const DRAWING: &[Binding] = &[
-    bind(Action::Play, &[typed(' '), typed('p')], "let a film move, or hold it", "film"),
-    bind(Action::PreviousFrame, &[typed(',')], "the frame of a film before", "frames"),
-    bind(Action::NextFrame, &[typed('.')], "the next frame of a film", ""),
+    bind(Action::Play, &[typed(' ')], "let a film move, or hold it", "film"),
     bind(Action::NextExhibit, &[typed('n')], "next plot or drawing", ""),
-];
-
-/// Keys of a film beside the other panes.
-pub(super) const FILM: &[Binding] = &[
-    bind(Action::Play, &[typed('p')], "let a film move, or hold it", ""),
-    bind(Action::PreviousFrame, &[typed(',')], "the frame of a film before", ""),
-    bind(Action::NextFrame, &[typed('.')], "the next frame of a film", ""),
 ];
 
 /// Keys of every pane of what was found.
 pub const PANES: &[Binding] = &[
-    bind(Action::NextTab, &[typed(']')], "next tab", "tabs"),
-    bind(Action::PreviousTab, &[typed('[')], "tab before", ""),
     bind(Action::NextPane, TAB, "to the inputs", "edit inputs"),
     bind(Action::PreviousPane, BACK_TAB, "to the inputs, backwards", ""),
+    bind(Action::PreviousFrame, &[typed(',')], "the frame of a film before", "frames"),
+    bind(Action::NextFrame, &[typed('.')], "the next frame of a film", ""),
+];
+
+/// Keys of a problem, wherever on its screen.
+pub const PROBLEM: &[Binding] = &[
+    bind(Action::NextTab, &[typed(']')], "next tab", "tabs"),
+    bind(Action::PreviousTab, &[typed('[')], "tab before", ""),
+    bind(Action::Undo, &[typed('z')], "undo", "undo"),
+    bind(Action::Redo, &[typed('Z')], "redo", ""),
+    bind(Action::Save, &[typed('s'), ctrl('s')], "save", "save"),
+    bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
     bind(Action::Expand, &[typed('e')], "this pane alone, or all of them", "expand"),
     bind(Action::Pin, &[typed('c')], "compare with this result, or no more", "compare"),
     bind(Action::TryByHand, &[typed('t')], "cover the results to try by hand, or show them", "try by hand"),
     bind(Action::Copy, &[typed('y')], "copy what the tab shows", "copy"),
-    bind(Action::Undo, &[typed('z')], "undo", ""),
-    bind(Action::Redo, &[typed('Z')], "redo", ""),
-    bind(Action::Save, &[typed('s'), ctrl('s')], "save", ""),
-    bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
-    bind(Action::Export, &[typed('X')], "export the worked solution", ""),
+    bind(Action::Export, &[typed('X')], "export the worked solution", "export"),
+    bind(Action::Play, &[typed('p')], "let a film move, or hold it", ""),
     bind(Action::Back, ESC, "one step back", "back"),
 ];
 

@@ -18,7 +18,7 @@ use super::{
 use crate::{
     dialog::{Answer, Choice, Dialog, Purpose, Sheet, offered},
     glyphs::filter_untrusted,
-    keys::{ALWAYS, Binding, COMMON, PANES, Place},
+    keys::{ALWAYS, Binding, COMMON, PANES, PROBLEM, Place},
     layout,
     look::{Glyph, Look},
     model::{Model, Screen},
@@ -151,6 +151,7 @@ fn help_lines(screen: Screen, look: &Look, locale: &Locale, room: usize) -> Vec<
     }
     if screen == Screen::Bench {
         section("In every tab", &mut PANES.iter());
+        section("In a problem", &mut PROBLEM.iter());
     }
     section("Everywhere", &mut COMMON.iter().chain(ALWAYS));
     lines.push(Line::default());
