@@ -154,14 +154,14 @@ pub const PROBLEM: &[Binding] = &[
     bind(Action::PreviousTab, &[typed('[')], "tab before", ""),
     bind(Action::Undo, &[typed('z')], "undo", "undo"),
     bind(Action::Redo, &[typed('Z')], "redo", ""),
-    bind(Action::Save, &[typed('s'), ctrl('s')], "save", "save"),
-    bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
+    bind(Action::TryByHand, &[typed('t')], "cover the results to try by hand, or show them", "try by hand"),
+    bind(Action::Play, &[typed('p')], "let a film move, or hold it", "film"),
     bind(Action::Expand, &[typed('e')], "this pane alone, or all of them", "expand"),
     bind(Action::Pin, &[typed('c')], "compare with this result, or no more", "compare"),
-    bind(Action::TryByHand, &[typed('t')], "cover the results to try by hand, or show them", "try by hand"),
+    bind(Action::Save, &[typed('s'), ctrl('s')], "save", "save"),
+    bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
     bind(Action::Copy, &[typed('y')], "copy what the tab shows", "copy"),
     bind(Action::Export, &[typed('X')], "export the worked solution", "export"),
-    bind(Action::Play, &[typed('p')], "let a film move, or hold it", ""),
     bind(Action::Back, ESC, "one step back", "back"),
 ];
 

@@ -131,7 +131,13 @@ fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
         Action::PanLeft => model.shown_bench().is_some_and(|bench| bench.plot_state.view.window.is_some()),
         _ => true,
     };
-    let all: Vec<_> = place.bindings().filter(|binding| !binding.hint.is_empty()).filter(serves).collect();
+    let mut all: Vec<&Binding> = Vec::new();
+    for binding in place.bindings().filter(|binding| !binding.hint.is_empty()).filter(serves) {
+        // A place's own key comes before one that it shares.
+        if all.iter().all(|earlier| earlier.action != binding.action) {
+            all.push(binding);
+        }
+    }
     let mut left = room + GAP;
     let has_help = all.iter().any(|binding| binding.action == Action::Help);
     let always = if has_help { Action::Help } else { Action::Back };
