@@ -10,7 +10,7 @@
 //! Effects are carried out at once and on this thread, files against the real file system: nothing sleeps, nothing
 //! races. The terminal alone is missing.
 
-use std::path::PathBuf;
+use std::{collections::BTreeMap, path::PathBuf};
 
 use dalembert_core::{Language, Stop, find, registry};
 use dalembert_plugins as _;
@@ -37,8 +37,8 @@ pub struct Person {
     pub has_left: bool,
     /// What was copied last.
     pub clipboard: String,
-    /// The unsaved work that would outlive a crash.
-    pub kept: Option<String>,
+    /// The unsaved work that would outlive a crash, by the numbers of the problems.
+    pub kept: BTreeMap<u64, String>,
     terminal: Terminal<TestBackend>,
     capabilities: Capabilities,
 }
@@ -75,8 +75,14 @@ impl Person {
         model.size = (columns, rows);
         let terminal = Terminal::new(TestBackend::new(columns, rows)).expect("a test terminal");
         let effects = start(&mut model, None, None);
-        let mut person =
-            Self { model, has_left: false, clipboard: String::new(), kept: None, terminal, capabilities };
+        let mut person = Self {
+            model,
+            has_left: false,
+            clipboard: String::new(),
+            kept: BTreeMap::new(),
+            terminal,
+            capabilities,
+        };
         person.perform(effects);
         person
     }
@@ -192,12 +198,12 @@ impl Person {
                 Effect::ReadTable { field, path, columns } => {
                     Msg::TableRead { field, result: files::read_table(&path, columns) }
                 }
-                Effect::Keep { text, .. } => {
-                    self.kept = Some(text);
+                Effect::Keep { problem, text, .. } => {
+                    self.kept.insert(problem, text);
                     continue;
                 }
-                Effect::Forget => {
-                    self.kept = None;
+                Effect::Forget(problem) => {
+                    self.kept.remove(&problem);
                     continue;
                 }
                 Effect::Discard(crashed) => {

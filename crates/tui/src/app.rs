@@ -238,14 +238,13 @@ impl World {
                     let result = files::read_table(&at_home(path), columns);
                     Msg::TableRead { field, result }
                 }
-                Effect::Keep { original, text } => {
-                    self.autosave.note(original.as_deref(), text);
+                Effect::Keep { problem, original, text } => {
+                    self.autosave.note(problem, original.as_deref(), text);
                     self.noted = Some(Instant::now());
                     continue;
                 }
-                Effect::Forget => {
-                    self.autosave.forget();
-                    self.noted = None;
+                Effect::Forget(problem) => {
+                    self.autosave.forget(problem);
                     continue;
                 }
                 Effect::Discard(crashed) => {

@@ -18,6 +18,8 @@ use crate::{
 /// A problem that is worked on.
 #[derive(Debug)]
 pub struct Bench {
+    /// Its number among the open problems; those that were opened later have larger ones.
+    pub number: u64,
     /// Its analysis.
     pub entry: &'static Entry,
     /// The title that the person gave it; may be empty.
@@ -152,6 +154,7 @@ impl Bench {
     /// A problem of an analysis, filled in.
     pub fn new(entry: &'static Entry, title: String, draft: Draft, cases: Vec<Judged>) -> Self {
         Self {
+            number: 0,
             entry,
             saved: (title.clone(), draft.clone()),
             title,

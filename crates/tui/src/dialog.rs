@@ -108,7 +108,7 @@ pub enum Purpose {
 pub enum Answer {
     /// Nothing.
     Cancel,
-    /// The problem is saved first.
+    /// What is not saved is saved first.
     SaveThen(After),
     /// Unsaved work is given up.
     DiscardThen(After),
@@ -122,8 +122,8 @@ pub enum Answer {
     ExportOver(PathBuf),
     /// The file is read again; changes are given up.
     Reload(PathBuf),
-    /// The work of a crashed session is taken up.
-    Restore(Box<Crashed>),
+    /// The work of crashed sessions is taken up.
+    Restore(Vec<Crashed>),
     /// The work of crashed sessions is removed.
     Forget(Vec<Crashed>),
 }

@@ -104,6 +104,10 @@ pub enum Action {
     Rename,
     /// Opens a problem file.
     Open,
+    /// Shows the next open problem.
+    NextProblem,
+    /// Closes the problem.
+    CloseProblem,
     /// Types into the filter.
     Filter,
     /// The other language.

@@ -30,6 +30,8 @@ pub struct Model {
     pub picker: Picker,
     /// The problem that is worked on; kept while the list is shown.
     pub bench: Option<Bench>,
+    /// The other open problems.
+    pub others: Vec<Bench>,
     /// What lies over the screen and takes the keys.
     pub dialog: Option<Dialog>,
     /// A word to the person, until the next key.
@@ -50,6 +52,8 @@ pub struct Model {
     pub faults: bool,
     /// What waits for a save to be done.
     pub after_save: After,
+    /// The file that is read next takes the place of the changes to it.
+    pub reloading: bool,
     /// The number of the newest job.
     pub generation: u64,
 }
@@ -76,17 +80,15 @@ pub struct Notice {
 }
 
 /// What is done once unsaved work is saved or given up.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum After {
     /// Nothing more.
     #[default]
     Stay,
     /// The program ends.
     Quit,
-    /// Another problem is opened: one of an analysis's cases.
-    Case(&'static Entry, usize),
-    /// A file is opened.
-    File(PathBuf),
+    /// The problem is closed.
+    Close,
 }
 
 /// What can happen.
@@ -178,13 +180,15 @@ pub enum Effect {
     },
     /// Remember the unsaved work against a crash.
     Keep {
+        /// The number of the problem.
+        problem: u64,
         /// The file it belongs to.
         original: Option<PathBuf>,
         /// The work, as a problem file.
         text: String,
     },
-    /// There is no unsaved work any more.
-    Forget,
+    /// The problem of this number has no unsaved work any more.
+    Forget(u64),
     /// Remove what a crashed session left.
     Discard(Crashed),
     /// Put a text on the clipboard.
@@ -207,6 +211,7 @@ impl Model {
             screen: Screen::Picker,
             picker: Picker::default(),
             bench: None,
+            others: Vec::new(),
             dialog: None,
             notice: None,
             locale: Locale::english(),
@@ -217,6 +222,7 @@ impl Model {
             readonly: false,
             faults: false,
             after_save: After::Stay,
+            reloading: false,
             generation: 0,
         };
         model.speak(language);
@@ -246,6 +252,18 @@ impl Model {
     /// The problem, while it is on the screen.
     pub fn shown_bench(&self) -> Option<&Bench> {
         self.bench.as_ref().filter(|_| self.screen == Screen::Bench)
+    }
+
+    /// Every open problem, in the order of opening.
+    pub fn problems(&self) -> Vec<&Bench> {
+        let mut all: Vec<&Bench> = self.bench.iter().chain(&self.others).collect();
+        all.sort_by_key(|bench| bench.number);
+        all
+    }
+
+    /// Every open problem, to be changed.
+    pub fn problems_mut(&mut self) -> impl Iterator<Item = &mut Bench> {
+        self.bench.iter_mut().chain(&mut self.others)
     }
 
     /// The number of a new job.

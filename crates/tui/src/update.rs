@@ -5,6 +5,7 @@ mod dialog;
 mod export;
 mod files;
 mod picker;
+mod problems;
 
 use std::path::PathBuf;
 
@@ -13,8 +14,8 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
 use crate::{
-    bench::Bench,
-    dialog::{Answer, Dialog, Purpose},
+    bench::{Bench, State},
+    dialog::{Dialog, Purpose},
     form,
     keys::{Action, Place},
     model::{After, Effect, Model, Msg, Notice, Screen},
@@ -48,8 +49,8 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
             Vec::new()
         }
         Msg::Judged(id, judged) => {
-            if let Some(bench) = model.bench.as_mut().filter(|bench| bench.entry.about.id == id) {
-                bench.cases = judged;
+            for bench in model.problems_mut().filter(|bench| bench.entry.about.id == id) {
+                bench.cases.clone_from(&judged);
             }
             Vec::new()
         }
@@ -109,6 +110,8 @@ fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
             Language::English => Language::Portuguese,
             Language::Portuguese => Language::English,
         }),
+        Action::NextProblem => return problems::next(model),
+        Action::CloseProblem => return problems::leave(model, After::Close),
         Action::Open => {
             model.dialog = Some(Dialog::prompt(Purpose::Open, String::new()));
         }
@@ -130,48 +133,12 @@ fn quit(model: &mut Model) -> Vec<Effect> {
     if let Some(bench) = &mut model.bench {
         bench.form.keep();
     }
-    effects.extend(leave(model, After::Quit));
+    effects.extend(problems::leave(model, After::Quit));
     effects
 }
 
-/// Does what comes after the problem is left, or asks what becomes of unsaved work.
-fn leave(model: &mut Model, after: After) -> Vec<Effect> {
-    let unsaved = model.bench.as_ref().is_some_and(Bench::is_unsaved) && !model.readonly;
-    if !unsaved {
-        return go_on(model, after);
-    }
-    let (save, discard) = match after {
-        After::Quit => ("save and quit", "quit without saving"),
-        _ => ("save and go on", "go on without saving"),
-    };
-    model.dialog = Some(Dialog::Ask {
-        question: "The problem has changes that are not saved.".into(),
-        answers: vec![
-            (save, Answer::SaveThen(after.clone())),
-            (discard, Answer::DiscardThen(after)),
-            ("stay", Answer::Cancel),
-        ],
-        chosen: 0,
-    });
-    Vec::new()
-}
-
-/// Does what was put off until unsaved work was saved or given up.
-fn go_on(model: &mut Model, after: After) -> Vec<Effect> {
-    match after {
-        After::Stay => Vec::new(),
-        After::Quit => vec![Effect::Forget, Effect::Quit],
-        After::Case(entry, case) => show_case(model, entry, case),
-        After::File(path) => vec![Effect::Open(path)],
-    }
-}
-
-/// Opens a case of an analysis, or asks what becomes of unsaved work.
+/// Opens a case of an analysis beside what is open.
 fn open_case(model: &mut Model, entry: &'static Entry, case: usize) -> Vec<Effect> {
-    leave(model, After::Case(entry, case))
-}
-
-fn show_case(model: &mut Model, entry: &'static Entry, case: usize) -> Vec<Effect> {
     let cases = judged_later(model, entry);
     let origin = cases.get(case).map(|judged| judged.case.clone());
     let draft = match &origin {
@@ -181,7 +148,7 @@ fn show_case(model: &mut Model, entry: &'static Entry, case: usize) -> Vec<Effec
     let mut bench = Bench::new(entry, String::new(), draft, cases);
     bench.case = case;
     bench.origin = origin;
-    show(model, bench)
+    problems::open(model, bench)
 }
 
 /// The cases of an analysis, not compared yet.
@@ -192,28 +159,18 @@ fn judged_later(model: &Model, entry: &'static Entry) -> Vec<Judged> {
     cases.into_iter().map(|case| Judged { case, verdicts: None }).collect()
 }
 
-/// Puts a problem on the screen and solves it.
-fn show(model: &mut Model, mut bench: Bench) -> Vec<Effect> {
-    bench.plot_state.marker = model.marker;
-    model.bench = Some(bench);
-    model.screen = Screen::Bench;
-    model.dialog = None;
-    bench::changed(model)
-}
-
 fn solved(model: &mut Model, outcome: Outcome) {
     if let Err(Failure::Fault(panic)) = &outcome.result {
         let text = "this analysis failed (a fault of the program); your inputs are kept".into();
         model.notice = Some(Notice { text, detail: panic.clone(), wrong: true });
     }
-    match (&mut model.picker.preview, &mut model.bench) {
-        (_, Some(bench)) if bench.found.state == crate::bench::State::Solving(outcome.generation) => {
-            bench::take(bench, outcome);
-        }
-        (Some(preview), _) if preview.generation == outcome.generation => {
-            preview.solution = outcome.result.ok().flatten();
-        }
-        _ => {}
+    let awaited = State::Solving(outcome.generation);
+    if let Some(bench) = model.problems_mut().find(|bench| bench.found.state == awaited) {
+        bench::take(bench, outcome);
+    } else if let Some(preview) = &mut model.picker.preview
+        && preview.generation == outcome.generation
+    {
+        preview.solution = outcome.result.ok().flatten();
     }
 }
 

@@ -1,9 +1,10 @@
 //! Unsaved work, kept where the next start finds it.
 //!
-//! One file a session in a folder that only the person can open (`$XDG_STATE_HOME/dalembert/autosave`). Its first
+//! One file a problem in a folder that only the person can open (`$XDG_STATE_HOME/dalembert/autosave`). Its first
 //! line says whose it is; the rest is the text. A file whose process has ended is the work of a session that crashed.
 
 use std::{
+    collections::BTreeMap,
     fs::{self, DirBuilder},
     os::unix::{
         ffi::{OsStrExt, OsStringExt},
@@ -24,7 +25,7 @@ use super::{
     save::{remove_strays, save},
 };
 
-/// The unsaved work of this session.
+/// The unsaved work of this session, by the numbers of its problems.
 ///
 /// [`note`](Self::note) is cheap and belongs after every change; [`flush`](Self::flush) writes what was noted last
 /// and belongs on a timer and in the [`autosave`](crate::terminal::Options::autosave) of the terminal, from any
@@ -33,12 +34,13 @@ use super::{
 pub struct Autosave {
     /// `None`: there is nowhere to keep anything.
     folder: Option<PathBuf>,
-    work: Mutex<Work>,
+    work: Mutex<BTreeMap<u64, Work>>,
 }
 
 #[derive(Debug, Default)]
 struct Work {
-    noted: Option<(Option<PathBuf>, String)>,
+    original: Option<PathBuf>,
+    text: String,
     written: bool,
     file: Option<PathBuf>,
 }
@@ -77,38 +79,30 @@ impl Autosave {
         Ok(Self { folder: Some(folder), work: Mutex::default() })
     }
 
-    /// Remembers the work as it is now.
-    pub fn note(&self, original: Option<&Path>, text: String) {
-        let mut work = self.work();
-        work.noted = Some((original.map(Path::to_owned), text));
-        work.written = false;
+    /// Remembers the work on a problem as it is now.
+    pub fn note(&self, problem: u64, original: Option<&Path>, text: String) {
+        let mut all = self.work();
+        let work = all.entry(problem).or_default();
+        *work = Work { original: original.map(Path::to_owned), text, written: false, file: work.file.take() };
     }
 
-    /// Writes what was noted last, unless it is written already.
+    /// Writes what was noted last of each problem, unless it is written already. Every one is tried; the error is the
+    /// first.
     pub fn flush(&self) -> Result<(), FileError> {
-        let mut work = self.work();
-        let (Some(folder), Some((original, text)), false) = (&self.folder, &work.noted, work.written) else {
-            return Ok(());
-        };
-        let text = format!("{}\n{text}", header(original.as_deref()));
-        let file = match &work.file {
-            Some(file) => file.clone(),
-            None => new_name(folder)?,
-        };
-        save(&file, &text, Before::Whatever)?;
-        work.file = Some(file);
-        work.written = true;
-        Ok(())
+        let Some(folder) = &self.folder else { return Ok(()) };
+        let mut all = self.work();
+        let mut unwritten = all.values_mut().filter(|work| !work.written).map(|work| work.write(folder));
+        let first = unwritten.find(Result::is_err);
+        unwritten.for_each(drop);
+        first.unwrap_or(Ok(()))
     }
 
-    /// The work is saved, or given up: nothing is kept any more.
-    pub fn forget(&self) {
-        let mut work = self.work();
-        if let Some(file) = work.file.take() {
+    /// The work on a problem is saved, or given up: nothing of it is kept any more.
+    pub fn forget(&self, problem: u64) {
+        if let Some(file) = self.work().remove(&problem).and_then(|work| work.file) {
             // If it stays, it is offered at the next start, which does no harm.
             let _ = fs::remove_file(file);
         }
-        *work = Work::default();
     }
 
     /// What crashed sessions left, the newest first. A file that is not ours, or cannot be read, is passed over.
@@ -121,8 +115,22 @@ impl Autosave {
         found
     }
 
-    fn work(&self) -> MutexGuard<'_, Work> {
+    fn work(&self) -> MutexGuard<'_, BTreeMap<u64, Work>> {
         self.work.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Work {
+    fn write(&mut self, folder: &Path) -> Result<(), FileError> {
+        let text = format!("{}\n{}", header(self.original.as_deref()), self.text);
+        let file = match &self.file {
+            Some(file) => file.clone(),
+            None => new_name(folder)?,
+        };
+        save(&file, &text, Before::Whatever)?;
+        self.file = Some(file);
+        self.written = true;
+        Ok(())
     }
 }
 

@@ -287,7 +287,7 @@ fn unsaved_work_of_a_crashed_session_is_found() {
     let autosave = Autosave::in_folder(state.clone()).unwrap();
     assert_eq!(fs::metadata(&state).unwrap().mode() & 0o777, 0o700);
     let original = folder.path().join("ventilação 100% \n.toml");
-    autosave.note(Some(&original), "mass = 1\nlength = 2\n".into());
+    autosave.note(1, Some(&original), "mass = 1\nlength = 2\n".into());
     autosave.flush().unwrap();
     assert_eq!(autosave.crashed(), [], "this session runs");
 
@@ -308,7 +308,7 @@ fn a_session_has_ended_even_if_its_number_is_taken() {
     let folder = folder();
     let state = folder.path().join("autosave");
     let autosave = Autosave::in_folder(state.clone()).unwrap();
-    autosave.note(None, "work".into());
+    autosave.note(1, None, "work".into());
     autosave.flush().unwrap();
     let file = state.join(&names(&state)[0]);
     let text = fs::read_to_string(&file).unwrap();
@@ -347,13 +347,13 @@ fn an_autosave_follows_the_work_and_ends_with_it() {
     autosave.flush().unwrap();
     assert_eq!(names(&state), [""; 0], "nothing noted, nothing written");
     for text in ["one", "two"] {
-        autosave.note(None, text.into());
+        autosave.note(1, None, text.into());
         autosave.flush().unwrap();
         let files = names(&state);
         assert_eq!(files.len(), 1);
         assert!(fs::read_to_string(state.join(&files[0])).unwrap().ends_with(&format!("\n{text}")));
     }
-    autosave.forget();
+    autosave.forget(1);
     assert_eq!(names(&state), [""; 0]);
 }
 
@@ -368,7 +368,7 @@ fn planted_links_are_not_followed() {
         symlink(&victim, state.join(name)).unwrap();
     }
     assert_eq!(autosave.crashed(), []);
-    autosave.note(None, "work".into());
+    autosave.note(1, None, "work".into());
     autosave.flush().unwrap();
     assert!(fs::read_to_string(&victim).unwrap().ends_with("stolen"));
 }
@@ -382,8 +382,8 @@ fn a_state_folder_that_cannot_be_made_is_an_error_that_names_it() {
     assert!(error.contains("could not make the folder") && error.contains("file/autosave"), "{error}");
     // The inert one, as after such an error: it takes everything, and keeps nothing.
     let inert = Autosave::default();
-    inert.note(None, "work".into());
+    inert.note(1, None, "work".into());
     inert.flush().unwrap();
     assert_eq!(inert.crashed(), []);
-    inert.forget();
+    inert.forget(1);
 }

@@ -26,6 +26,7 @@ pub(super) const PICKER: &[Binding] = &[
     bind(Action::PageDown, PAGE_DOWN, "page down", ""),
     bind(Action::First, FIRST, "to the first line", ""),
     bind(Action::Last, LAST, "to the last line", ""),
+    bind(Action::NextProblem, &[typed('b')], "back to the open problem", ""),
     bind(Action::Back, ESC, "one step back", ""),
 ];
 
@@ -162,6 +163,8 @@ pub const PROBLEM: &[Binding] = &[
     bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
     bind(Action::Copy, &[typed('y')], "copy what the tab shows", "copy"),
     bind(Action::Export, &[typed('X')], "export the worked solution", "export"),
+    bind(Action::NextProblem, &[typed('b')], "next open problem", ""),
+    bind(Action::CloseProblem, &[typed('B')], "close this problem", ""),
     bind(Action::Back, ESC, "one step back", "back"),
 ];
 

@@ -127,10 +127,11 @@ pub(super) fn changed(model: &mut Model) -> Vec<Effect> {
 /// What is to be remembered against a crash.
 pub(super) fn kept(bench: &Bench) -> Effect {
     if !bench.is_unsaved() {
-        return Effect::Forget;
+        return Effect::Forget(bench.number);
     }
     let over = bench.file.as_ref().map_or("", |file| file.text.as_str());
     Effect::Keep {
+        problem: bench.number,
         original: bench.file.as_ref().map(|file| file.path.clone()),
         text: file::write(&bench.problem(), over),
     }

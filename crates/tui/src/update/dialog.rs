@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use dalembert_core::Text;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::{act as act_there, bench, export, files, go_on};
+use super::{act as act_there, bench, export, files, problems};
 use crate::{
     dialog::{Answer, Chosen, Dialog, Purpose, offered},
     files::Before,
     keys::Action,
-    model::{After, Effect, Model, Screen},
+    model::{After, Effect, Model},
     solver::{Job, Work},
     terminal::Fault,
     view,
@@ -71,26 +71,18 @@ fn answer(model: &mut Model, answer: Answer) -> Vec<Effect> {
             model.after_save = After::Stay;
             Vec::new()
         }
-        Answer::SaveThen(after) => {
-            model.after_save = after;
-            files::save(model)
-        }
-        Answer::DiscardThen(after) => {
-            let mut effects = vec![Effect::Forget];
-            model.bench = None;
-            model.screen = Screen::Picker;
-            effects.extend(go_on(model, after));
-            effects
-        }
+        Answer::SaveThen(after) => problems::save_all_then(model, after),
+        Answer::DiscardThen(after) => problems::discard(model, after),
         Answer::Overwrite(path) => files::overwrite(model, path),
         Answer::SaveAs => files::ask_path(model),
         Answer::ExportAs => export::ask_path(model),
         Answer::ExportOver(path) => export::write(model, path, Before::Whatever),
         Answer::Reload(path) => {
             model.after_save = After::Stay;
+            model.reloading = true;
             vec![Effect::Open(path)]
         }
-        Answer::Restore(crashed) => files::restore(model, *crashed),
+        Answer::Restore(crashed) => files::restore(model, crashed),
         Answer::Forget(sessions) => sessions.into_iter().map(Effect::Discard).collect(),
     }
 }
@@ -161,7 +153,7 @@ fn enter(model: &mut Model) -> Vec<Effect> {
                 }
                 Purpose::SaveAs => files::save_as(model, PathBuf::from(typed)),
                 Purpose::Export => export::write(model, PathBuf::from(typed), Before::Absent),
-                Purpose::Open => super::leave(model, After::File(PathBuf::from(typed))),
+                Purpose::Open => vec![Effect::Open(PathBuf::from(typed))],
             }
         }
         _ => Vec::new(),

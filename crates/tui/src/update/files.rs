@@ -7,7 +7,7 @@ use dalembert_core::{
     file::{self, Problem},
 };
 
-use super::{go_on, judged_later, show};
+use super::{judged_later, problems};
 use crate::{
     bench::{Bench, OpenFile},
     dialog::{Answer, Dialog, Purpose},
@@ -72,10 +72,10 @@ pub(super) fn saved(
             let Some(bench) = &mut model.bench else { return Vec::new() };
             bench.file = Some(OpenFile { path: path.to_owned(), text, fingerprint: Some(fingerprint) });
             bench.mark_saved();
-            model.say(Text::new("saved as {file}").with("file", shown(path)));
             let after = std::mem::take(&mut model.after_save);
-            let mut effects = vec![Effect::Forget];
-            effects.extend(go_on(model, after));
+            let mut effects = vec![Effect::Forget(bench.number)];
+            model.say(Text::new("saved as {file}").with("file", shown(path)));
+            effects.extend(problems::go_on(model, after));
             effects
         }
         Err(FileError::Changed(_) | FileError::Removed(_)) => {
@@ -114,6 +114,7 @@ pub(super) fn saved(
 }
 
 pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, FileError>) -> Vec<Effect> {
+    let reloading = std::mem::take(&mut model.reloading);
     let opened = match result {
         Ok(opened) => opened,
         Err(error) => {
@@ -125,8 +126,23 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
     match file::parse(&opened.text) {
         Ok(problem) => {
             let mut bench = bench_of(model, problem);
+            let of_file = |bench: &&Bench| bench.file.as_ref().is_some_and(|file| file.path == path);
+            let open =
+                model.problems().into_iter().find(of_file).map(|bench| (bench.number, bench.is_unsaved()));
             bench.file = Some(OpenFile { path, text: opened.text, fingerprint: Some(opened.fingerprint) });
-            show(model, bench)
+            match open {
+                None => problems::open(model, bench),
+                Some((number, unsaved)) => {
+                    let mut effects = problems::bring(model, number);
+                    if unsaved && !reloading {
+                        model.dialog = None;
+                        model.say("this file is open already, with changes that are not saved");
+                    } else {
+                        effects.extend(problems::replace(model, bench));
+                    }
+                    effects
+                }
+            }
         }
         Err(errors) => {
             let title = Text::new("{file} cannot be opened as a problem").with("file", shown(&path));
@@ -158,18 +174,28 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
 
 /// Asks what becomes of the work of sessions that ended without saving.
 pub(super) fn crashed(model: &mut Model, sessions: Vec<Crashed>) {
-    let Some(newest) = sessions.first().cloned() else { return };
-    let name = newest.original.as_deref().map_or_else(
-        || Text::new("a problem without a file"),
-        |path| Text::new("{file}").with("file", shown(path)),
-    );
+    let Some(newest) = sessions.first() else { return };
     let minutes = newest.kept.elapsed().map_or(0, |past| past.as_secs() / 60);
-    let question =
-        Text::new("An earlier session ended without saving {name}, {minutes} min ago; its work was kept.");
+    let name = match &newest.original {
+        None => Text::from("a problem without a file"),
+        Some(path) => Text::new("{file}").with("file", shown(path)),
+    };
+    let question = match sessions.len() {
+        1 => {
+            Text::new("An earlier session ended without saving {name}, {minutes} min ago; its work was kept.")
+                .with_text("name", name)
+        }
+        count => {
+            let names: Vec<String> = sessions.iter().map(|crashed| name_of(model, crashed)).collect();
+            Text::new("An earlier session ended without saving {count} problems ({names}), {minutes} min ago; their work was kept.")
+                .with("count", count)
+                .with("names", names.join("; "))
+        }
+    };
     model.dialog = Some(Dialog::Ask {
-        question: question.with_text("name", name).with("minutes", minutes),
+        question: question.with("minutes", minutes),
         answers: vec![
-            ("take it up", Answer::Restore(Box::new(newest))),
+            ("take it up", Answer::Restore(sessions.clone())),
             ("ask again at the next start", Answer::Cancel),
             ("throw it away", Answer::Forget(sessions)),
         ],
@@ -177,27 +203,53 @@ pub(super) fn crashed(model: &mut Model, sessions: Vec<Crashed>) {
     });
 }
 
-/// Takes up the work of a crashed session; it is unsaved.
-pub(super) fn restore(model: &mut Model, crashed: Crashed) -> Vec<Effect> {
-    match file::parse(&crashed.text) {
-        Ok(problem) => {
-            let mut restored = bench_of(model, problem);
-            // What the file holds now is not known: saving asks before it writes over it.
-            restored.file = crashed.original.clone().map(|path| OpenFile {
-                path,
-                text: crashed.text.clone(),
-                fingerprint: None,
-            });
-            restored.mark_unsaved();
-            let mut effects = show(model, restored);
+/// Takes up the work of crashed sessions, the newest last; it is unsaved.
+pub(super) fn restore(model: &mut Model, sessions: Vec<Crashed>) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    let (mut restored, mut unread) = (0, false);
+    for crashed in sessions.into_iter().rev() {
+        let Ok(problem) = file::parse(&crashed.text) else {
+            unread = true;
+            continue;
+        };
+        let mut bench = bench_of(model, problem);
+        // What the file holds now is not known: saving asks before it writes over it.
+        bench.file = crashed.original.clone().map(|path| OpenFile {
+            path,
+            text: crashed.text.clone(),
+            fingerprint: None,
+        });
+        bench.mark_unsaved();
+        let before = model.bench.as_ref().map(|bench| bench.number);
+        effects.extend(problems::open(model, bench));
+        if model.bench.as_ref().map(|bench| bench.number) == before {
+            // There is no room for more, which is said; what is left is offered at the next start.
+            return effects;
+        }
+        if !model.readonly {
             effects.push(Effect::Discard(crashed));
-            model.say("the work of the earlier session is here, not saved yet");
-            effects
         }
-        Err(_) => {
+        restored += 1;
+    }
+    match restored {
+        _ if unread => {
             model.complain("the work of the earlier session cannot be read; it is left where it is");
-            Vec::new()
         }
+        0 | 1 => model.say("the work of the earlier session is here, not saved yet"),
+        count => model.say(
+            Text::new("{count} problems of the earlier session are here, not saved yet; b shows the next")
+                .with("count", count),
+        ),
+    }
+    effects
+}
+
+/// What crashed work is called among others: its file, or its analysis.
+fn name_of(model: &Model, crashed: &Crashed) -> String {
+    match (&crashed.original, file::parse(&crashed.text)) {
+        (Some(path), _) => shown(Path::new(path.file_name().unwrap_or(path.as_os_str()))),
+        (None, Ok(problem)) => Text::from(problem.entry.about.title).render(&model.locale),
+        (None, Err(_)) => Text::from("a problem without a file").render(&model.locale),
     }
 }
 

@@ -1,9 +1,10 @@
 //! Keys of the list of analyses.
 
-use super::open_case;
+use super::{open_case, problems};
 use crate::{
+    bench::Bench,
     keys::Action,
-    model::{Effect, Model, Screen},
+    model::{Effect, Model},
     picker::Preview,
     solver::{Job, Work},
 };
@@ -93,11 +94,15 @@ fn enter(model: &mut Model) -> Vec<Effect> {
     let Some(listing) = model.picker.chosen(&model.listings) else { return Vec::new() };
     let (entry, case) = (listing.entry, model.picker.case);
     model.picker.typing = false;
-    let same = model.bench.as_ref().is_some_and(|bench| bench.entry.about.id == entry.about.id);
-    if let (true, None) = (same, case) {
-        // Back to where it was left.
-        model.screen = Screen::Bench;
-        return Vec::new();
+    let wanted = case.and_then(|case| listing.cases.get(case));
+    let is_wanted = |bench: &&Bench| {
+        bench.entry.about.id == entry.about.id
+            && wanted.is_none_or(|case| bench.title.is_empty() && bench.form.draft == case.draft)
+    };
+    // Back to where it was left: the one that is worked on before the others, the newest before older ones.
+    let open = model.bench.iter().chain(model.problems().into_iter().rev()).find(is_wanted);
+    match open.map(|bench| bench.number) {
+        Some(number) => problems::bring(model, number),
+        None => open_case(model, entry, case.unwrap_or(0)),
     }
-    open_case(model, entry, case.unwrap_or(0))
 }

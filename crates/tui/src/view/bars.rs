@@ -237,6 +237,9 @@ fn file_name(model: &Model, bench: &Bench) -> String {
         State::Solving(_) => format!("{}  ", word("solving", model)),
         _ => String::new(),
     };
+    let all = model.problems();
+    let place = all.iter().position(|other| other.number == bench.number).map_or(0, |at| at + 1);
+    let place = if all.len() > 1 { format!("{place}/{}  ", all.len()) } else { String::new() };
     let dot = if bench.is_unsaved() { format!("{} ", model.look.glyph(Glyph::Full)) } else { String::new() };
-    format!("{solving}{dot}{name}")
+    format!("{solving}{place}{dot}{name}")
 }

@@ -81,6 +81,7 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
     let mut rows: Vec<Line<'static>> = Vec::new();
     let mut chosen_row = 0;
     let mut last_family = "";
+    let problems = model.problems();
     for (n, at) in visible.iter().enumerate() {
         let listing = &model.listings[*at];
         let of_family = listing.entry.family();
@@ -97,9 +98,11 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
             chosen_row = rows.len();
         }
         let pointer = if chosen { look.glyph(Glyph::Pointer) } else { " " };
-        let open = model.bench.as_ref().filter(|bench| bench.entry.about.id == listing.entry.about.id);
-        let mark = match open {
-            Some(bench) if bench.is_unsaved() => look.glyph(Glyph::Full),
+        let mut open = problems.iter().filter(|bench| bench.entry.about.id == listing.entry.about.id);
+        let mark = match open.next() {
+            Some(bench) if bench.is_unsaved() || open.any(|bench| bench.is_unsaved()) => {
+                look.glyph(Glyph::Full)
+            }
             Some(_) => look.glyph(Glyph::Hollow),
             None => " ",
         };

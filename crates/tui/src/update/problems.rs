@@ -1,0 +1,214 @@
+//! The open problems: a new one, the next one, the end of one or of all.
+
+use dalembert_core::Text;
+
+use super::{bench, files, picker};
+use crate::{
+    bench::{Bench, State},
+    dialog::{Answer, Dialog},
+    glyphs::filter_untrusted,
+    model::{After, Effect, Model, Screen},
+};
+
+/// So many problems are open at once.
+const MOST: usize = 9;
+
+/// Opens a problem beside those that are open, and solves it.
+pub(super) fn open(model: &mut Model, mut bench: Bench) -> Vec<Effect> {
+    let Some(mut effects) = make_room(model) else {
+        model.complain(
+            Text::new("{count} problems are open already; B closes the one that is shown")
+                .with("count", MOST),
+        );
+        return Vec::new();
+    };
+    bench.plot_state.marker = model.marker;
+    bench.number = model.next_generation();
+    put_aside(model);
+    model.bench = Some(bench);
+    model.screen = Screen::Bench;
+    model.dialog = None;
+    effects.extend(bench::changed(model));
+    effects
+}
+
+/// Takes the place of the problem that is shown.
+pub(super) fn replace(model: &mut Model, mut bench: Bench) -> Vec<Effect> {
+    bench.plot_state.marker = model.marker;
+    bench.number = model.bench.as_ref().map_or(0, |old| old.number);
+    model.bench = Some(bench);
+    model.screen = Screen::Bench;
+    model.dialog = None;
+    bench::changed(model)
+}
+
+/// Shows an open problem, as it was left.
+pub(super) fn bring(model: &mut Model, number: u64) -> Vec<Effect> {
+    if let Some(at) = model.others.iter().position(|bench| bench.number == number) {
+        let bench = model.others.swap_remove(at);
+        put_aside(model);
+        model.bench = Some(bench);
+    }
+    model.screen = Screen::Bench;
+    // Only the newest job is worked on: what this one waited for may never come.
+    match &model.bench {
+        Some(bench) if matches!(bench.found.state, State::Solving(_)) => bench::changed(model),
+        _ => Vec::new(),
+    }
+}
+
+/// Shows the problem that was opened after this one; after the last, the first. From the list, back to this one.
+pub(super) fn next(model: &mut Model) -> Vec<Effect> {
+    let all: Vec<u64> = model.problems().iter().map(|bench| bench.number).collect();
+    let here = model.bench.as_ref().map(|bench| bench.number);
+    let at = all.iter().position(|number| Some(*number) == here).unwrap_or(0);
+    match (model.screen, all.len()) {
+        (_, 0) => model.say("no problem is open"),
+        (Screen::Bench, 1) => model.say("no other problem is open"),
+        (Screen::Picker, _) => return bring(model, all[at]),
+        (Screen::Bench, _) => return bring(model, all[(at + 1) % all.len()]),
+    }
+    Vec::new()
+}
+
+/// Does what ends problems, or asks first what becomes of unsaved work.
+pub(super) fn leave(model: &mut Model, after: After) -> Vec<Effect> {
+    let unsaved = match after {
+        _ if model.readonly => Vec::new(),
+        After::Quit => unsaved(model),
+        After::Stay | After::Close => {
+            model.bench.iter().filter(|bench| bench.is_unsaved()).map(|bench| bench.number).collect()
+        }
+    };
+    let question = match unsaved[..] {
+        [] => return discard(model, after),
+        [only] => {
+            let effects = bring(model, only);
+            ask(model, "The problem has changes that are not saved.".into(), after);
+            return effects;
+        }
+        _ => {
+            let names: Vec<String> = model
+                .problems()
+                .into_iter()
+                .filter(|bench| bench.is_unsaved())
+                .map(|bench| name(model, bench))
+                .collect();
+            Text::new("{count} problems have changes that are not saved: {names}.")
+                .with("count", names.len())
+                .with("names", names.join("; "))
+        }
+    };
+    ask(model, question, after);
+    Vec::new()
+}
+
+/// Does what was put off until the problem that is shown was saved.
+pub(super) fn go_on(model: &mut Model, after: After) -> Vec<Effect> {
+    match (after, unsaved(model).first()) {
+        // The next one that is not saved yet has its turn.
+        (After::Quit, Some(number)) => save_then(model, *number, After::Quit),
+        _ => discard(model, after),
+    }
+}
+
+/// Saves what is not saved, and then goes on.
+pub(super) fn save_all_then(model: &mut Model, after: After) -> Vec<Effect> {
+    let here = model.bench.as_ref().map(|bench| bench.number);
+    let first = match after {
+        After::Quit => unsaved(model).first().copied(),
+        After::Stay | After::Close => here,
+    };
+    first.map_or_else(Vec::new, |number| save_then(model, number, after))
+}
+
+/// Ends problems, whatever is not saved of them.
+pub(super) fn discard(model: &mut Model, after: After) -> Vec<Effect> {
+    match after {
+        After::Stay => Vec::new(),
+        After::Quit => {
+            let mut effects: Vec<Effect> =
+                model.problems().iter().map(|bench| Effect::Forget(bench.number)).collect();
+            effects.push(Effect::Quit);
+            effects
+        }
+        After::Close => {
+            let Some(closed) = model.bench.take() else { return Vec::new() };
+            let mut effects = vec![Effect::Forget(closed.number)];
+            let all: Vec<u64> = model.problems().iter().map(|bench| bench.number).collect();
+            let next = all.iter().find(|number| **number > closed.number).or(all.last());
+            effects.extend(match next {
+                Some(number) => bring(model, *number),
+                None => {
+                    model.screen = Screen::Picker;
+                    picker::preview(model)
+                }
+            });
+            effects
+        }
+    }
+}
+
+/// What a problem is called among others: its analysis, and its file or its title.
+pub(super) fn name(model: &Model, bench: &Bench) -> String {
+    let title = Text::from(bench.entry.about.title).render(&model.locale);
+    let file = bench.file.as_ref().and_then(|file| file.path.file_name());
+    let own = match file {
+        Some(file) => file.to_string_lossy().into_owned(),
+        None => bench.title.clone(),
+    };
+    if own.is_empty() { title } else { format!("{title} ({})", filter_untrusted(&own).replace('\n', " ")) }
+}
+
+fn ask(model: &mut Model, question: Text, after: After) {
+    let several = after == After::Quit && unsaved(model).len() > 1;
+    let (save, discard) = match after {
+        After::Quit if several => ("save them one after the other, and quit", "quit without saving"),
+        After::Quit => ("save and quit", "quit without saving"),
+        After::Stay | After::Close => ("save and close", "close without saving"),
+    };
+    model.dialog = Some(Dialog::Ask {
+        question,
+        answers: vec![
+            (save, Answer::SaveThen(after)),
+            (discard, Answer::DiscardThen(after)),
+            ("stay", Answer::Cancel),
+        ],
+        chosen: 0,
+    });
+}
+
+fn save_then(model: &mut Model, number: u64, after: After) -> Vec<Effect> {
+    let mut effects = bring(model, number);
+    model.after_save = after;
+    effects.extend(files::save(model));
+    effects
+}
+
+/// The problems that are not saved, in the order of opening.
+fn unsaved(model: &Model) -> Vec<u64> {
+    model.problems().into_iter().filter(|bench| bench.is_unsaved()).map(|bench| bench.number).collect()
+}
+
+fn put_aside(model: &mut Model) {
+    if let Some(mut bench) = model.bench.take() {
+        // What is being typed counts.
+        bench.form.keep();
+        model.others.push(bench);
+    }
+}
+
+/// Room for one problem more: where there is none, the oldest that is a published case and nothing else is closed.
+fn make_room(model: &mut Model) -> Option<Vec<Effect>> {
+    let all = model.problems();
+    if all.len() < MOST {
+        return Some(Vec::new());
+    }
+    let untouched = |bench: &&&Bench| !bench.is_unsaved() && bench.file.is_none() && bench.pinned.is_none();
+    let number = all.iter().find(untouched)?.number;
+    model.others.retain(|bench| bench.number != number);
+    if model.bench.as_ref().is_some_and(|bench| bench.number == number) {
+        model.bench = None;
+    }
+    Some(vec![Effect::Forget(number)])
+}
