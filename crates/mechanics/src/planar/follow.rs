@@ -4,15 +4,15 @@ use super::{PlanarError, System, system::Gaps};
 use crate::linalg::Elimination;
 
 /// The largest move of one step, in parts of the size of the mechanism.
-const STEP: f64 = 0.2;
+pub(super) const STEP: f64 = 0.2;
 /// The smallest step, in parts of the whole way: below it the mechanism has come to its end.
 const SMALLEST: f64 = 1e-11;
 /// The most steps of one way: some thirty turns of a crank.
 const MOST_STEPS: usize = 1_000;
 /// A correction above this part of the step is a jump.
-const JUMP: f64 = 0.1;
+pub(super) const JUMP: f64 = 0.1;
 /// A correction below this part of the step stays on the smooth path, even where two branches cross.
-const SMOOTH: f64 = 2e-3;
+pub(super) const SMOOTH: f64 = 2e-3;
 
 /// Where a mechanism has come to.
 #[derive(Debug, Clone, PartialEq)]

@@ -100,7 +100,7 @@ impl<'a> Machine<'a> {
             layout,
         };
         let kept: Vec<f64> =
-            machine.layout.kept.iter().map(|&column| machine.scale(column, positions)).collect();
+            machine.layout.kept.iter().map(|&column| system.scaled(column, positions)).collect();
         machine.place(&kept);
         machine.order();
         machine
@@ -116,8 +116,8 @@ impl<'a> Machine<'a> {
 
     /// The state of positions and velocities.
     pub(super) fn state(&self, positions: &[[f64; 3]], velocities: &[[f64; 3]], work: f64) -> Vec<f64> {
-        let kept = self.layout.kept.iter().map(|&column| self.scale(column, positions));
-        let free = self.orders[self.now].free.iter().map(|&column| self.scale(column, velocities));
+        let kept = self.layout.kept.iter().map(|&column| self.system.scaled(column, positions));
+        let free = self.orders[self.now].free.iter().map(|&column| self.system.scaled(column, velocities));
         kept.chain(free).chain(self.has_work.then_some(work)).collect()
     }
 
@@ -221,11 +221,6 @@ impl<'a> Machine<'a> {
         }
     }
 
-    fn scale(&self, column: usize, of_bodies: &[[f64; 3]]) -> f64 {
-        let value = of_bodies[column / 3][column % 3];
-        if column % 3 == 2 { value * self.system.length } else { value }
-    }
-
     /// The constants of the drivers at a time.
     fn drive(&mut self, time: f64) {
         let first = self.system.first_driver();
@@ -258,10 +253,7 @@ impl<'a> Machine<'a> {
                 *v += n * rate;
             }
         }
-        let per_length = 1.0 / self.system.length;
-        for (v, scaled) in self.velocities.iter_mut().zip(self.scaled.chunks_exact(3)) {
-            *v = [scaled[0], scaled[1], scaled[2] * per_length];
-        }
+        self.system.unscale(&self.scaled, &mut self.velocities);
     }
 
     /// The accelerations, to `held`; those of the free columns, to `driving`. False without inertia.
@@ -382,7 +374,10 @@ impl Problem for Machine<'_> {
         let mut last = f64::INFINITY;
         for round in 0..=ROUNDS {
             self.place(&state[..kept]);
-            let Some(gap) = self.layout.open(&self.work) else { return false };
+            let gap = self.layout.open(&self.work);
+            if gap.is_nan() {
+                return false;
+            }
             let stays = gap <= ALMOST * length && gap > 0.3 * last;
             if gap <= CLOSED * length || stays || round == ROUNDS {
                 return gap <= ALMOST * length;

@@ -159,17 +159,13 @@ impl Plan {
         let layout = Layout::new(system);
         let columns = 3 * positions.len();
         let mut work: Work<f64> = layout.work(system);
-        let scaled = |&column: &usize| {
-            let value = positions[column / 3][column % 3];
-            if column % 3 == 2 { value * system.length } else { value }
-        };
-        let start: Vec<f64> = layout.kept.iter().map(scaled).collect();
+        let start: Vec<f64> = layout.kept.iter().map(|&column| system.scaled(column, positions)).collect();
         if layout.loops().len() != start.len() || start.len() > MOST_LOOPS {
             return None;
         }
         layout.set(&start, &mut work);
         layout.measure(&mut work);
-        let (_, left) = Order::<f64>::of_explicit(&layout, &work.slopes, columns);
+        let (order, left) = Order::of_explicit(&layout, &work.slopes, columns);
         let number = |column: usize| layout.kept.iter().position(|kept| *kept == column);
         let mut loops = Vec::new();
         for row in left {
@@ -177,10 +173,9 @@ impl Plan {
                 row.into_iter().map(|(place, column)| Some((place, number(column)?))).collect();
             loops.push(row?);
         }
-        let slopes = work.slopes;
         Some(Self {
-            one: Station::new(system, &layout, &slopes),
-            many: Station::new(system, &layout, &slopes),
+            many: Station::new(system, &layout, order.with_numbers()),
+            one: Station::new(system, &layout, order),
             masses: system.scaled_masses(),
             layout,
             loops,

@@ -5,7 +5,7 @@
 use nalgebra::DMatrix;
 
 use super::{Dynamics, Equation, Frame, Load, Measure, Mechanism, PlanarError, Point, Pose, Slope};
-use crate::{Real, linalg::Elimination};
+use crate::{Real, lanes::Numbers, linalg::Elimination};
 
 /// What a closed joint may be open by, in parts of the size of the mechanism.
 const CLOSED: f64 = 1e-14;
@@ -422,8 +422,26 @@ impl System {
         positions.iter().zip(change.chunks_exact(3)).map(moved).collect()
     }
 
+    /// A coordinate, rate or acceleration of the bodies by its column, an angle times the length.
+    pub(super) fn scaled(&self, column: usize, of_bodies: &[[f64; 3]]) -> f64 {
+        let value = of_bodies[column / 3][column % 3];
+        if column % 3 == 2 { value * self.length } else { value }
+    }
+
+    /// Scaled rates as those of the bodies.
+    #[inline(always)]
+    pub(super) fn unscale<S: Numbers>(&self, scaled: &[S], of_bodies: &mut [[S; 3]]) {
+        let per_length = 1.0 / self.length;
+        for (rate, scaled) in of_bodies.iter_mut().zip(scaled.chunks_exact(3)) {
+            *rate = [scaled[0], scaled[1], scaled[2] * per_length];
+        }
+    }
+
+    /// The same, in a list of their own.
     pub(super) fn unscaled(&self, scaled: &[f64]) -> Vec<[f64; 3]> {
-        scaled.chunks_exact(3).map(|x| [x[0], x[1], x[2] / self.length]).collect()
+        let mut of_bodies = vec![[0.0; 3]; scaled.len() / 3];
+        self.unscale(scaled, &mut of_bodies);
+        of_bodies
     }
 
     /// How far the mechanism reaches, m: what rounding of its positions is measured by.

@@ -314,32 +314,16 @@ impl Layout {
         &self.loops
     }
 
-    /// The largest gap of the equations that are not explicit, each in parts of its largest slope; none if one is not
-    /// finite.
-    pub(in super::super) fn open(&self, work: &Work) -> Option<f64> {
-        let mut open = 0.0f64;
-        for &row in &self.loops {
-            let largest =
-                self.rows[row].iter().fold(0.0f64, |most, (_, place)| most.max(work.slopes[*place].abs()));
-            let gap = work.gaps[row].abs() / largest;
-            if largest > 0.0 {
-                open = open.max(gap);
-            }
-            if gap.is_nan() && work.gaps[row] != 0.0 {
-                return None;
-            }
-        }
-        Some(open)
-    }
-
-    /// The same for positions side by side: NaN where a gap is not a number.
+    /// The largest gap of the equations that are not explicit, each in parts of its largest slope; not a number where
+    /// a gap is not.
     #[inline(always)]
-    pub(in super::super) fn open_by<S: Numbers>(&self, work: &Work<S>) -> S {
+    pub(in super::super) fn open<S: Numbers>(&self, work: &Work<S>) -> S {
         let zero = S::from(0.0);
         self.loops.iter().fold(zero, |open, &row| {
             let places = self.rows[row].iter();
             let most = places.fold(zero, |most, (_, place)| most.with(work.slopes[*place].abs(), f64::max));
-            let gap = work.gaps[row].abs().with(most, |gap, most| if gap == 0.0 { 0.0 } else { gap / most });
+            let part = |gap: f64, most: f64| if most > 0.0 || gap.is_nan() { gap / most } else { 0.0 };
+            let gap = work.gaps[row].abs().with(most, part);
             open.with(gap, |open, gap| if gap > open || gap.is_nan() { gap } else { open })
         })
     }

@@ -74,7 +74,7 @@ impl Order {
             .iter()
             .map(|row| row.iter().fold(0.0, |most: f64, (_, place)| most.max(slopes[*place].abs())))
             .collect();
-        let (mut maker, mut rows, mut of_column) = Maker::<f64>::of_explicit(layout, slopes, columns);
+        let (mut maker, mut rows, mut of_column) = Maker::of_explicit(layout, slopes, columns);
         let mut left = layout.loops.clone();
         while !left.is_empty() {
             let mut best: Option<(usize, usize, usize, f64)> = None;
@@ -107,6 +107,36 @@ impl Order {
         maker.done(columns)
     }
 
+    /// The order of the explicit coordinates alone, and what is left of the other rows: the places and columns of
+    /// each.
+    pub(in super::super) fn of_explicit(
+        layout: &Layout,
+        slopes: &[f64],
+        columns: usize,
+    ) -> (Self, Vec<Vec<(usize, usize)>>) {
+        let (maker, rows, _) = Maker::of_explicit(layout, slopes, columns);
+        let left = |row: &usize| rows[*row].iter().map(|entry| (entry.place, entry.column)).collect();
+        let left = layout.loops.iter().map(left).collect();
+        (maker.done(columns), left)
+    }
+
+    /// The same order for other numbers, none of them eliminated yet.
+    pub(in super::super) fn with_numbers<S: Numbers>(&self) -> Order<S> {
+        let zeros = |count| vec![S::from(0.0); count];
+        Order {
+            pivots: self.pivots.clone(),
+            removals: self.removals.clone(),
+            updates: self.updates.clone(),
+            others: self.others.clone(),
+            first_loop: self.first_loop,
+            free: self.free.clone(),
+            dropped: self.dropped.clone(),
+            slopes: zeros(self.slopes.len()),
+            inverses: self.pivots.iter().map(|pivot| S::from(1.0 / pivot.chosen)).collect(),
+            ratios: zeros(self.ratios.len()),
+        }
+    }
+
     /// Whether another order should be chosen: a pivot has become small in its row, or a row that was dropped says
     /// something new.
     pub(in super::super) fn is_weak(&self, layout: &Layout, slopes: &[f64]) -> bool {
@@ -130,19 +160,6 @@ impl Order {
 }
 
 impl<S: Numbers> Order<S> {
-    /// The order of the explicit coordinates alone, and what is left of the other rows: the places and columns of
-    /// each.
-    pub(in super::super) fn of_explicit(
-        layout: &Layout,
-        slopes: &[f64],
-        columns: usize,
-    ) -> (Self, Vec<Vec<(usize, usize)>>) {
-        let (maker, rows, _) = Maker::of_explicit(layout, slopes, columns);
-        let left = |row: &usize| rows[*row].iter().map(|entry| (entry.place, entry.column)).collect();
-        let left = layout.loops.iter().map(left).collect();
-        (maker.done(columns), left)
-    }
-
     /// Eliminates the slopes of a position.
     #[inline(always)]
     pub(in super::super) fn eliminate(&mut self, slopes: &[S]) {
@@ -267,13 +284,13 @@ impl<S: Numbers> Order<S> {
     }
 }
 
-struct Maker<S> {
-    order: Order<S>,
+struct Maker {
+    order: Order,
     places: usize,
     taken: Vec<bool>,
 }
 
-impl<S: Numbers> Maker<S> {
+impl Maker {
     /// Takes the explicit columns out of all rows: the maker, what is left of the rows, and the rows of each column.
     fn of_explicit(
         layout: &Layout,
@@ -309,12 +326,12 @@ impl<S: Numbers> Maker<S> {
     }
 
     /// The order as it stands, with room for its numbers.
-    fn done(self, columns: usize) -> Order<S> {
+    fn done(self, columns: usize) -> Order {
         let Self { mut order, places, taken } = self;
         order.free = (0..columns).filter(|column| !taken[*column]).collect();
-        order.slopes = vec![S::from(0.0); places];
-        order.ratios = vec![S::from(0.0); order.others.len()];
-        order.inverses = order.pivots.iter().map(|pivot| S::from(1.0 / pivot.chosen)).collect();
+        order.slopes = vec![0.0; places];
+        order.ratios = vec![0.0; order.others.len()];
+        order.inverses = order.pivots.iter().map(|pivot| 1.0 / pivot.chosen).collect();
         order
     }
 

@@ -4,19 +4,14 @@
 
 use super::super::{
     Pose, System,
+    follow::{JUMP, SMOOTH, STEP},
     plan::{Core, Layout, Order, Work},
 };
 use super::Swept;
 use crate::lanes::{Numbers, widest};
 
-/// The largest move of one step, in parts of the size of the mechanism.
-const STEP: f64 = 0.2;
 /// The smallest step, in parts of the way between two positions.
 const SMALLEST: f64 = 1e-3;
-/// A correction above this part of the step is a jump.
-const JUMP: f64 = 0.1;
-/// A correction below this part of the step stays on the smooth path, even where two branches cross.
-const SMOOTH: f64 = 2e-3;
 /// Rounds of Newton's method for a step.
 const ROUNDS: usize = 8;
 /// Joints are closed to this part of the size of the mechanism, or at least to the second.
@@ -68,12 +63,12 @@ pub(super) struct Station<S> {
 }
 
 impl<S: Numbers> Station<S> {
-    pub(super) fn new(system: &System, layout: &Layout, slopes: &[f64]) -> Self {
+    pub(super) fn new(system: &System, layout: &Layout, order: Order<S>) -> Self {
         let (bodies, rows) = (system.mechanism.bodies.len(), system.equations.len());
         let (columns, kept) = (3 * bodies, layout.kept.len());
         let zero = S::from(0.0);
         Self {
-            order: Order::of_explicit(layout, slopes, columns).0,
+            order,
             core: Core::new(kept),
             work: layout.work(system),
             value: zero,
@@ -191,7 +186,7 @@ impl<S: Numbers> Station<S> {
         for _ in 0..ROUNDS {
             way.layout.set(&self.kept, &mut self.work);
             way.layout.measure(&mut self.work);
-            let open = largest(way.layout.open_by(&self.work)) / length;
+            let open = largest(way.layout.open(&self.work)) / length;
             let stays = open <= ALMOST && open > 0.3 * last;
             self.order.eliminate(&self.work.slopes);
             for (row, entries) in way.loops.iter().enumerate() {
@@ -238,7 +233,7 @@ impl<S: Numbers> Station<S> {
         self.right[way.row] = S::from(1.0);
         solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.first);
         self.fast = self.first.iter().fold(S::from(0.0), |most, x| most.with(x.abs(), larger));
-        rates(&self.first, way.system.length, &mut self.velocities);
+        way.system.unscale(&self.first, &mut self.velocities);
         way.layout.bend(&self.work, &self.velocities, &mut self.right);
         solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.second);
     }
@@ -265,7 +260,7 @@ impl<S: Numbers> Station<S> {
             for ((a, first), second) in self.accelerations.iter_mut().zip(&self.first).zip(&self.second) {
                 *a = *second * (rate * rate) + *first * acceleration;
             }
-            rates(&self.first, length, &mut self.velocities);
+            system.unscale(&self.first, &mut self.velocities);
             for velocity in &mut self.velocities {
                 *velocity = velocity.map(|x| x * rate);
             }
@@ -276,7 +271,7 @@ impl<S: Numbers> Station<S> {
                 *right = S::from(of.velocity);
             }
             solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.accelerations);
-            rates(&self.accelerations, length, &mut self.velocities);
+            system.unscale(&self.accelerations, &mut self.velocities);
             layout.bend(&self.work, &self.velocities, &mut self.right);
             for (right, of) in self.right[begin..].iter_mut().zip(drivers) {
                 *right = *right + of.acceleration;
@@ -356,15 +351,6 @@ fn solve<S: Numbers>(
         x[column] = *inner;
     }
     order.complete(right, x);
-}
-
-/// Scaled rates as those of the bodies.
-#[inline(always)]
-fn rates<S: Numbers>(scaled: &[S], length: f64, of_bodies: &mut [[S; 3]]) {
-    let per_length = 1.0 / length;
-    for (rate, scaled) in of_bodies.iter_mut().zip(scaled.chunks_exact(3)) {
-        *rate = [scaled[0], scaled[1], scaled[2] * per_length];
-    }
 }
 
 /// Of two numbers; the second if it is not a number.
