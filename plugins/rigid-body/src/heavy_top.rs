@@ -92,11 +92,7 @@ impl Analysis for HeavyTop {
         let level = self.nutation.cos().abs() < LEVEL;
         let (spin, axial_velocity, precession) = match &given.motion {
             TopMotionGiven::Precession { precession } => {
-                if precession.value() == 0.0 {
-                    return Err(Refusal::because(
-                        "a top whose axis does not go around falls: the precession must not be zero",
-                    ));
-                }
+                goes_around(*precession)?;
                 let spin = sheet.step(
                     "ψ̇",
                     "rad/s",
@@ -368,11 +364,7 @@ impl HeavyTop {
                 (*rate, precession)
             }
             TopMotionGiven::Precession { precession } => {
-                if precession.value() == 0.0 {
-                    return Err(Refusal::because(
-                        "a top whose axis does not go around falls: the precession must not be zero",
-                    ));
-                }
+                goes_around(*precession)?;
                 let spin = sheet.step(
                     "ψ̇",
                     "rad/s",
@@ -460,4 +452,14 @@ impl HeavyTop {
             scene.shapes()
         })
     }
+}
+
+/// Refuses a steady precession of zero.
+fn goes_around<N: Real>(precession: N) -> Result<(), Refusal> {
+    if precession.value() == 0.0 {
+        return Err(Refusal::because(
+            "a top whose axis does not go around falls: the precession must not be zero",
+        ));
+    }
+    Ok(())
 }

@@ -4,7 +4,10 @@ use dalembert_core::Worksheet;
 use dalembert_mechanics::{Real, Vector, rigid::MassProperties};
 use nalgebra::Matrix3;
 
-use crate::sources::{BEER, RIUL};
+use crate::{
+    body::matrix_times,
+    sources::{BEER, RIUL},
+};
 
 /// Moments and products of inertia about G as numbers of a worksheet.
 pub(crate) struct Inertia<W: Worksheet> {
@@ -36,18 +39,8 @@ impl<W: Worksheet> Inertia<W> {
 
     /// `I u`: `(Iₓ uₓ − I_xy u_y − I_zx u_z) i + …`.
     pub(crate) fn times(&self, vector: W::Vec) -> W::Vec {
-        let [x, y, z] = vector.components();
-        let [moment_x, moment_y, moment_z] = self.moments;
-        let [yz, zx, xy] = self.products;
-        let less = |sum: W::Num, product: Option<W::Num>, along: W::Num| match product {
-            Some(product) => sum - product * along,
-            None => sum,
-        };
-        W::Vec::from_components(
-            less(less(moment_x * x, xy, y), zx, z),
-            less(less(moment_y * y, xy, x), yz, z),
-            less(less(moment_z * z, zx, x), yz, y),
-        )
+        let products = self.products.map(|product| product.unwrap_or_else(|| 0.0.into()));
+        matrix_times(self.moments, products, vector)
     }
 
     /// The largest moment, as a plain number.

@@ -170,7 +170,8 @@ impl Motion {
 
 impl Body {
     /// The principal moments of inertia about the point and the principal axes as the columns of a rotation, the odd
-    /// one of two equal moments last.
+    /// one of two equal moments last. Moments count as equal here when they differ by rounding alone: in a long motion
+    /// more would be seen.
     ///
     /// # Errors
     /// `NotFinite`, `Inertia`.

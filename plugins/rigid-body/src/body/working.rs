@@ -62,7 +62,7 @@ pub(crate) fn matrix_times<V: Vector>(moments: [V::Scalar; 3], products: [V::Sca
     };
     V::from_components(
         less(less(moments[0] * x, xy, y), zx, z),
-        less(less(moments[1] * y, yz, z), xy, x),
+        less(less(moments[1] * y, xy, x), yz, z),
         less(less(moments[2] * z, zx, x), yz, y),
     )
 }
