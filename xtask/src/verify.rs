@@ -162,7 +162,7 @@ const OF_THE_LABORATORY: &str = "laboratory/torsional-pendulum";
 /// A laboratory's own program has its own analysis beside ours. What it shares with ours is built once.
 fn out_of_tree(root: &Path) -> Found {
     let ours = ids(&docs::json(&Program::built(root, root)?, &["list", "--json"])?);
-    let plain = as_plain_as_here(root)?;
+    let plain = compiled_quickly(root)?;
     let theirs = |arguments: &[&str]| {
         let mut command = cargo(&root.join(OUT_OF_TREE));
         command
@@ -183,14 +183,13 @@ fn out_of_tree(root: &Path) -> Found {
 }
 
 /// What is a member of the workspace here is a dependency there, and would be compiled for speed as all dependencies
-/// are: options that leave it as it is here.
-fn as_plain_as_here(root: &Path) -> Result<Vec<String>> {
+/// are: options that compile it as quickly as can be, since little is solved with it.
+fn compiled_quickly(root: &Path) -> Result<Vec<String>> {
     let mut options = Vec::new();
     for group in ["crates", "plugins"] {
         for folder in fs::read_dir(root.join(group))? {
             let folder = folder?.file_name().to_string_lossy().into_owned();
             let package = match folder.as_str() {
-                "mechanics" | "core" | "units" => continue,
                 "dalembert" => folder,
                 "bundle" => "dalembert-plugins".to_owned(),
                 _ => format!("dalembert-{folder}"),
