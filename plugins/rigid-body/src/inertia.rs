@@ -1,7 +1,7 @@
 //! The inertia of a whole body on a worksheet.
 
 use dalembert_core::Worksheet;
-use dalembert_mechanics::{Real, Vector, rigid::MassProperties};
+use dalembert_mechanics::{Real, rigid::MassProperties};
 use nalgebra::Matrix3;
 
 use crate::{
