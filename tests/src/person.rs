@@ -182,6 +182,10 @@ impl Person {
                     Some(outcome) => Msg::Solved(outcome),
                     None => continue,
                 },
+                Effect::Ask(job) => match solve(&job, &Stop::new()) {
+                    Some(outcome) => Msg::Asked(outcome),
+                    None => continue,
+                },
                 Effect::Judge(entry) => Msg::Judged(entry.about.id, judge(entry)),
                 Effect::Save { path, text, before } => {
                     let result = files::save(&path, &text, before);

@@ -87,7 +87,7 @@ fn escape_goes_back_one_step_at_a_time_and_never_ends_the_program() {
 #[test]
 fn every_tab_of_the_fan() {
     let mut person = fan(80, 24);
-    for tab in ["results", "working", "plot", "drawing", "sources"] {
+    for tab in ["results", "working", "plot", "drawing", "check", "sources"] {
         assert_snapshot!(format!("fan_{tab}"), person.sees());
         person.types("]");
     }
@@ -136,7 +136,7 @@ fn a_small_screen_has_one() {
 #[test]
 fn everything_in_ascii_without_colours() {
     let mut person = Person::in_ascii(80, 24).opens(FAN);
-    for tab in ["results", "working", "plot", "drawing", "sources"] {
+    for tab in ["results", "working", "plot", "drawing", "check", "sources"] {
         let screen = person.sees();
         assert!(screen.is_ascii(), "{screen}");
         assert!(person.draws().content.iter().all(|cell| cell.fg == Color::Reset && cell.bg == Color::Reset));
@@ -712,7 +712,7 @@ fn the_help_is_the_table_of_keys() {
     assert_snapshot!("help", fan(80, 24).types("?").sees());
     let mut person = fan(80, 200);
     let help = person.types("<f1>").sees();
-    for place in [Place::Form, Place::Pane, Place::Working, Place::Plot, Place::Drawing] {
+    for place in [Place::Form, Place::Pane, Place::Working, Place::Plot, Place::Drawing, Place::Cells] {
         for binding in place.bindings() {
             assert!(help.contains(binding.name), "{}:\n{help}", binding.name);
         }
@@ -849,6 +849,8 @@ fn every_word_of_the_interface_is_translated() {
         Place::Prompt,
         Place::Sheet,
         Place::Help,
+        Place::Cells,
+        Place::Cell,
     ];
     let of_places = places.into_iter().flat_map(|place| {
         let names = place.bindings().flat_map(|binding| [binding.name, binding.hint]);

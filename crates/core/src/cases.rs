@@ -4,7 +4,7 @@ use dalembert_units::{self as units, Dim};
 use toml_edit::{Item, TableLike};
 
 use crate::{
-    AnswerValue, Draft, Entry, Locale, Number, Record, Refusal, Solution, SolveError, Stop,
+    Answer, AnswerValue, Draft, Entry, Locale, Number, Record, Refusal, Solution, SolveError, Stop,
     file::{self, FileError},
 };
 
@@ -141,6 +141,12 @@ impl Case {
     }
 }
 
+/// Whether an answer agrees with a printed one to its last place; `None` where the two cannot be compared.
+pub fn agrees(answer: &Answer, printed: &str) -> Option<bool> {
+    let expected = Expected { answer: String::new(), printed: printed.to_owned(), how: Hold::ToTheLastPlace };
+    compare(answer, &expected).1
+}
+
 impl Truth {
     /// The name in case files.
     pub fn name(self) -> &'static str {
@@ -220,16 +226,7 @@ fn expected(answer: &str, item: &Item) -> Result<Expected, String> {
 fn verdict(expected: &Expected, solution: &Solution) -> Verdict {
     let (ours, near) = match solution.answer(&expected.answer) {
         None => ("no such answer".to_owned(), None),
-        Some(answer) => match &answer.value {
-            AnswerValue::Number(Number::Scalar(si), _) => compare_scalar(*si, answer.dim(), expected),
-            AnswerValue::Number(Number::Vector(si), _) => compare_vector(*si, &answer.unit, expected),
-            AnswerValue::List(numbers) => compare_list(numbers, &answer.unit, expected),
-            AnswerValue::Set(..) => {
-                let ours = answer.shown(&Locale::english().digits(6));
-                let near = compare_set(&answer.shown(&Locale::english()), &expected.printed, expected);
-                (ours, near)
-            }
-        },
+        Some(answer) => compare(answer, expected),
     };
     let (outcome, why) = match (&expected.how, near) {
         (Hold::Disputed(why), Some(false)) => (Outcome::Disputed, why.clone()),
@@ -242,6 +239,20 @@ fn verdict(expected: &Expected, solution: &Solution) -> Verdict {
         _ => (Outcome::Differing, String::new()),
     };
     Verdict { answer: expected.answer.clone(), printed: expected.printed.clone(), ours, outcome, why }
+}
+
+/// Ours as it is written beside the printed answer, and whether they agree.
+fn compare(answer: &Answer, expected: &Expected) -> (String, Option<bool>) {
+    match &answer.value {
+        AnswerValue::Number(Number::Scalar(si), _) => compare_scalar(*si, answer.dim(), expected),
+        AnswerValue::Number(Number::Vector(si), _) => compare_vector(*si, &answer.unit, expected),
+        AnswerValue::List(numbers) => compare_list(numbers, &answer.unit, expected),
+        AnswerValue::Set(..) => {
+            let ours = answer.shown(&Locale::english().digits(6));
+            let near = compare_set(&answer.shown(&Locale::english()), &expected.printed, expected);
+            (ours, near)
+        }
+    }
 }
 
 /// Half a unit in the last printed place, or the share that the case grants.

@@ -8,6 +8,7 @@ extern crate self as dalembert_core;
 
 mod analysis;
 pub mod cases;
+pub mod check;
 pub mod draft;
 pub mod exhibit;
 mod field;
@@ -17,6 +18,7 @@ mod path;
 pub mod printer;
 mod reading;
 mod record;
+mod replay;
 mod sheet;
 mod solution;
 mod source;
@@ -24,6 +26,7 @@ mod table;
 pub mod text;
 pub mod trace;
 pub mod uff;
+pub mod vary;
 pub mod worksheet;
 
 pub use dalembert_derive::Inputs;

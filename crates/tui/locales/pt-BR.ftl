@@ -274,3 +274,17 @@ there-is-no-solution-of-these-inputs-to-export = não há solução destes dados
 worked-solution-html-tex-typ-md-txt = Solução resolvida (.html, .tex, .typ, .md, .txt)
 write-a-name-that-ends-in-html-tex-typ-md-or-txt = escreva um nome que termine em .html, .tex, .typ, .md ou .txt
 write-under-another-name = gravar com outro nome
+
+# Conferir
+check = Conferir
+while-typing-in-a-cell = Ao digitar numa célula
+type-in-the-cell = digitar na célula
+type = digitar
+empty-the-cell-and-type = esvaziar a célula e digitar
+show-our-answer-or-cover-it = mostrar a nossa resposta, ou cobri-la
+show-ours = mostrar a nossa
+keep-and-to-the-next-cell = manter e ir à próxima célula
+next-cell = próxima célula
+keep-and-to-the-cell-before = manter e ir à célula anterior
+a-number-and-a-unit-what-is-said-of-it-follows-at-once = um número e uma unidade; o que se diz dele vem logo
+every-answer-is-right-well-done = todas as respostas estão certas: muito bem

@@ -30,3 +30,6 @@ was-value = era { $value }
 count-of-all-steps-are-covered-space-in-this-tab-reveals-the-next-one = { $count } de { $all } passos estão cobertos; Espaço nesta aba revela o próximo
 made-of = feito de
 no-other-symbol = sem outro símbolo
+type-what-you-found-ours-is-covered-until-yours-is-right = Digite o que você achou; a nossa resposta fica coberta até a sua estar certa.
+not-right-no-slip-we-know-gives-this = não está certo; nenhum deslize conhecido dá isto
+not-right-this-would-give-it = não está certo; isto o daria:

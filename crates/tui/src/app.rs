@@ -67,6 +67,8 @@ pub fn run(options: Options) -> ExitCode {
 struct World {
     session: Session,
     solver: Solver,
+    /// What is asked beside the results never holds them up.
+    asker: Solver,
     autosave: Arc<Autosave>,
     messages: mpsc::Sender<Msg>,
     /// When work was remembered that is not written aside yet.
@@ -102,6 +104,11 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         let _ = outcomes.send(Msg::Solved(outcome));
         waker.wake();
     });
+    let (outcomes, waker) = (sender.clone(), session.waker());
+    let asker = Solver::new(move |outcome| {
+        let _ = outcomes.send(Msg::Asked(outcome));
+        waker.wake();
+    });
     let look = Look::new(&capabilities);
     let mut model = Model::new(registry(), options.language, look, capabilities.marker);
     model.readonly = options.readonly;
@@ -109,6 +116,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     let mut world = World {
         session,
         solver,
+        asker,
         autosave,
         messages: sender,
         noted: None,
@@ -206,6 +214,10 @@ impl World {
                 Effect::Solve(job) => {
                     self.awaited = Some(job.generation);
                     self.solver.submit(job);
+                    continue;
+                }
+                Effect::Ask(job) => {
+                    self.asker.submit(job);
                     continue;
                 }
                 Effect::Judge(entry) => {

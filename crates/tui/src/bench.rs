@@ -7,6 +7,7 @@ use dalembert_core::{
 };
 
 use crate::{
+    ask::Ask,
     files::Fingerprint,
     form::Form,
     keys::Place,
@@ -60,6 +61,8 @@ pub struct Bench {
     pub reading: Reading,
     /// The cursor and the marks of the plot.
     pub plot_state: plot::State,
+    /// What is asked beside the results.
+    pub ask: Ask,
     /// Its file.
     pub file: Option<OpenFile>,
     /// Title and inputs as they are in the file, or as the case has them.
@@ -124,13 +127,16 @@ pub enum Tab {
     Drawing,
     /// Tables.
     Table,
+    /// The person's own answers.
+    Check,
     /// Books and published cases.
     Sources,
 }
 
 impl Tab {
     /// Every tab, from left to right.
-    pub const ALL: [Tab; 6] = [Tab::Results, Tab::Working, Tab::Plot, Tab::Drawing, Tab::Table, Tab::Sources];
+    pub const ALL: [Tab; 7] =
+        [Tab::Results, Tab::Working, Tab::Plot, Tab::Drawing, Tab::Table, Tab::Check, Tab::Sources];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -140,8 +146,19 @@ impl Tab {
             Tab::Plot => "Plot",
             Tab::Drawing => "Drawing",
             Tab::Table => "Table",
+            Tab::Check => "Check",
             Tab::Sources => "Sources",
         }
+    }
+
+    /// Whether it has cells to type in.
+    pub fn has_cells(self) -> bool {
+        self == Tab::Check
+    }
+
+    /// Whether it stands alone in its column on a wide screen.
+    pub fn is_alone(self) -> bool {
+        matches!(self, Tab::Table | Tab::Sources) || self.has_cells()
     }
 
     /// Whether it shows a picture: on a wide screen these have a column of their own.
@@ -176,6 +193,7 @@ impl Bench {
             frame: 0,
             reading: Reading::default(),
             plot_state: plot::State::default(),
+            ask: Ask::default(),
             file: None,
         }
     }
@@ -190,6 +208,8 @@ impl Bench {
                 Tab::Plot => Place::Plot,
                 Tab::Drawing => Place::Drawing,
                 Tab::Results | Tab::Table | Tab::Sources => Place::Pane,
+                Tab::Check if self.ask.edit.is_some() => Place::Cell,
+                Tab::Check => Place::Cells,
             },
         }
     }
@@ -204,6 +224,7 @@ impl Bench {
             Place::Working => Tab::Working,
             Place::Plot => Tab::Plot,
             Place::Drawing => Tab::Drawing,
+            Place::Cells if !self.tab.has_cells() => Tab::Check,
             _ => self.tab,
         };
         let is_there = self.tabs().contains(&tab);
@@ -273,7 +294,7 @@ impl Bench {
         match tab {
             Tab::Plot => self.plots().count(),
             Tab::Drawing => self.drawings().count(),
-            Tab::Results | Tab::Working | Tab::Table | Tab::Sources => 0,
+            _ => 0,
         }
     }
 
@@ -283,6 +304,7 @@ impl Bench {
             Tab::Plot => self.plots().next().is_some(),
             Tab::Drawing => self.drawings().next().is_some(),
             Tab::Table => self.tables().next().is_some(),
+            Tab::Check => self.found.solution.as_ref().is_some_and(|found| !found.answers.is_empty()),
             Tab::Results | Tab::Working | Tab::Sources => true,
         };
         Tab::ALL.into_iter().filter(has).collect()

@@ -169,7 +169,8 @@ impl Dialog {
 }
 
 /// The places of a problem.
-const BENCH: [Place; 5] = [Place::Form, Place::Pane, Place::Working, Place::Plot, Place::Drawing];
+const BENCH: [Place; 6] =
+    [Place::Form, Place::Pane, Place::Working, Place::Plot, Place::Drawing, Place::Cells];
 
 /// The bindings that the palette offers for what is typed, the best first, and the place each belongs to.
 pub fn offered(model: &Model, typed: &str) -> Vec<(Place, &'static Binding)> {

@@ -7,7 +7,9 @@ mod tables;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 pub use tables::{ALWAYS, COMMON, PANES, PROBLEM};
-use tables::{DRAWING, EDIT, FILTER, FORM, HELP, LIST, PICKER, PLOT, PROMPT, RESULTS, SHEET, WORKING};
+use tables::{
+    CELL, CELLS, DRAWING, EDIT, FILTER, FORM, HELP, LIST, PICKER, PLOT, PROMPT, RESULTS, SHEET, WORKING,
+};
 
 /// What a person wants when pressing a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -168,6 +170,10 @@ pub enum Place {
     Sheet,
     /// The help.
     Help,
+    /// The cells of a tab: answers to be checked.
+    Cells,
+    /// A cell that is being typed in.
+    Cell,
 }
 
 impl Place {
@@ -186,6 +192,8 @@ impl Place {
             Place::Prompt => PROMPT,
             Place::Sheet => SHEET,
             Place::Help => HELP,
+            Place::Cells => CELLS,
+            Place::Cell => CELL,
         }
     }
 
@@ -204,12 +212,14 @@ impl Place {
             Place::Prompt => "Asked for a text",
             Place::Sheet => "Text of many lines",
             Place::Help => "In this list of keys",
+            Place::Cells => "Check",
+            Place::Cell => "While typing in a cell",
         }
     }
 
     /// Whether every character is text here.
     pub fn is_text(self) -> bool {
-        matches!(self, Place::Filter | Place::Edit | Place::Prompt | Place::Sheet)
+        matches!(self, Place::Filter | Place::Edit | Place::Prompt | Place::Sheet | Place::Cell)
     }
 
     /// What a key means here.
@@ -220,7 +230,7 @@ impl Place {
 
     /// Whether it is one of the panes of what was found.
     pub fn is_pane(self) -> bool {
-        matches!(self, Place::Pane | Place::Working | Place::Plot | Place::Drawing)
+        matches!(self, Place::Pane | Place::Working | Place::Plot | Place::Drawing | Place::Cells)
     }
 
     /// Every binding that holds here, the most useful first.
@@ -281,7 +291,7 @@ mod tests {
         *,
     };
 
-    const PLACES: [Place; 12] = [
+    const PLACES: [Place; 14] = [
         Place::Picker,
         Place::Filter,
         Place::Form,
@@ -294,6 +304,8 @@ mod tests {
         Place::Prompt,
         Place::Sheet,
         Place::Help,
+        Place::Cells,
+        Place::Cell,
     ];
 
     #[test]

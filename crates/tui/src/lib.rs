@@ -4,6 +4,7 @@
 //! the run loop carries out; [`view`] draws it. So a test types keys and reads the screen, without a terminal.
 
 mod app;
+pub mod ask;
 pub mod bench;
 pub mod dialog;
 pub mod drawing;

@@ -134,6 +134,8 @@ pub enum Msg {
         /// The text of the table.
         result: Result<String, FileError>,
     },
+    /// What was asked beside the results is answered.
+    Asked(Outcome),
     /// The next frame of a film is due.
     Tick,
     /// Earlier sessions ended without saving.
@@ -149,6 +151,8 @@ pub enum Msg {
 pub enum Effect {
     /// Solve; [`Msg::Solved`] tells the outcome.
     Solve(Job),
+    /// Answer what is asked beside the results; [`Msg::Asked`].
+    Ask(Job),
     /// Compare the cases of an analysis with what was printed; [`Msg::Judged`].
     Judge(&'static Entry),
     /// Write a file; [`Msg::Saved`].

@@ -1,5 +1,6 @@
 //! What the panes of the bench say, as lines of text. Scrolling is their user's.
 
+pub mod check;
 mod columns;
 pub mod results;
 pub mod sources;

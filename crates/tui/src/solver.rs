@@ -8,6 +8,7 @@ use std::{
 use dalembert_core::{Entry, Record, Refusal, Solution, SolveError, Stop, cases, cases::Case};
 
 use crate::{
+    ask::{Question, Reply},
     panes::sources::Judged,
     terminal::{Fault, contained, fault},
 };
@@ -31,6 +32,8 @@ pub enum Work {
     Solve(&'static Entry, Record),
     /// Commits a fault.
     Fault(Fault),
+    /// Answers what is asked beside the results.
+    Ask(Question),
 }
 
 /// What became of a job.
@@ -40,6 +43,8 @@ pub struct Outcome {
     pub generation: u64,
     /// What was found; `None` of a job that has nothing to find.
     pub result: Result<Option<Solution>, Failure>,
+    /// What was asked beside the results.
+    pub reply: Option<Reply>,
 }
 
 /// Why nothing was found.
@@ -128,6 +133,7 @@ impl Desk {
 
 /// Does a job on this thread. `None` when it was stopped.
 pub fn solve(job: &Job, stop: &Stop) -> Option<Outcome> {
+    let mut reply = None;
     let result = match &job.work {
         Work::Solve(entry, record) => match contained(|| entry.solve(record, stop)) {
             Ok(Ok(solution)) => Ok(Some(solution)),
@@ -138,8 +144,16 @@ pub fn solve(job: &Job, stop: &Stop) -> Option<Outcome> {
         Work::Fault(kind) => {
             contained(|| fault(*kind, || stop.check().is_err())).map(|()| None).map_err(Failure::Fault)
         }
+        Work::Ask(question) => match contained(|| question.answer(stop)) {
+            Ok(None) => return None,
+            Ok(some) => {
+                reply = some;
+                Ok(None)
+            }
+            Err(panic) => Err(Failure::Fault(panic)),
+        },
     };
-    Some(Outcome { generation: job.generation, result })
+    Some(Outcome { generation: job.generation, result, reply })
 }
 
 /// The cases of an analysis, each compared with what was printed.

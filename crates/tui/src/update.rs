@@ -1,5 +1,6 @@
 //! What happens to the model: messages in, effects out.
 
+mod ask;
 mod bench;
 mod dialog;
 mod export;
@@ -46,6 +47,10 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
         }
         Msg::Solved(outcome) => {
             solved(model, outcome);
+            ask::renew(model)
+        }
+        Msg::Asked(outcome) => {
+            ask::take(model, outcome);
             Vec::new()
         }
         Msg::Judged(id, judged) => {
@@ -85,11 +90,12 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
         Some(action) => act(model, place, action),
         None => match place {
             Place::Form => bench::begin_by_typing(model, key),
+            Place::Cells => ask::begin_by_typing(model, key),
             Place::Sheet => {
                 dialog::edit_sheet(model, key);
                 Vec::new()
             }
-            Place::Filter | Place::Edit | Place::Prompt => match request(key) {
+            Place::Filter | Place::Edit | Place::Prompt | Place::Cell => match request(key) {
                 Some(request) => type_in(model, &[request]),
                 None => Vec::new(),
             },
@@ -206,6 +212,7 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Effect> {
         }
         changed
     };
+    let in_cell = model.place() == Place::Cell;
     match &mut model.dialog {
         Some(Dialog::Palette { input, chosen }) => {
             if handle(input) {
@@ -226,6 +233,14 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Effect> {
                 model.picker.chosen = 0;
                 model.picker.case = None;
                 return picker::preview(model);
+            }
+        }
+        None if in_cell => {
+            if let Some(edit) = model.bench.as_mut().and_then(|bench| bench.ask.edit.as_mut())
+                && (edit.value().len() < form::LONGEST || !matches!(requests, [InputRequest::InsertChar(_)]))
+                && handle(edit)
+            {
+                return ask::typed(model);
             }
         }
         None => {

@@ -141,6 +141,32 @@ pub(super) const DRAWING: &[Binding] = &[
     bind(Action::NextExhibit, &[typed('n')], "next plot or drawing", ""),
 ];
 
+/// Keys of the cells of a tab: of the person's own answers.
+pub(super) const CELLS: &[Binding] = &[
+    bind(Action::Enter, ENTER, "type in the cell", "type"),
+    bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "empty the cell and type", ""),
+    bind(Action::Toggle, &[typed(' ')], "show our answer, or cover it", "show ours"),
+    bind(Action::Up, UP, "line up", ""),
+    bind(Action::Down, DOWN, "line down", ""),
+    bind(Action::PageUp, PAGE_UP, "page up", ""),
+    bind(Action::PageDown, PAGE_DOWN, "page down", ""),
+    bind(Action::First, FIRST, "to the first line", ""),
+    bind(Action::Last, LAST, "to the last line", ""),
+];
+
+/// Keys while a cell is typed in.
+pub(super) const CELL: &[Binding] = &[
+    bind(Action::Enter, ENTER, "keep the text", "keep"),
+    bind(Action::Back, ESC, "keep the text", ""),
+    bind(
+        Action::Down,
+        &[plain(KeyCode::Down), plain(KeyCode::Tab)],
+        "keep, and to the next cell",
+        "next cell",
+    ),
+    bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "keep, and to the cell before", ""),
+];
+
 /// Keys of every pane of what was found.
 pub const PANES: &[Binding] = &[
     bind(Action::NextPane, TAB, "to the inputs", "edit inputs"),

@@ -12,7 +12,7 @@ use ratatui::{
 };
 use tui_input::InputRequest;
 
-use super::{export, files, request, too_long, type_in};
+use super::{ask, export, files, request, too_long, type_in};
 use crate::{
     bench::{Bench, Focus, State, Tab},
     dialog::{Choice, Chosen, Dialog, Purpose, Sheet},
@@ -85,7 +85,7 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
             Vec::new()
         }
         // One step back from a pane that is alone: the others come back.
-        Action::Back if bench.expanded && place != Place::Edit && !has_cursor(bench) => {
+        Action::Back if bench.expanded && !place.is_text() && !has_cursor(bench) => {
             bench.expanded = false;
             Vec::new()
         }
@@ -95,6 +95,8 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
             Place::Edit => edit(model, action),
             Place::Form => form(model, action),
             Place::Working if working::act(model, action) => Vec::new(),
+            Place::Cells => ask::act(model, action),
+            Place::Cell => ask::act_in_cell(model, action),
             _ => pane(model, action),
         },
     }
@@ -107,6 +109,7 @@ pub(super) fn changed(model: &mut Model) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let mut effects = Vec::new();
     bench.found.failure = None;
+    ask::forget(bench);
     match bench.form.draft.read(&bench.entry.shape()) {
         Ok(record) => {
             bench.errors.clear();
@@ -489,7 +492,7 @@ fn turn(model: &mut Model, by: isize) -> Vec<Effect> {
         bench.judging = true;
         return vec![Effect::Judge(bench.entry)];
     }
-    Vec::new()
+    ask::renew(model)
 }
 
 fn load_case(model: &mut Model) -> Vec<Effect> {
@@ -538,7 +541,7 @@ fn reveal_case(model: &mut Model) {
 }
 
 /// Scrolls the shown tab so that one of its parts is seen from its first line.
-fn bring_in(model: &mut Model, part: usize) {
+pub(super) fn bring_in(model: &mut Model, part: usize) {
     let (Some(area), Some(bench)) = (area(model), &model.bench) else { return };
     let tab = bench.tab;
     let page = view::page(model, bench, tab, area.width);

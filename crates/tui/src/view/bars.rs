@@ -219,6 +219,7 @@ fn about_pane(model: &Model, bench: &Bench) -> String {
         Tab::Plot => &["← → move a cursor that reads the curves", "m other marks"],
         Tab::Drawing if several => &["n next drawing"],
         Tab::Sources => &["↑ ↓ choose a case; Enter loads it"],
+        Tab::Check => &["a number and a unit; what is said of it follows at once"],
         Tab::Results | Tab::Working | Tab::Drawing | Tab::Table => &[],
     };
     hints.iter().map(|hint| word(hint, model)).collect::<Vec<_>>().join("; ")

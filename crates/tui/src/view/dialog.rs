@@ -126,6 +126,8 @@ fn help_lines(screen: Screen, look: &Look, locale: &Locale, room: usize) -> Vec<
             Place::Working,
             Place::Plot,
             Place::Drawing,
+            Place::Cells,
+            Place::Cell,
             Place::Sheet,
         ],
     };

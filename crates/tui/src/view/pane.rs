@@ -38,7 +38,7 @@ pub(super) fn draw(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buf
     // Pictures have a column of their own.
     let tabs: Vec<Tab> = bench.tabs().into_iter().filter(|tab| !tab.is_picture()).collect();
     let bar = tab_bar(model, bench, &tabs, pane.width);
-    if bench.tab == Tab::Table || bench.tab == Tab::Sources {
+    if bench.tab.is_alone() {
         draw_tab(model, bench, bench.tab, &bar, pane, buffer);
     } else {
         let [upper, lower] = stacked(model, bench, pane);
@@ -61,11 +61,12 @@ pub(super) fn shows_drawing(bench: &Bench, areas: &Areas) -> bool {
 pub(crate) fn area_of_tab(model: &Model, bench: &Bench, areas: &Areas) -> Option<Rect> {
     let pane = areas.pane?;
     let area = match (areas.picture, bench.tab) {
-        (None, _) | (_, Tab::Table | Tab::Sources) => pane,
+        (None, _) => pane,
+        (_, tab) if tab.is_alone() => pane,
         (Some(_), Tab::Results) => stacked(model, bench, pane)[0],
         (Some(_), Tab::Working) => stacked(model, bench, pane)[1],
         (Some(picture), Tab::Plot) => pictures(bench, picture)[0],
-        (Some(picture), Tab::Drawing) => pictures(bench, picture)[1],
+        (Some(picture), _) => pictures(bench, picture)[1],
     };
     Some(layout::inside(area))
 }
@@ -120,6 +121,21 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
                 Page { lines: stale(lines), starts: Vec::new() }
             }
         }
+        Tab::Check => match solution {
+            Some(solution) if !bench.is_stale() => {
+                let focused = bench.focus == Focus::Pane;
+                panes::check::page(
+                    solution,
+                    &bench.ask.check,
+                    bench.ask.edit.as_ref(),
+                    focused,
+                    look,
+                    locale,
+                    width,
+                )
+            }
+            _ => Page { lines: why_not(model, bench, width), starts: Vec::new() },
+        },
         Tab::Sources => {
             let chosen = (bench.focus == Focus::Pane).then_some(bench.case);
             let solution = solution.filter(|_| bench.reading.revealed.is_none());

@@ -1,0 +1,278 @@
+//! A person's answer beside ours: right, rounded too early, or wrong, and then which usual slip gives it.
+//!
+//! [`compare`] is quick and says how near an answer is. [`slips`] solves the problem again with the slips that people
+//! make and says which of them gives exactly what was answered.
+
+mod candidates;
+mod search;
+
+use std::f64::consts::TAU;
+
+use dalembert_units::{self as units, Dim, Kind, Quantity};
+
+pub use self::search::slips;
+use crate::{Answer, Arg, Solution, Symbol, Text, cases, printer, reading};
+
+/// Answers that are farther off than this share of ours are not right, however few their digits.
+pub const TOLERANCE: f64 = 0.005;
+
+/// How a person's answer compares with ours.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// It is ours to every digit that was given.
+    Right,
+    /// It is within [`TOLERANCE`], but its last digits are not ours: something was rounded on the way.
+    RoundedEarly(f64),
+    /// It fits ours, but with so few digits it fits much else as well.
+    TooFewDigits,
+    /// It is another number.
+    Wrong,
+    /// It cannot be read, and why.
+    Unread(Text),
+}
+
+/// What may have gone wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Slip {
+    /// It follows from the person's own answers of these names, which are wrong.
+    Follows(Vec<String>),
+    /// Our answer was changed at the end.
+    Answer(Change),
+    /// It is the answer to another question, of this name.
+    Other(String),
+    /// An input, by its path and label, was taken otherwise.
+    Input(String, Text, Change),
+    /// Two inputs were interchanged.
+    Interchanged(Box<[(String, Text); 2]>),
+    /// A step of the worked solution, by its place and symbol, came out otherwise.
+    Step(usize, Symbol, Change),
+}
+
+/// How a number was changed by a slip.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Change {
+    /// The other sign.
+    Sign,
+    /// So many times as large; as it is written.
+    Times(f64, &'static str),
+    /// The number was taken in another unit than it is in.
+    Unit {
+        /// The unit it is in.
+        is: String,
+        /// The unit it was taken in.
+        taken: String,
+    },
+    /// Twice or half of a length: its diameter for its radius, or the other way round.
+    Diameter,
+    /// Another acceleration of gravity, in m/s².
+    Gravity(f64),
+    /// Left out: zero.
+    LeftOut,
+    /// Its square was taken.
+    Squared,
+    /// Its root was taken.
+    Rooted,
+    /// One divided by it.
+    Inverted,
+    /// An angle from another axis or in the other direction, in degrees: this minus it.
+    Complement(u16),
+    /// The sign of one of the terms inside.
+    TermSign,
+    /// One of the terms inside is missing.
+    TermLeftOut,
+    /// A power inside was not taken.
+    PowerLeftOut,
+    /// A root inside was not taken.
+    RootLeftOut,
+    /// Sine and cosine.
+    SineForCosine,
+    /// One number was divided by where it should multiply, or the other way round.
+    DividedForMultiplied,
+}
+
+/// Compares a typed answer with ours. A number alone is in the unit that ours is shown in.
+pub fn compare(answer: &Answer, typed: &str) -> Verdict {
+    let Some(ours) = answer.si() else {
+        return match cases::agrees(answer, typed) {
+            Some(true) => Verdict::Right,
+            Some(false) => Verdict::Wrong,
+            None => Verdict::Unread(Text::new("write it as in `{example}`").with("example", example(answer))),
+        };
+    };
+    let typed = match read(answer, typed) {
+        Ok(typed) => typed,
+        Err(why) => return Verdict::Unread(why),
+    };
+    let ours = if ours.abs() <= answer.noise { 0.0 } else { ours };
+    let off = difference(typed.si, ours, answer.dim());
+    let size = ours.abs();
+    let to_the_digits = off <= half_a_place(&typed) + 1e-12 * size;
+    match (to_the_digits, off <= TOLERANCE * size) {
+        (true, true) => Verdict::Right,
+        (false, true) => Verdict::RoundedEarly(off / size),
+        (true, false) if size > 0.0 && typed.si != 0.0 => Verdict::TooFewDigits,
+        _ => Verdict::Wrong,
+    }
+}
+
+/// The person's answers beside the problem's: each with its verdict.
+pub fn compare_all(solution: &Solution, typed: &[(String, String)]) -> Vec<(String, Verdict)> {
+    let compared = typed.iter().filter(|(_, text)| !text.trim().is_empty()).filter_map(|(name, text)| {
+        let answer = solution.answer(name)?;
+        Some((name.clone(), compare(answer, text)))
+    });
+    compared.collect()
+}
+
+/// Reads a typed answer; a number alone is in the unit that ours is shown in.
+fn read(answer: &Answer, typed: &str) -> Result<Quantity, Text> {
+    let read = units::read_quantity(typed, &answer.unit, Kind::of(&answer.unit));
+    let mut read = read.map_err(|error| reading::text(&error))?;
+    read.last_place *= ambiguous_zeros(typed);
+    if read.si.is_finite() { Ok(read) } else { Err(Text::new("this is no finite number")) }
+}
+
+/// Zeros at the end of a whole number may be digits or may stand for them: what one unit of the last sure digit is.
+fn ambiguous_zeros(typed: &str) -> f64 {
+    let number = typed.trim().trim_start_matches(['-', '−', '+']);
+    let end = number.find(|c: char| !c.is_ascii_digit()).unwrap_or(number.len());
+    let (digits, rest) = number.split_at(end);
+    let sure = digits.trim_end_matches('0');
+    // `20` is two digits; of `22270` the last may be none.
+    if sure.len() < 2 || rest.starts_with(['.', ',', 'e', 'E', '*', '×', '/', '^']) {
+        return 1.0;
+    }
+    10f64.powi(i32::try_from(digits.len() - sure.len()).unwrap_or(0))
+}
+
+/// Half a unit in the last place that was given; an expression is taken to four digits.
+fn half_a_place(typed: &Quantity) -> f64 {
+    if typed.last_place > 0.0 { 0.5 * typed.last_place * (1.0 + 1e-9) } else { 0.5e-4 * typed.si.abs() }
+}
+
+/// How far two numbers are apart; directions are the same a turn apart.
+fn difference(a: f64, b: f64, dim: Dim) -> f64 {
+    let off = (a - b).abs();
+    if dim != Dim::ANGLE {
+        return off;
+    }
+    let off = off.rem_euclid(TAU);
+    off.min(TAU - off)
+}
+
+/// Something that can be typed for an answer that is no single number, and gives nothing away.
+fn example(answer: &Answer) -> String {
+    match &answer.value {
+        crate::AnswerValue::Set(..) => format!("≤ 1 {}", answer.unit.ascii()).trim().to_owned(),
+        _ => format!("(1; 2; …) {}", answer.unit.ascii()).trim().to_owned(),
+    }
+}
+
+impl Slip {
+    /// What may have gone wrong, in words that do not say our number.
+    pub fn text(&self, solution: &Solution) -> Text {
+        let label = |name: &str| match solution.answer(name) {
+            Some(answer) => named(answer),
+            None => Text::new(name.to_owned()),
+        };
+        match self {
+            Slip::Follows(names) => {
+                let all = names.iter().map(|name| label(name)).reduce(|all, next| {
+                    Text::new("{all}, {next}").with_text("all", all).with_text("next", next)
+                });
+                Text::new("it follows from your own answer to: {answers}")
+                    .with_text("answers", all.unwrap_or_else(|| Text::from("")))
+            }
+            Slip::Other(name) => {
+                Text::new("this is the answer to another question: {answer}").with_text("answer", label(name))
+            }
+            Slip::Answer(change) => of_answer(change),
+            Slip::Input(_, input, change) => Text::new("{input}: {change}")
+                .with_text("input", input.clone())
+                .with_text("change", of_input(change)),
+            Slip::Interchanged(pair) => {
+                let [(_, first), (_, second)] = &**pair;
+                Text::new("interchanged: {first} and {second}")
+                    .with_text("first", first.clone())
+                    .with_text("second", second.clone())
+            }
+            Slip::Step(_, symbol, change) => Text::new("in the step for {symbol}: {change}")
+                .with("symbol", printer::symbol(symbol))
+                .with_text("change", of_step(change)),
+        }
+    }
+}
+
+fn named(answer: &Answer) -> Text {
+    match answer.name.to_string().strip_prefix(answer.name.base) {
+        Some("") | None => Text::from(answer.label),
+        Some(place) => Text::new("{label} {place}").with_text("label", answer.label).with("place", place),
+    }
+}
+
+fn of_answer(change: &Change) -> Text {
+    match change {
+        Change::Sign => Text::new("it has the other sign"),
+        Change::Unit { taken, is } => {
+            Text::new("the number is in {taken}, not in {is}").with("taken", taken).with("is", is)
+        }
+        Change::Squared => Text::new("it is the square: a root is missing"),
+        Change::Rooted => Text::new("it is the root: a square is missing"),
+        Change::Inverted => Text::new("it is one divided by the answer"),
+        Change::Complement(_) => Text::new("the angle is measured from another axis, or the other way round"),
+        other => times(other),
+    }
+}
+
+fn of_input(change: &Change) -> Text {
+    match change {
+        Change::Sign => Text::new("taken with the other sign"),
+        Change::Unit { taken, is } => {
+            Text::new("the number is in {is} and was taken in {taken}").with("is", is).with("taken", taken)
+        }
+        Change::Diameter => Text::new("diameter and radius, or the whole and its half, were mixed up"),
+        Change::Gravity(si) => Text::new("taken as {gravity}").with_quantity("gravity", *si, "m/s^2"),
+        Change::LeftOut => Text::new("not taken into account"),
+        Change::Complement(_) => Text::new("measured from another axis, or the other way round"),
+        other => times(other),
+    }
+}
+
+fn of_step(change: &Change) -> Text {
+    match change {
+        Change::Sign => Text::new("the other sign"),
+        Change::TermSign => Text::new("the sign of a term"),
+        Change::TermLeftOut => Text::new("a term is missing"),
+        Change::PowerLeftOut => Text::new("a power is missing"),
+        Change::RootLeftOut => Text::new("a root is missing"),
+        Change::SineForCosine => Text::new("sine and cosine are interchanged"),
+        Change::DividedForMultiplied => Text::new("divided instead of multiplied, or the other way round"),
+        other => times(other),
+    }
+}
+
+fn times(change: &Change) -> Text {
+    match change {
+        Change::Times(factor, written) if factor.abs() > 1.0 => {
+            Text::new("{factor} times too large").with("factor", written)
+        }
+        Change::Times(_, written) => Text::new("{factor} times too small").with("factor", written),
+        _ => Text::new("taken otherwise"),
+    }
+}
+
+impl Verdict {
+    /// What it says.
+    pub fn text(&self) -> Text {
+        match self {
+            Verdict::Right => Text::new("this is right"),
+            Verdict::RoundedEarly(off) => Text {
+                template: "nearly: {off} off, so something was rounded too early".into(),
+                args: vec![("off", Arg::Quantity(*off, "%"))],
+            },
+            Verdict::TooFewDigits => Text::new("it fits, but give more digits to be sure"),
+            Verdict::Wrong => Text::new("not right"),
+            Verdict::Unread(why) => why.clone(),
+        }
+    }
+}

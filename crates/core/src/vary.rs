@@ -1,0 +1,200 @@
+//! The numbers among the inputs of a problem, and the same problem solved again with some of them changed.
+
+use dalembert_units::Unit;
+
+use crate::{
+    Entry, Evaluate, Limit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value,
+    path::{Segment, segments},
+};
+
+/// A number among the inputs: a quantity, or one component of a vector.
+#[derive(Clone, Debug)]
+pub struct Input {
+    /// Where it stands: `masses[1].radius`, `force.x`.
+    pub path: String,
+    /// What it is, in words, with its rows behind it: `Radius 1`.
+    pub label: Text,
+    /// How formulas write it.
+    pub symbol: &'static str,
+    /// Its unit, kind and limits.
+    pub measure: Measure,
+    /// The unit it was typed in.
+    pub unit: Unit,
+    /// Its value in SI.
+    pub si: f64,
+}
+
+/// A problem that is solved again and again with other numbers.
+pub struct Again {
+    /// The inputs that can be changed.
+    pub inputs: Vec<Input>,
+    /// The names of the answers that are found each time.
+    pub answers: Vec<String>,
+    evaluate: Box<dyn Evaluate>,
+}
+
+/// Every number among the inputs, in the order of the form. Whole numbers and tables are none.
+pub fn inputs(record: &Record) -> Vec<Input> {
+    let mut found = Vec::new();
+    record.leaves(&mut |path, field, value| {
+        let Some(measure) = measure_of(&field.shape) else { return };
+        let input = |path: String, axis: &str, unit: &Unit, si: f64| Input {
+            label: label(field.label, &path, axis),
+            path,
+            symbol: field.symbol,
+            measure,
+            unit: unit.clone(),
+            si,
+        };
+        match value {
+            Value::Quantity(quantity) => {
+                found.push(input(path.to_owned(), "", &quantity.unit, quantity.si));
+            }
+            Value::Vector(vector) => {
+                let axes = ["x", "y", "z"].into_iter().zip(vector.si).take(vector.len);
+                found.extend(axes.map(|(axis, si)| input(format!("{path}.{axis}"), axis, &vector.unit, si)));
+            }
+            _ => {}
+        }
+    });
+    found
+}
+
+/// The record with another number at a path of [`inputs`]; `None` where there is none.
+pub fn changed(record: &Record, path: &str, si: f64) -> Option<Record> {
+    let mut record = record.clone();
+    let mut place = Place::Record(&mut record);
+    for segment in segments(path).ok()? {
+        place = match (place, segment) {
+            (Place::Record(record), Segment::Name(name)) => Place::Value(record.get_mut(&name)?),
+            (Place::Value(Value::Group(record)), Segment::Name(name)) => Place::Value(record.get_mut(&name)?),
+            // The name of the alternative that is chosen.
+            (Place::Value(Value::OneOf { fields, .. }), Segment::Name(_)) => Place::Record(fields),
+            (Place::Value(Value::Rows(rows)), Segment::Row(row)) => Place::Value(rows.get_mut(row)?),
+            (Place::Value(Value::Vector(vector)), Segment::Name(axis)) => {
+                Place::Number(vector.si.get_mut(["x", "y", "z"].iter().position(|known| *known == axis)?)?)
+            }
+            _ => return None,
+        };
+    }
+    match place {
+        Place::Number(number) => *number = si,
+        Place::Value(Value::Quantity(quantity)) => quantity.si = si,
+        _ => return None,
+    }
+    Some(record)
+}
+
+/// Why the problem has no answer with another number at that path, in words; `None` where it has one.
+pub fn why_not(entry: &Entry, record: &Record, input: &Input, si: f64, stop: &Stop) -> Option<Text> {
+    if !input.permits(si) {
+        return Some(Text::new("outside the limits of this input"));
+    }
+    match entry.solve(&changed(record, &input.path, si)?, stop) {
+        Err(SolveError::Refused(Refusal::NoAnswer(why))) => Some(why),
+        Err(SolveError::Fields(errors)) => errors.into_iter().next().map(|error| error.why),
+        Err(SolveError::Refused(Refusal::Stopped)) | Ok(_) => None,
+    }
+}
+
+impl Input {
+    /// Whether a value, in SI, is within the limits of the input.
+    pub fn permits(&self, si: f64) -> bool {
+        let value = self.measure.own_unit().value(si);
+        let above = match self.measure.min {
+            Limit::None => true,
+            Limit::Including(min) => value >= min,
+            Limit::Excluding(min) => value > min,
+        };
+        let below = match self.measure.max {
+            Limit::None => true,
+            Limit::Including(max) => value <= max,
+            Limit::Excluding(max) => value < max,
+        };
+        above && below && si.is_finite()
+    }
+}
+
+impl Again {
+    /// Ready to solve the problem with other numbers at `inputs` for these answers. Inputs that the analysis cannot
+    /// change, and answers that are no single numbers, are dropped.
+    ///
+    /// # Errors
+    /// Why the problem as it stands has no answer.
+    pub fn new(
+        entry: &Entry,
+        record: &Record,
+        mut inputs: Vec<Input>,
+        mut answers: Vec<String>,
+    ) -> Result<Self, SolveError> {
+        loop {
+            let vary: Vec<&str> = inputs.iter().map(|input| input.path.as_str()).collect();
+            let wanted: Vec<&str> = answers.iter().map(String::as_str).collect();
+            let error = match entry.prepare(record, &vary, &wanted) {
+                Ok(evaluate) => return Ok(Self { inputs, answers, evaluate }),
+                Err(error) => error,
+            };
+            let SolveError::Fields(errors) = &error else { return Err(error) };
+            let before = inputs.len() + answers.len();
+            let fits = |path: &str| errors.iter().all(|error| error.path != path);
+            inputs.retain(|input| fits(&input.path));
+            answers.retain(|answer| fits(answer));
+            if inputs.len() + answers.len() == before {
+                return Err(error);
+            }
+        }
+    }
+
+    /// The answers with these inputs, by their places, changed; NaN where there is none. Values outside the limits of
+    /// an input have none.
+    ///
+    /// # Errors
+    /// [`Refusal::Stopped`] alone.
+    pub fn with(&mut self, changes: &[(usize, f64)], stop: &Stop) -> Result<Vec<f64>, Refusal> {
+        stop.check()?;
+        let mut answers = vec![f64::NAN; self.answers.len()];
+        if changes.iter().any(|(at, si)| !self.inputs[*at].permits(*si)) {
+            return Ok(answers);
+        }
+        let mut point: Vec<f64> = self.inputs.iter().map(|input| input.si).collect();
+        for (at, si) in changes {
+            point[*at] = *si;
+        }
+        // Without an input there is still one point.
+        let point = if point.is_empty() { vec![0.0] } else { point };
+        match self.evaluate.sweep(&point, &mut answers, stop) {
+            Err(Refusal::Stopped) => Err(Refusal::Stopped),
+            _ => Ok(answers),
+        }
+    }
+}
+
+impl std::fmt::Debug for Again {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Again").field("inputs", &self.inputs).field("answers", &self.answers).finish()
+    }
+}
+
+enum Place<'r> {
+    Record(&'r mut Record),
+    Value(&'r mut Value),
+    Number(&'r mut f64),
+}
+
+fn measure_of(shape: &Shape) -> Option<Measure> {
+    match shape {
+        Shape::Quantity(measure) | Shape::Vector(measure, _) => Some(*measure),
+        Shape::Optional(inner) => measure_of(inner()),
+        Shape::Rows { item, .. } => measure_of(item()),
+        _ => None,
+    }
+}
+
+fn label(label: &'static str, path: &str, axis: &str) -> Text {
+    let rows = path.split('[').skip(1).filter_map(|rest| rest.split_once(']').map(|(row, _)| row));
+    let place: Vec<&str> = rows.chain((!axis.is_empty()).then_some(axis)).collect();
+    if place.is_empty() {
+        return Text::from(label);
+    }
+    Text::new("{label} {place}").with_text("label", label).with("place", place.join(" "))
+}

@@ -1,0 +1,188 @@
+//! Keys of what is asked of a problem: the person's own answers.
+
+use dalembert_core::check::Verdict;
+use ratatui::crossterm::event::{KeyCode, KeyEvent};
+use tui_input::{Input, InputRequest};
+
+use super::{bench::bring_in, request, type_in};
+use crate::{
+    ask::{Question, Reply},
+    bench::{Bench, Focus, State, Tab},
+    form,
+    keys::Action,
+    model::{Effect, Model},
+    solver::{Job, Outcome, Work},
+};
+
+/// A key on the cells of a tab.
+pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
+    match action {
+        Action::Up => step(model, -1),
+        Action::Down => step(model, 1),
+        Action::PageUp => step(model, -10),
+        Action::PageDown => step(model, 10),
+        Action::First => step(model, isize::MIN),
+        Action::Last => step(model, isize::MAX),
+        Action::Enter => {
+            begin(model, None);
+        }
+        Action::Clear => {
+            if begin(model, Some(String::new())) {
+                return typed(model);
+            }
+        }
+        Action::Toggle => show_ours(model),
+        Action::Back => {
+            if let Some(bench) = &mut model.bench {
+                bench.focus = Focus::Form;
+            }
+        }
+        _ => {}
+    }
+    Vec::new()
+}
+
+/// A key while a cell is typed in.
+pub(super) fn act_in_cell(model: &mut Model, action: Action) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    match action {
+        Action::Enter | Action::Back => {
+            bench.ask.edit = None;
+            praise(model);
+        }
+        Action::Down | Action::Up => {
+            bench.ask.edit = None;
+            praise(model);
+            step(model, if action == Action::Down { 1 } else { -1 });
+        }
+        _ => {}
+    }
+    Vec::new()
+}
+
+/// A digit on a cell begins a new text.
+pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
+    let begins = matches!(key.code, KeyCode::Char(c) if c.is_ascii_digit() || matches!(c, '(' | '-' | '−' | '√' | '≤' | '≥'));
+    let Some(request @ InputRequest::InsertChar(_)) = request(key).filter(|_| begins) else {
+        return Vec::new();
+    };
+    if begin(model, Some(String::new())) { type_in(model, &[request]) } else { Vec::new() }
+}
+
+/// The text of the cell is another now.
+pub(super) fn typed(model: &mut Model) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let Some(text) = bench.ask.edit.as_ref().map(|input| input.value().to_owned()) else { return Vec::new() };
+    if let Some(name) = name_under_cursor(bench) {
+        bench.ask.check.set(&name, text);
+    }
+    renew(model)
+}
+
+/// Asks again what the shown tab is to say of the present inputs.
+pub(super) fn renew(model: &mut Model) -> Vec<Effect> {
+    let generation = model.next_generation();
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let Some(question) = question(bench) else { return Vec::new() };
+    bench.ask.awaited = Some(generation);
+    vec![Effect::Ask(Job { generation, work: Work::Ask(question) })]
+}
+
+/// Takes what was found.
+pub(super) fn take(model: &mut Model, outcome: Outcome) {
+    let Some(bench) = &mut model.bench else { return };
+    if bench.ask.awaited != Some(outcome.generation) {
+        return;
+    }
+    bench.ask.awaited = None;
+    match outcome.reply {
+        Some(Reply::Slips(slips)) => bench.ask.check.slips = Some(slips),
+        None => {}
+    }
+}
+
+/// The inputs are others: what was found for them counts no more.
+pub(super) fn forget(bench: &mut Bench) {
+    bench.ask.awaited = None;
+    bench.ask.check.slips = None;
+    bench.ask.check.praised = false;
+}
+
+fn question(bench: &Bench) -> Option<Question> {
+    if bench.is_stale() || bench.found.state != State::Current {
+        return None;
+    }
+    let solution = bench.found.solution.as_ref()?;
+    let record = || bench.form.draft.read(&bench.entry.shape()).ok();
+    match bench.tab {
+        Tab::Check => {
+            let check = &bench.ask.check;
+            let is_wrong =
+                |(name, _): &(String, String)| check.verdict(solution, name) == Some(Verdict::Wrong);
+            if check.slips.is_some() || !check.typed.iter().any(is_wrong) {
+                return None;
+            }
+            Some(Question::Slips {
+                entry: bench.entry,
+                record: record()?,
+                solution: Box::new(solution.clone()),
+                typed: check.typed.clone(),
+            })
+        }
+        _ => None,
+    }
+}
+
+/// Begins to type in the cell under the cursor, in its text or in an empty one.
+fn begin(model: &mut Model, text: Option<String>) -> bool {
+    let Some(bench) = &mut model.bench else { return false };
+    let Some(name) = name_under_cursor(bench) else { return false };
+    let text = text.unwrap_or_else(|| bench.ask.check.text(&name).to_owned());
+    bench.ask.edit = Some(Input::new(text.chars().take(form::LONGEST).collect()));
+    true
+}
+
+fn name_under_cursor(bench: &Bench) -> Option<String> {
+    let answers = &bench.found.solution.as_ref()?.answers;
+    let at = bench.ask.check.cursor.min(answers.len().checked_sub(1)?);
+    Some(answers[at].name.to_string())
+}
+
+fn step(model: &mut Model, by: isize) {
+    let Some(bench) = &mut model.bench else { return };
+    let answers = bench.found.solution.as_ref().map_or(0, |solution| solution.answers.len());
+    let check = &mut bench.ask.check;
+    check.cursor = check.cursor.saturating_add_signed(by).min(answers.saturating_sub(1));
+    let cursor = check.cursor;
+    bring_in(model, cursor);
+}
+
+/// Shows our answer under the cursor, or covers it again.
+fn show_ours(model: &mut Model) {
+    let Some(bench) = &mut model.bench else { return };
+    let Some(name) = name_under_cursor(bench) else { return };
+    let seen = &mut bench.ask.check.seen;
+    if !seen.remove(&name) {
+        seen.insert(name);
+    }
+}
+
+/// Says once that everything is right.
+fn praise(model: &mut Model) {
+    let Some(bench) = &mut model.bench else { return };
+    let Some(solution) = bench.found.solution.as_ref().filter(|_| !bench.is_stale()) else { return };
+    let names: Vec<String> = solution.answers.iter().map(|answer| answer.name.to_string()).collect();
+    // Of a published case, what it asks for; of other problems, everything.
+    let asked = bench.origin.as_ref().filter(|case| case.draft == bench.form.draft);
+    let asked = asked.map(|case| case.expect.iter().map(|one| one.answer.as_str()));
+    let wanted: Vec<&str> = match asked {
+        Some(asked) => asked.filter(|name| names.iter().any(|known| known == name)).collect(),
+        None => names.iter().map(String::as_str).collect(),
+    };
+    if wanted.is_empty() || !bench.ask.check.is_right(solution, wanted.into_iter()) {
+        return;
+    }
+    if !std::mem::replace(&mut bench.ask.check.praised, true) {
+        model.say("every answer is right: well done");
+    }
+}

@@ -1,0 +1,320 @@
+//! What a person asks of a problem beside its results: whether their own answers are right, and if not, why.
+
+#![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
+
+use dalembert_core::{
+    AnswerValue, Draft, Entry, Number, Record, Solution, Stop, cases,
+    check::{self, Verdict},
+    find, registry, vary,
+};
+use dalembert_plugins as _;
+use dalembert_tests::person::Person;
+use dalembert_tui::bench::Tab;
+use dalembert_units::{Style, write_quantity};
+use insta::assert_snapshot;
+
+const FAN: &str = "vibration/rotating-unbalance";
+
+/// Problems with answers that slips change in many ways.
+const PROBLEMS: [&str; 12] = [
+    "vibration/rotating-unbalance",
+    "vibration/beam-and-springs",
+    "vibration/free-vibration",
+    "vibration/harmonic-force",
+    "vibration/base-excitation",
+    "vibration/vibration-isolation",
+    "vibration/mass-on-shaft",
+    "vibration/logarithmic-decrement",
+    "vibration/drop-impact",
+    "rigid-body/rod-on-shaft",
+    "rigid-body/spinning-disc-on-arm",
+    "rigid-body/gyroscopic-couple",
+];
+
+struct Problem {
+    entry: &'static Entry,
+    draft: Draft,
+    record: Record,
+    solution: Solution,
+}
+
+/// The first case of an analysis, solved.
+fn problem(id: &str) -> Problem {
+    let entry = find(id).unwrap_or_else(|| panic!("{id} is linked"));
+    let draft = cases::first(entry).unwrap().draft;
+    let record = draft.read(&entry.shape()).unwrap();
+    let solution = entry.solve(&record, &Stop::new()).unwrap();
+    Problem { entry, draft, record, solution }
+}
+
+impl Problem {
+    /// The answer of that name with another text in one input, as a person would write it.
+    fn with(&self, changes: &[(&str, &str)], answer: &str, digits: u8) -> String {
+        let mut draft = self.draft.clone();
+        for (path, text) in changes {
+            draft.set(&self.entry.shape(), path, text).unwrap();
+        }
+        let record = draft.read(&self.entry.shape()).unwrap();
+        let solution = self.entry.solve(&record, &Stop::new()).unwrap();
+        let answer = solution.answer(answer).unwrap();
+        write_quantity(answer.si().unwrap(), &answer.unit, Style { digits, ..Style::default() })
+    }
+
+    fn slips(&self, answer: &str, typed: &str) -> Vec<String> {
+        self.slips_of(&[(answer, typed)]).remove(0)
+    }
+
+    fn slips_of(&self, typed: &[(&str, &str)]) -> Vec<Vec<String>> {
+        let typed: Vec<(String, String)> =
+            typed.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
+        let found = check::slips(self.entry, &self.record, &self.solution, &typed, &Stop::new()).unwrap();
+        found
+            .into_iter()
+            .map(|(_, slips)| slips.iter().map(|slip| slip.text(&self.solution).english()).collect())
+            .collect()
+    }
+}
+
+#[test]
+fn what_we_show_is_right_to_any_number_of_digits() {
+    let mut seen = 0;
+    for entry in registry() {
+        let Some(Ok(record)) = cases::first(entry).map(|case| case.record(entry)) else { continue };
+        let Ok(solution) = entry.solve(&record, &Stop::new()) else { continue };
+        for answer in &solution.answers {
+            let AnswerValue::Number(Number::Scalar(si), _) = answer.value else { continue };
+            let si = if si.abs() <= answer.noise { 0.0 } else { si };
+            for digits in [4, 6, 12] {
+                for ascii in [false, true] {
+                    let typed = write_quantity(si, &answer.unit, Style { digits, ascii, ..Style::default() });
+                    let verdict = check::compare(answer, &typed);
+                    assert_eq!(verdict, Verdict::Right, "{} {} = {typed}", entry.about.id, answer.name);
+                    seen += 1;
+                }
+            }
+        }
+    }
+    assert!(seen > 1000, "{seen}");
+}
+
+#[test]
+fn few_digits_and_early_rounding_are_no_praise() {
+    let fan = problem("vibration/rotating-unbalance");
+    let verdict = |name: &str, typed: &str| check::compare(fan.solution.answer(name).unwrap(), typed);
+    // X = 19.4559 mm, ωₙ = 106.23 rad/s.
+    for (typed, wanted) in [
+        ("19.456 mm", Verdict::Right),
+        ("19,46 mm", Verdict::Right),
+        ("19.5", Verdict::Right),
+        ("0.019456 m", Verdict::Right),
+        ("1.9456e4 um", Verdict::Right),
+        ("2 cm", Verdict::TooFewDigits),
+        ("19 mm", Verdict::TooFewDigits),
+        ("20 mm", Verdict::Wrong),
+        ("19.6 mm", Verdict::Wrong),
+        ("-19.46 mm", Verdict::Wrong),
+        ("1.743 mm", Verdict::Wrong),
+    ] {
+        assert_eq!(verdict("amplitude", typed), wanted, "{typed}");
+    }
+    assert!(matches!(verdict("amplitude", "19.47 mm"), Verdict::RoundedEarly(off) if off < 1e-3));
+    assert!(matches!(verdict("amplitude", "19.46 kg"), Verdict::Unread(_)));
+    assert_eq!(verdict("natural_frequency", "16.907 Hz"), Verdict::Right);
+    assert_eq!(verdict("natural_frequency", "1014.4 rpm"), Verdict::Right);
+}
+
+#[test]
+fn a_slip_in_an_input_is_found_and_named() {
+    for (id, path, text, answer, wanted) in [
+        (
+            "vibration/rotating-unbalance",
+            "speed",
+            "1000 rad/s",
+            "amplitude",
+            "Speed of the machine: the number is in rpm and was taken in rad/s",
+        ),
+        (
+            "vibration/rotating-unbalance",
+            "mass",
+            "80 kg",
+            "natural_frequency",
+            "Mass of the machine: 2 times too large",
+        ),
+        (
+            "vibration/rotating-unbalance",
+            "speed",
+            "1000 Hz",
+            "transmitted_force",
+            "Speed of the machine: the number is in rpm and was taken in Hz",
+        ),
+    ] {
+        let problem = problem(id);
+        let typed = problem.with(&[(path, text)], answer, 4);
+        let slips = problem.slips(answer, &typed);
+        assert!(slips.iter().any(|slip| slip == wanted), "{id} {answer} = {typed}: {slips:?}");
+    }
+}
+
+#[test]
+fn every_slip_that_is_made_is_found() {
+    let (mut made, mut found, mut named) = (0, 0, 0);
+    for id in PROBLEMS {
+        let problem = problem(id);
+        for input in vary::inputs(&problem.record) {
+            let plain = input.unit.value(input.si);
+            // Twice the value, and the number taken in SI.
+            for si in [2.0 * input.si, plain] {
+                let Some(record) = vary::changed(&problem.record, &input.path, si) else { continue };
+                let Ok(solution) = problem.entry.solve(&record, &Stop::new()) else { continue };
+                let wrong = solution.answers.iter().find_map(|answer| {
+                    let ours = problem.solution.answer(&answer.name.to_string())?;
+                    let style = Style { digits: 5, ..Style::default() };
+                    let typed = write_quantity(answer.si()?, &ours.unit, style);
+                    (check::compare(ours, &typed) == Verdict::Wrong && input.permits(si))
+                        .then_some((answer.name, typed))
+                });
+                let Some((name, typed)) = wrong else { continue };
+                if typed.chars().filter(char::is_ascii_digit).count() < 4 {
+                    continue;
+                }
+                let slips = problem.slips(&name.to_string(), &typed);
+                made += 1;
+                found += usize::from(!slips.is_empty());
+                named += usize::from(slips.iter().any(|slip| slip.contains(&input.label.english())));
+                assert!(!slips.is_empty(), "{id}: {} = {si}, {name} = {typed}", input.path);
+            }
+        }
+    }
+    assert!(made > 60, "{made}");
+    assert!(5 * named > 4 * made, "{named} of {made} are named, {found} found");
+}
+
+#[test]
+fn a_unit_a_sign_and_a_factor_of_the_answer_are_found() {
+    let fan = problem("vibration/rotating-unbalance");
+    for (answer, typed, wanted) in [
+        ("natural_frequency", "16.91 rad/s", "the number is in Hz, not in rad/s"),
+        ("natural_frequency", "106.2 Hz", "the number is in rad/s, not in Hz"),
+        ("natural_frequency", "1014 rad/s", "the number is in rpm, not in rad/s"),
+        ("amplitude", "19.46 m", "the number is in mm, not in m"),
+        ("amplitude", "38.91 mm", "2 times too large"),
+        ("amplitude", "-19.46 mm", "it has the other sign"),
+        ("stiffness", "451.4 N/m", "the number is in kN/m, not in N/m"),
+        ("natural_frequency", "11280 rad/s", "it is the square: a root is missing"),
+    ] {
+        let slips = fan.slips(answer, typed);
+        assert_eq!(slips.first().map(String::as_str), Some(wanted), "{answer} = {typed}: {slips:?}");
+    }
+}
+
+#[test]
+fn what_follows_from_a_wrong_answer_is_no_slip_of_its_own() {
+    let fan = problem("vibration/rotating-unbalance");
+    // The printed solution of the course: ζ assumed as 0.707, from which its amplitude follows.
+    let found = fan.slips_of(&[("damping_ratio", "0.707"), ("amplitude", "1.743 mm")]);
+    assert_eq!(
+        found[1].first().map(String::as_str),
+        Some("it follows from your own answer to: Damping ratio"),
+        "{found:?}"
+    );
+    assert_eq!(found[0], [""; 0], "an assumption is no slip: {found:?}");
+}
+
+#[test]
+fn a_random_answer_is_no_slip() {
+    // Deterministic numbers, spread evenly.
+    let mut state = 0x2545_F491_4F6C_DD1D_u64;
+    let mut random = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let (mut asked, mut accused) = (0, 0);
+    for id in PROBLEMS {
+        let problem = problem(id);
+        let answers: Vec<_> = problem
+            .solution
+            .answers
+            .iter()
+            .filter(|answer| answer.si().is_some_and(|si| si.abs() > answer.noise))
+            .collect();
+        for digits in [3, 4, 5] {
+            for _ in 0..20 {
+                let answer = answers[(random() * answers.len() as f64) as usize];
+                let off = (6.0 * random() - 3.0).exp();
+                let typed = write_quantity(
+                    answer.si().unwrap() * off,
+                    &answer.unit,
+                    Style { digits, ..Style::default() },
+                );
+                if check::compare(answer, &typed) != Verdict::Wrong {
+                    continue;
+                }
+                asked += 1;
+                let slips = problem.slips(&answer.name.to_string(), &typed);
+                accused += usize::from(!slips.is_empty());
+            }
+        }
+    }
+    assert!(asked > 500, "{asked}");
+    assert!(20 * accused < asked, "{accused} of {asked} random answers were said to be slips");
+}
+
+/// Turns the tabs until this one is shown.
+fn goes_to(person: &mut Person, tab: Tab) {
+    for _ in 0..Tab::ALL.len() {
+        if person.model.bench.as_ref().unwrap().tab == tab {
+            return;
+        }
+        person.types("]");
+    }
+    panic!("{} is no tab of this problem", tab.name());
+}
+
+/// Types answers of one's own into the tab of checks.
+fn checks(mut person: Person) -> Person {
+    person
+        .types("]]]]<tab>")
+        .types("<down>106,2<enter>")
+        .types("<down><down>0.707 <enter><down><down>1.743<enter><down>-127.5<enter>");
+    person
+}
+
+#[test]
+fn answers_of_ones_own_are_checked_as_they_are_typed() {
+    assert_snapshot!("check", checks(Person::at(80, 24).opens(FAN)).sees());
+    assert_snapshot!("check_wide", checks(Person::at(160, 50).opens(FAN)).sees());
+    assert_snapshot!("check_portuguese", checks(Person::in_portuguese(120, 36).opens(FAN)).sees());
+    assert_snapshot!("check_ascii", checks(Person::in_ascii(80, 24).opens(FAN)).types("e").sees());
+}
+
+#[test]
+fn ours_stays_covered_until_it_is_asked_for() {
+    let mut person = Person::at(110, 40).opens(FAN);
+    person.types("t]]]]<tab>");
+    for _ in 0..2 {
+        let screen = person.sees();
+        assert!(!screen.contains("19.456") && !screen.contains("106.23"), "{screen}");
+        person.types("<down>99.9 rad/s<enter>");
+    }
+    person.types("<up><down> ");
+    assert!(person.sees().contains("= "), "{}", person.sees());
+}
+
+#[test]
+fn praise_is_given_once() {
+    let mut person = Person::at(110, 40).opens("vibration/harmonic-force");
+    let answers: Vec<String> = {
+        let solution = person.model.bench.as_ref().unwrap().found.solution.as_ref().unwrap();
+        let locale = dalembert_core::Locale::english().digits(6);
+        solution.answers.iter().map(|answer| answer.shown(&locale)).collect()
+    };
+    person.types("<tab>");
+    goes_to(&mut person, Tab::Check);
+    let mut praised = 0;
+    for answer in answers {
+        person.types("<enter>").types(&answer).types("<enter>");
+        praised += usize::from(person.sees().contains("well done"));
+        person.types("<down>");
+    }
+    assert_eq!(praised, 1, "{}", person.sees());
+}
