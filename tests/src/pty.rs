@@ -67,10 +67,22 @@ impl Launch {
             environment: BTreeMap::new(),
             front: Front::Nothing,
         };
-        let launch =
-            ["LC_ALL", "LC_CTYPE", "COLORTERM", "NO_COLOR", "DALEMBERT_GUARDED", "XDG_STATE_HOME", "ENV"]
-                .into_iter()
-                .fold(launch, Self::without);
+        let launch = [
+            "LC_ALL",
+            "LC_CTYPE",
+            "COLORTERM",
+            "NO_COLOR",
+            "DALEMBERT_GUARDED",
+            "XDG_STATE_HOME",
+            "XDG_CONFIG_HOME",
+            "SSH_CONNECTION",
+            "SSH_TTY",
+            "VISUAL",
+            "EDITOR",
+            "ENV",
+        ]
+        .into_iter()
+        .fold(launch, Self::without);
         launch.env("TERM", "xterm-256color").env("LANG", "en_US.UTF-8").env("RUST_BACKTRACE", "0")
     }
 

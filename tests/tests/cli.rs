@@ -23,6 +23,8 @@ fn run(arguments: &[&str], environment: &[(&str, &str)]) -> Output {
         .stdin(Stdio::null())
         .env_remove("LC_ALL")
         .env_remove("LC_MESSAGES")
+        // No settings but those of the test.
+        .env("XDG_CONFIG_HOME", env!("CARGO_TARGET_TMPDIR"))
         .env("LANG", "C.UTF-8");
     command.envs(environment.iter().copied());
     command.output().expect("the program runs")

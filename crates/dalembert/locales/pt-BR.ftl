@@ -15,7 +15,6 @@ print-the-json-schema-of-a-problem-file-for-an-editor = Imprimir o JSON Schema d
 print-the-manual-page = Imprimir a página de manual
 show-an-answer-in-this-unit-amplitude-um = Mostrar uma resposta nesta unidade: amplitude=um
 show-so-many-significant-digits = Mostrar tantos algarismos significativos
-show-the-version-the-folders-and-what-the-terminal-can-do = Mostrar a versão, as pastas e o que o terminal sabe fazer
 show-what-an-analysis-asks-for-and-answers = Mostrar o que uma análise pede e responde
 solve-a-problem-and-print-its-worked-solution = Resolver um problema e imprimir a solução passo a passo
 the-id-of-an-analysis-or-a-problem-file = O id de uma análise, ou um arquivo de problema
@@ -81,7 +80,7 @@ width = largura
 
 ## Errors
 a-problem-file-has-no-cases-leave-out-case = um arquivo de problema não tem casos; retire --case
-a-file-to-open-and-a-subcommand-cannot-stand-together-write-one-of-them = um arquivo para abrir e um subcomando não podem vir juntos; escreva um deles
+what-the-workbench-is-to-do-and-a-subcommand-cannot-stand-together-write-one-of-them = o que a bancada deve fazer e um subcomando não podem vir juntos; escreva um deles
 and-more-more-errors = e mais { $more } erros
 error = erro
 error-why = erro: { $why }
@@ -96,3 +95,15 @@ there-is-no-subcommand-name-see-dalembert-help = não há subcomando `{ $name }`
 there-is-no-table-table-write-one-of-known = não há tabela `{ $table }`; escreva uma de { $known }
 this-is-a-fault-of-the-program-not-of-your-input-what = isto é uma falha do programa, não da sua entrada: { $what }
 unit-asked-write-an-answer-and-a-unit-as-in-unit-amplitude-um = --unit { $asked }: escreva uma resposta e uma unidade, como em --unit amplitude=um
+
+## Settings
+for-serial-lines-and-screen-readers-ascii-no-colours-no-frames-no-mouse-films-held = Para linhas seriais e leitores de tela: ASCII, sem cores, sem molduras, sem mouse, filmes parados
+leave-the-mouse-to-the-terminal = Deixar o mouse com o terminal
+print-a-file-of-settings-that-says-what-can-be-set-to-begin-one-s-own-with = Imprimir um arquivo de configuração que diz o que se pode configurar, para começar o seu
+show-the-version-the-files-and-folders-and-what-the-terminal-can-do = Mostrar a versão, os arquivos e pastas e o que o terminal pode
+files-and-folders = Arquivos e pastas
+settings = configuração
+is-there = existe
+is-not-there = não existe
+what-is-remembered = o que é lembrado
+not-taken-of-the-settings = não aceito da configuração

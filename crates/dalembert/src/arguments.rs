@@ -25,6 +25,12 @@ pub(crate) struct Arguments {
     /// Print ASCII characters alone
     #[arg(long, global = true)]
     pub(crate) ascii: bool,
+    /// For serial lines and screen readers: ASCII, no colours, no frames, no mouse, films held
+    #[arg(long)]
+    pub(crate) basic: bool,
+    /// Leave the mouse to the terminal
+    #[arg(long)]
+    pub(crate) no_mouse: bool,
     #[command(subcommand)]
     pub(crate) command: Option<Command>,
 }
@@ -45,8 +51,10 @@ pub(crate) enum Command {
     Completions(Completions),
     /// Print the manual page
     Man(Man),
-    /// Show the version, the folders and what the terminal can do
+    /// Show the version, the files and folders, and what the terminal can do
     Info,
+    /// Print a file of settings that says what can be set, to begin one's own with
+    Settings,
 }
 
 #[derive(Debug, Args)]

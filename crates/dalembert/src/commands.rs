@@ -5,6 +5,7 @@ pub(crate) mod info;
 pub(crate) mod list;
 pub(crate) mod man;
 pub(crate) mod schema;
+pub(crate) mod settings;
 pub(crate) mod show;
 pub(crate) mod solve;
 pub(crate) mod verify;

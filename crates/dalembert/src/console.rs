@@ -1,7 +1,7 @@
 //! Who reads what is printed, and how it gets there.
 
 use std::{
-    ffi::{OsStr, OsString},
+    ffi::OsString,
     io::{self, IsTerminal, Write},
 };
 
@@ -87,8 +87,9 @@ pub(crate) fn print_json(json: &serde_json::Value) -> Result<(), Failure> {
     print(&format!("{json:#}\n"))
 }
 
-/// The language of `--lang`, or of the environment: `LC_ALL`, `LC_MESSAGES`, `LANG`, the first that is set.
-pub(crate) fn language_asked_for(words: &[OsString]) -> Language {
+/// The language of `--lang`, of the person's settings, or of the environment: `LC_ALL`, `LC_MESSAGES`, `LANG`, the
+/// first that is set.
+pub(crate) fn language_asked_for(words: &[OsString], settings: Option<Language>) -> Language {
     let mut asked = None;
     let mut words = words.iter().map(|word| word.to_string_lossy()).take_while(|word| word != "--");
     while let Some(word) = words.next() {
@@ -100,10 +101,10 @@ pub(crate) fn language_asked_for(words: &[OsString]) -> Language {
     }
     let set = |name: &&str| std::env::var_os(name).filter(|value| !value.is_empty());
     let environment = || ["LC_ALL", "LC_MESSAGES", "LANG"].iter().find_map(set);
-    match (asked, environment()) {
+    match (asked, settings) {
         (Some(asked), _) => Language::of(&asked),
-        (None, Some(name)) => Language::of(&OsStr::to_string_lossy(&name)),
-        (None, None) => Language::English,
+        (None, Some(language)) => language,
+        (None, None) => environment().map_or(Language::English, |name| Language::of(&name.to_string_lossy())),
     }
 }
 
@@ -113,10 +114,12 @@ mod tests {
 
     #[test]
     fn the_language_is_found_before_the_arguments_are_read() {
-        let asked =
-            |words: &[&str]| language_asked_for(&words.iter().map(OsString::from).collect::<Vec<_>>());
+        let asked = |words: &[&str]| {
+            language_asked_for(&words.iter().map(OsString::from).collect::<Vec<_>>(), Some(Language::English))
+        };
         assert_eq!(asked(&["dalembert", "list", "--lang", "pt-BR"]), Language::Portuguese);
         assert_eq!(asked(&["dalembert", "--lang=pt-BR", "list"]), Language::Portuguese);
         assert_eq!(asked(&["dalembert", "--lang=en"]), Language::English);
+        assert_eq!(language_asked_for(&[], Some(Language::Portuguese)), Language::Portuguese);
     }
 }

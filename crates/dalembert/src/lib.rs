@@ -11,9 +11,10 @@ mod problem;
 mod snippet;
 mod solving;
 
-use std::{ffi::OsString, process::ExitCode};
+use std::{ffi::OsString, path::PathBuf, process::ExitCode};
 
 use clap::FromArgMatches as _;
+use dalembert_tui::settings::{self, Settings};
 
 use crate::{
     arguments::{Arguments, Command},
@@ -27,14 +28,17 @@ dalembert_core::messages!("../locales/pt-BR.ftl");
 pub fn main() -> ExitCode {
     let words: Vec<OsString> = std::env::args_os().collect();
     // The help is in the language that is asked for, so that is looked for before everything else.
-    let language = console::language_asked_for(&words);
+    let path = settings::path();
+    let (settings, faults) = path.as_deref().map_or_else(Default::default, settings::read);
+    let language = console::language_asked_for(&words, settings.language);
     let parsed = arguments::command(language)
         .try_get_matches_from(words)
         .and_then(|matches| Arguments::from_arg_matches(&matches));
     match parsed {
         Ok(arguments) => {
             let console = Console::of_process(language, arguments.ascii);
-            run(&arguments, &console).unwrap_or_else(|failure| failure.report(&console))
+            let set = Set { path, settings, faults };
+            run(&arguments, set, &console).unwrap_or_else(|failure| failure.report(&console))
         }
         Err(err) => {
             // Help and version are no errors to clap either: it knows the stream and the status.
@@ -44,14 +48,23 @@ pub fn main() -> ExitCode {
     }
 }
 
-fn run(arguments: &Arguments, console: &Console) -> Result<ExitCode, Failure> {
-    if arguments.command.is_some() && (arguments.problem.is_some() || arguments.readonly) {
+/// What the person has set, and where.
+struct Set {
+    path: Option<PathBuf>,
+    settings: Settings,
+    faults: Vec<settings::Fault>,
+}
+
+fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, Failure> {
+    let for_workbench =
+        arguments.problem.is_some() || arguments.readonly || arguments.basic || arguments.no_mouse;
+    if arguments.command.is_some() && for_workbench {
         return Err(Failure::input(
-            "a file to open and a subcommand cannot stand together; write one of them",
+            "what the workbench is to do and a subcommand cannot stand together; write one of them",
         ));
     }
     match &arguments.command {
-        None => commands::workbench::run(arguments.problem.as_deref(), arguments.readonly, console),
+        None => commands::workbench::run(arguments, set, console),
         Some(Command::List(list)) => commands::list::run(list, console),
         Some(Command::Show(show)) => commands::show::run(show, console),
         Some(Command::Solve(solve)) => commands::solve::run(solve, console),
@@ -59,6 +72,7 @@ fn run(arguments: &Arguments, console: &Console) -> Result<ExitCode, Failure> {
         Some(Command::Schema(schema)) => commands::schema::run(schema, console),
         Some(Command::Completions(completions)) => commands::completions::run(completions, console),
         Some(Command::Man(man)) => commands::man::run(man, console),
-        Some(Command::Info) => commands::info::run(console),
+        Some(Command::Info) => commands::info::run(&set, console),
+        Some(Command::Settings) => commands::settings::run(console),
     }
 }

@@ -13,9 +13,10 @@ use dalembert_core::{Entry, Language, registry};
 
 use crate::{
     files::{self, Autosave},
-    glyphs::{Capabilities, Environment, Glyphs, PlotMarker},
+    glyphs::{Capabilities, Colors, Environment, Glyphs, PlotMarker},
     look::Look,
     model::{Effect, Model, Msg},
+    settings::{self, Settings},
     solver::{Solver, judge},
     terminal::{self, Fault, Input, Session, TerminalError, fault},
     update::{start, update},
@@ -46,10 +47,14 @@ pub struct Options {
     pub analysis: Option<&'static Entry>,
     /// The language to begin with.
     pub language: Language,
-    /// Nothing outside ASCII, whatever the terminal promises.
-    pub ascii: bool,
+    /// What the person has set; what the command line says is in it already.
+    pub settings: Settings,
+    /// What of their file could not be taken, and where that is.
+    pub faults: Option<(PathBuf, Vec<settings::Fault>)>,
     /// Nothing is saved.
     pub readonly: bool,
+    /// For serial lines and screen readers: no frames, no colours, and the cursor where the focus is.
+    pub basic: bool,
 }
 
 /// Runs the workbench until the person ends it. The exit code is 0, or 2 when the terminal cannot be had.
@@ -81,10 +86,14 @@ struct World {
 
 fn workbench(options: Options) -> Result<(), TerminalError> {
     terminal::usable()?;
+    let Options { file, analysis, language, settings, faults, readonly, basic } = options;
     let mut capabilities = Capabilities::detect(&Environment::of_process());
-    if options.ascii {
+    if settings.ascii || basic {
         capabilities.glyphs = Glyphs::Ascii;
         capabilities.marker = PlotMarker::Ascii;
+    }
+    if basic {
+        capabilities.colors = Colors::None;
     }
     let (autosave, trouble) = Autosave::open();
     let autosave = Arc::new(autosave);
@@ -110,8 +119,11 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         waker.wake();
     });
     let look = Look::new(&capabilities);
-    let mut model = Model::new(registry(), options.language, look, capabilities.marker);
-    model.readonly = options.readonly;
+    let mut model = Model::new(registry(), language, look, capabilities.marker);
+    model.adopt(&settings);
+    model.look.basic = basic;
+    model.playing &= !basic;
+    model.readonly = readonly;
     model.faults = Fault::allowed();
     let mut world = World {
         session,
@@ -123,11 +135,11 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         kept: Instant::now(),
         awaited: None,
     };
-    let effects = start(&mut model, options.file, options.analysis);
+    let effects = start(&mut model, file, analysis);
     if world.perform(&mut model, effects) {
         return Ok(());
     }
-    if options.analysis.is_some() {
+    if analysis.is_some() {
         model.say("Esc leads to the list of all analyses");
     }
     if let Some(error) = trouble {
@@ -136,6 +148,9 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     let sessions = world.autosave.crashed();
     if !sessions.is_empty() {
         update(&mut model, Msg::Crashed(sessions));
+    }
+    if let Some((path, faults)) = faults.filter(|(_, faults)| !faults.is_empty()) {
+        update(&mut model, Msg::Settings { path, faults });
     }
     world.run(&mut model, &messages)
 }

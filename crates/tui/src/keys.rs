@@ -1,11 +1,15 @@
 //! What keys mean: one table for each place where keys are typed.
 //!
-//! The footer, the help and the palette are made from these tables, so they cannot say anything else.
+//! A [`KeyMap`] is these tables with the person's changes; the footer, the help and the palette are made from it, so
+//! they cannot say anything else.
 
+mod map;
+mod names;
 mod tables;
 
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
+pub use map::{Bound, Change, KeyMap};
 pub use tables::{ALWAYS, COMMON, PANES, PROBLEM};
 use tables::{
     CELL, CELLS, DRAWING, EDIT, FILTER, FORM, HELP, LIST, PICKER, PLOT, PROMPT, RESULTS, SHEET, WORKING,
@@ -127,7 +131,7 @@ pub enum Action {
 }
 
 /// A line of a table: keys, what they do, and how that is called.
-#[derive(Debug)]
+#[derive(Debug, PartialEq, Eq)]
 pub struct Binding {
     /// What is done.
     pub action: Action,
@@ -177,6 +181,24 @@ pub enum Place {
 }
 
 impl Place {
+    /// Every place, as they are declared.
+    pub const ALL: [Place; 14] = [
+        Place::Picker,
+        Place::Filter,
+        Place::Form,
+        Place::Edit,
+        Place::Pane,
+        Place::Working,
+        Place::Plot,
+        Place::Drawing,
+        Place::List,
+        Place::Prompt,
+        Place::Sheet,
+        Place::Help,
+        Place::Cells,
+        Place::Cell,
+    ];
+
     /// Its table; the keys that it shares with others come after it, see [`bindings`](Self::bindings).
     pub fn table(self) -> &'static [Binding] {
         match self {
@@ -222,18 +244,12 @@ impl Place {
         matches!(self, Place::Filter | Place::Edit | Place::Prompt | Place::Sheet | Place::Cell)
     }
 
-    /// What a key means here.
-    pub fn action(self, event: KeyEvent) -> Option<Action> {
-        let key = Key::of(event);
-        self.bindings().find(|binding| binding.keys.contains(&key)).map(|binding| binding.action)
-    }
-
     /// Whether it is one of the panes of what was found.
     pub fn is_pane(self) -> bool {
         matches!(self, Place::Pane | Place::Working | Place::Plot | Place::Drawing | Place::Cells)
     }
 
-    /// Every binding that holds here, the most useful first.
+    /// Every binding of the tables that holds here, the most useful first.
     pub fn bindings(self) -> impl Iterator<Item = &'static Binding> {
         let of = |holds: bool, table: &'static [Binding]| if holds { table } else { &[] };
         let in_problem = self.is_pane() || self == Place::Form;
@@ -256,7 +272,13 @@ impl Key {
         Key(event.code, modifiers)
     }
 
-    /// How it is written: `Ctrl-C`, `↑`, `Esc`.
+    /// Whether it begins a number where one is expected.
+    pub fn begins_a_number(self) -> bool {
+        let begins = |c: char| c.is_ascii_digit() || matches!(c, '(' | '.' | ',' | '−' | '√');
+        self.is_text() && matches!(self.0, KeyCode::Char(character) if begins(character))
+    }
+
+    /// How a person reads it: `Ctrl-C`, `↑`, `Esc`.
     pub fn name(self) -> String {
         let mut name = String::new();
         for (modifier, text) in
@@ -291,26 +313,9 @@ mod tests {
         *,
     };
 
-    const PLACES: [Place; 14] = [
-        Place::Picker,
-        Place::Filter,
-        Place::Form,
-        Place::Edit,
-        Place::Pane,
-        Place::Working,
-        Place::Plot,
-        Place::Drawing,
-        Place::List,
-        Place::Prompt,
-        Place::Sheet,
-        Place::Help,
-        Place::Cells,
-        Place::Cell,
-    ];
-
     #[test]
     fn a_key_means_one_thing_in_a_place() {
-        for place in PLACES {
+        for place in Place::ALL {
             let mut seen: Vec<Key> = Vec::new();
             for key in place.bindings().flat_map(|binding| binding.keys) {
                 assert!(!seen.contains(key), "{key:?} is there twice in {place:?}");
@@ -321,18 +326,18 @@ mod tests {
 
     #[test]
     fn characters_are_text_where_text_is_typed() {
-        for place in PLACES.into_iter().filter(|place| place.is_text()) {
+        for place in Place::ALL.into_iter().filter(|place| place.is_text()) {
             for character in ' '..='~' {
                 let event = KeyEvent::new(KeyCode::Char(character), KeyModifiers::NONE);
-                assert_eq!(place.action(event), None, "{character} in {place:?}");
+                assert_eq!(KeyMap::default().action(place, event), None, "{character} in {place:?}");
             }
         }
     }
 
     #[test]
     fn escape_and_the_end_are_everywhere() {
-        for place in PLACES {
-            let of = |code, modifiers| place.action(KeyEvent::new(code, modifiers));
+        for place in Place::ALL {
+            let of = |code, modifiers| KeyMap::default().action(place, KeyEvent::new(code, modifiers));
             assert_eq!(of(KeyCode::Esc, KeyModifiers::NONE), Some(Action::Back), "{place:?}");
             assert_eq!(of(KeyCode::Char('c'), KeyModifiers::CONTROL), Some(Action::Quit), "{place:?}");
         }
@@ -345,6 +350,6 @@ mod tests {
         assert_eq!(typed(' ').name(), "Space");
         assert_eq!(plain(KeyCode::F(1)).name(), "F1");
         let big = KeyEvent::new(KeyCode::Char('Z'), KeyModifiers::SHIFT);
-        assert_eq!(Place::Form.action(big), Some(Action::Redo));
+        assert_eq!(KeyMap::default().action(Place::Form, big), Some(Action::Redo));
     }
 }

@@ -18,6 +18,7 @@ pub mod model;
 pub mod panes;
 pub mod picker;
 pub mod plot;
+pub mod settings;
 pub mod solver;
 pub mod terminal;
 mod update;

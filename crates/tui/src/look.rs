@@ -1,11 +1,16 @@
-//! What things look like: styles by meaning, in the sixteen colours of the person's own palette, and the few
-//! pictograms of the screens.
+//! What things look like: styles by meaning, in the colours of a theme, and the few pictograms of the screens.
+
+mod theme;
 
 use dalembert_core::Ink;
-use ratatui::style::{Color, Modifier, Style};
+use ratatui::{
+    buffer::Buffer,
+    style::{Color, Modifier, Style},
+};
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
+pub use self::theme::{Palette, Theme};
 use crate::glyphs::{Capabilities, Colors, Glyphs};
 
 /// How a screen looks on this terminal.
@@ -15,6 +20,10 @@ pub struct Look {
     pub ascii: bool,
     /// The colours there are; without any, emphasis is bold, dim, underlined or reversed.
     pub colors: Colors,
+    /// Which colours are taken.
+    pub theme: Theme,
+    /// For serial lines and screen readers: no frames around panes, and the cursor where the focus is.
+    pub basic: bool,
 }
 
 /// A pictogram of one cell.
@@ -61,7 +70,8 @@ pub enum Glyph {
 impl Look {
     /// The look of a terminal that can show this much.
     pub fn new(capabilities: &Capabilities) -> Self {
-        Self { ascii: capabilities.glyphs == Glyphs::Ascii, colors: capabilities.colors }
+        let ascii = capabilities.glyphs == Glyphs::Ascii;
+        Self { ascii, colors: capabilities.colors, ..Self::default() }
     }
 
     /// Headings and titles.
@@ -71,7 +81,11 @@ impl Look {
 
     /// What may be passed over: units, sources, notes, results of earlier inputs.
     pub fn dim(&self) -> Style {
-        Style::new().add_modifier(Modifier::DIM)
+        match self.palette() {
+            // How dim `DIM` is, only the terminal knows; a theme promises its contrast.
+            Some(palette) => Style::new().fg(palette.faint),
+            None => Style::new().add_modifier(Modifier::DIM),
+        }
     }
 
     /// What the keys act on.
@@ -177,39 +191,32 @@ impl Look {
         shown
     }
 
+    /// Lays the ground of the theme under a finished frame, and gives its text to what has no colour of its own.
+    pub fn ground(&self, buffer: &mut Buffer) {
+        let Some(palette) = self.palette() else { return };
+        for cell in &mut buffer.content {
+            if cell.fg == Color::Reset {
+                cell.fg = palette.text;
+            }
+            if cell.bg == Color::Reset {
+                cell.bg = palette.ground;
+            }
+        }
+    }
+
+    /// The colours of the theme, where it has its own and there are any.
+    fn palette(&self) -> Option<Palette> {
+        self.theme.palette().filter(|_| self.colors != Colors::None)
+    }
+
     /// `color` where there are colours, `otherwise` where there are none.
     fn colored(&self, color: Color, otherwise: Modifier) -> Style {
-        match self.colors {
-            Colors::None => Style::new().add_modifier(otherwise),
-            _ => Style::new().fg(color),
+        match (self.colors, self.theme) {
+            (Colors::None, _) | (_, Theme::None) => Style::new().add_modifier(otherwise),
+            _ => Style::new().fg(self.palette().map_or(color, |palette| palette.of(color))),
         }
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_left_out_is_seen_to_be() {
-        let look = Look::default();
-        assert_eq!(look.shortened("amplitude", 9), "amplitude");
-        assert_eq!(look.shortened("amplitude", 5), "ampl…");
-        assert_eq!(look.shortened("at this speed", 4), "at…");
-        assert_eq!(look.shortened("梁の振動", 4), "梁…");
-        assert_eq!(look.shortened("x", 0), "");
-        assert_eq!(Look { ascii: true, ..look }.shortened("amplitude", 5), "ampl~");
-    }
-
-    #[test]
-    fn without_colours_nothing_is_coloured_and_still_tells_apart() {
-        let look = Look { colors: Colors::None, ..Look::default() };
-        for style in
-            [look.error(), look.warning(), look.answer(), look.focus(), look.key(), look.border(true)]
-        {
-            assert_eq!((style.fg, style.bg), (None, None));
-            assert_ne!(style, Style::new());
-        }
-        assert_ne!(look.border(true), look.border(false));
-    }
-}
+mod tests;

@@ -10,11 +10,12 @@ use crate::{
     bench::Bench,
     dialog::Dialog,
     files::{Before, Crashed, FileError, Fingerprint, Opened},
-    keys::Place,
+    keys::{KeyMap, Place},
     look::Look,
     panes::sources::Judged,
     picker::{Listing, Picker},
     plot::Marker,
+    settings::{Fault as SettingFault, Settings},
     solver::{Job, Outcome},
     terminal::Fault,
 };
@@ -42,8 +43,14 @@ pub struct Model {
     pub look: Look,
     /// What curves are drawn with, unless the person chose another.
     pub marker: Marker,
+    /// What keys mean.
+    pub keys: KeyMap,
+    /// The decimal mark that the person wants in every language.
+    pub decimal: Option<Decimal>,
     /// Whether films move.
     pub playing: bool,
+    /// How many times as fast as they are made.
+    pub film_speed: f64,
     /// Columns and rows of the screen.
     pub size: (u16, u16),
     /// Nothing is saved.
@@ -142,6 +149,13 @@ pub enum Msg {
     Crashed(Vec<Crashed>),
     /// Unsaved work could not be kept aside.
     Trouble(FileError),
+    /// Some of the settings cannot be taken.
+    Settings {
+        /// Their file.
+        path: PathBuf,
+        /// What is wrong in it.
+        faults: Vec<SettingFault>,
+    },
     /// Something to tell.
     Notice(String),
 }
@@ -221,7 +235,10 @@ impl Model {
             locale: Locale::english(),
             look,
             marker,
+            keys: KeyMap::default(),
+            decimal: None,
             playing: true,
+            film_speed: 1.0,
             size: (80, 24),
             readonly: false,
             faults: false,
@@ -233,13 +250,28 @@ impl Model {
         model
     }
 
+    /// Takes what the person has set. The language is not among it: a word on the command line may overrule it.
+    pub fn adopt(&mut self, settings: &Settings) {
+        self.keys.clone_from(&settings.keys);
+        self.look.theme = settings.theme;
+        self.marker = settings.marker.filter(|_| !self.look.ascii).unwrap_or(self.marker);
+        self.decimal = settings.decimal;
+        self.locale.style.digits = settings.digits;
+        if settings.film_speed > 0.0 {
+            self.film_speed = settings.film_speed;
+        } else {
+            self.playing = false;
+        }
+        self.speak(self.locale.language);
+    }
+
     /// Takes a language, with its decimal mark.
     pub fn speak(&mut self, language: Language) {
         self.locale.language = language;
-        self.locale.style.decimal = match language {
+        self.locale.style.decimal = self.decimal.unwrap_or(match language {
             Language::English => Decimal::Point,
             Language::Portuguese => Decimal::Comma,
-        };
+        });
         self.locale.style.ascii = self.look.ascii;
     }
 

@@ -7,6 +7,7 @@ mod export;
 mod files;
 mod picker;
 mod problems;
+mod settings;
 
 use std::path::PathBuf;
 
@@ -77,6 +78,10 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
             model.complain(error.text());
             Vec::new()
         }
+        Msg::Settings { path, faults } => {
+            settings::faulty(model, &path, &faults);
+            Vec::new()
+        }
         Msg::Notice(text) => {
             model.complain(Text::new("{text}").with("text", text));
             Vec::new()
@@ -86,7 +91,7 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
 
 fn press(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
     let place = model.place();
-    match place.action(key) {
+    match model.keys.action(place, key) {
         Some(action) => act(model, place, action),
         None => match place {
             Place::Form => bench::begin_by_typing(model, key),

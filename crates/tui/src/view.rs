@@ -13,7 +13,8 @@ use dalembert_core::{Exhibit, Film, Text};
 use ratatui::{
     Frame,
     buffer::Buffer,
-    layout::Rect,
+    layout::{Position, Rect},
+    style::Modifier,
     text::Line,
     widgets::{Block, BorderType, Widget},
 };
@@ -64,6 +65,10 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
     if let Some(dialog) = &model.dialog {
         cursor = dialog::draw(model, dialog, area, buffer);
     }
+    model.look.ground(buffer);
+    if model.look.basic && cursor.is_none() {
+        cursor = focus(buffer);
+    }
     if let Some(position) = cursor.filter(|position| area.contains(*position)) {
         frame.set_cursor_position(position);
     }
@@ -72,7 +77,7 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
 /// How long each frame of a film stands; `None` while none moves on the screen.
 pub fn tempo(model: &Model) -> Option<Duration> {
     let film = film(model).filter(|_| model.playing && model.dialog.is_none())?;
-    Duration::try_from_secs_f64(film.period / film.frames.len() as f64).ok()
+    Duration::try_from_secs_f64(film.period / (film.frames.len() as f64 * model.film_speed)).ok()
 }
 
 /// The film on the screen that can move.
@@ -84,9 +89,18 @@ pub(crate) fn film(model: &Model) -> Option<&Film> {
     (film.frames.len() > 1 && pane::shows_drawing(bench, &areas)).then_some(film)
 }
 
+/// Where what has the focus begins: a screen reader follows the cursor.
+fn focus(buffer: &Buffer) -> Option<Position> {
+    let at = buffer.content.iter().position(|cell| cell.modifier.contains(Modifier::REVERSED))?;
+    Some(buffer.pos_of(at).into())
+}
+
 /// A frame with a title, and what is left inside.
 fn boxed(title: &Line<'_>, focused: bool, look: &Look, area: Rect, buffer: &mut Buffer) {
-    if layout::framed(area) {
+    if look.basic {
+        let inset = u16::from(layout::framed(area));
+        buffer.set_line(area.x + inset, area.y, title, area.width.saturating_sub(2 * inset));
+    } else if layout::framed(area) {
         let kind = if look.ascii { BorderType::Plain } else { BorderType::Rounded };
         Block::bordered().border_type(kind).border_style(look.border(focused)).render(area, buffer);
         let room = area.width.saturating_sub(4);

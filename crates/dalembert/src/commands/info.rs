@@ -1,24 +1,39 @@
 //! `dalembert info`
 
-use std::process::ExitCode;
+use std::{path::Path, process::ExitCode};
 
 use dalembert_core::{Language, Text, cases, registry};
 use dalembert_report::{Block, Document, Line};
 use dalembert_tui::glyphs::{Colors, Glyphs, PlotMarker};
 use etcetera::BaseStrategy;
 
-use crate::{console::Console, failure::Failure};
+use crate::{Set, console::Console, failure::Failure};
 
 /// Shows what somebody who helps from afar asks for first.
-pub(crate) fn run(console: &Console) -> Result<ExitCode, Failure> {
+pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
     let say = |words: &'static str| Text::from(words).render(&console.locale);
     let line = |label: &'static str, value: String| Line { label: say(label), value, ..Line::default() };
     let cases: usize =
         registry().iter().map(|entry| cases::cases(entry).map_or(0, |cases| cases.len())).sum();
     let state = etcetera::choose_base_strategy()
         .ok()
-        .and_then(|base| base.state_dir())
-        .map_or_else(|| "—".to_owned(), |folder| folder.join("dalembert").display().to_string());
+        .map(|base| base.state_dir().unwrap_or_else(|| base.data_dir()).join("dalembert"));
+    let there = |path: &Path| if path.exists() { "is there" } else { "is not there" };
+    let place = |label: &'static str, path: Option<&Path>| {
+        let value =
+            path.map_or_else(|| "—".to_owned(), |path| format!("{} ({})", path.display(), say(there(path))));
+        line(label, value)
+    };
+    let mut files = vec![
+        place("settings", set.path.as_deref()),
+        place("what is remembered", state.as_deref()),
+        place("unsaved work is kept in", state.as_deref().map(|folder| folder.join("autosave")).as_deref()),
+    ];
+    files.extend(set.faults.iter().map(|fault| {
+        let fault =
+            Text::new("line {line}: {why}").with("line", fault.line).with_text("why", fault.why.clone());
+        line("not taken of the settings", fault.render(&console.locale))
+    }));
     let program = vec![
         line("version", env!("CARGO_PKG_VERSION").into()),
         line("analyses", registry().len().to_string()),
@@ -30,7 +45,6 @@ pub(crate) fn run(console: &Console) -> Result<ExitCode, Failure> {
                 Language::Portuguese => "pt-BR".into(),
             },
         ),
-        line("unsaved work is kept in", state),
     ];
     let terminal = vec![
         line("both ends are a terminal", say(if console.interactive { "yes" } else { "no" })),
@@ -63,7 +77,13 @@ pub(crate) fn run(console: &Console) -> Result<ExitCode, Failure> {
     ];
     console.print(Document {
         title: "dalembert".into(),
-        blocks: vec![Block::Lines(program), Block::Heading(say("Terminal")), Block::Lines(terminal)],
+        blocks: vec![
+            Block::Lines(program),
+            Block::Heading(say("Files and folders")),
+            Block::Lines(files),
+            Block::Heading(say("Terminal")),
+            Block::Lines(terminal),
+        ],
     })?;
     Ok(ExitCode::SUCCESS)
 }

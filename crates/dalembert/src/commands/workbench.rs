@@ -3,15 +3,18 @@
 use std::{path::PathBuf, process::ExitCode};
 
 use dalembert_core::{file, find};
-use dalembert_tui::Options;
+use dalembert_tui::{Options, settings::Settings};
 
-use crate::{commands::solve::print_worked, console::Console, failure::Failure, problem};
+use crate::{
+    Set, arguments::Arguments, commands::solve::print_worked, console::Console, failure::Failure, problem,
+};
 
 /// The problem that the workbench opens on, and that is printed where there is no terminal, when none is named.
 const FIRST: &str = "vibration/rotating-unbalance";
 
 /// Opens the workbench.
-pub(crate) fn run(named: Option<&str>, readonly: bool, console: &Console) -> Result<ExitCode, Failure> {
+pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, Failure> {
+    let named = arguments.problem.as_deref();
     if !console.interactive {
         return print_worked(&problem::read(named.unwrap_or(FIRST), None, &[], console)?, console);
     }
@@ -26,7 +29,13 @@ pub(crate) fn run(named: Option<&str>, readonly: bool, console: &Console) -> Res
         file: path,
         analysis,
         language: console.locale.language,
-        ascii: console.locale.style.ascii,
-        readonly,
+        settings: Settings {
+            ascii: set.settings.ascii || console.locale.style.ascii,
+            mouse: if arguments.no_mouse || arguments.basic { Some(false) } else { set.settings.mouse },
+            ..set.settings
+        },
+        faults: set.path.map(|path| (path, set.faults)),
+        readonly: arguments.readonly,
+        basic: arguments.basic,
     }))
 }

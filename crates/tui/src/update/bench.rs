@@ -6,10 +6,7 @@ use std::path::PathBuf;
 
 use dalembert_core::{Draft, Shape, Text, file};
 use dalembert_units as units;
-use ratatui::{
-    crossterm::event::{KeyCode, KeyEvent},
-    layout::Rect,
-};
+use ratatui::{crossterm::event::KeyEvent, layout::Rect};
 use tui_input::InputRequest;
 
 use super::{ask, export, files, request, too_long, type_in};
@@ -19,7 +16,7 @@ use crate::{
     files::FileError,
     form::{self, Line, Role},
     glyphs::filter_untrusted,
-    keys::{Action, Place},
+    keys::{Action, Key, Place},
     layout,
     model::{Effect, Model, Screen},
     plot,
@@ -175,7 +172,7 @@ pub(super) fn take(bench: &mut Bench, outcome: Outcome) {
 /// A digit on a field of numbers begins a new text.
 pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    let begins = matches!(key.code, KeyCode::Char(c) if c.is_ascii_digit() || matches!(c, '(' | '.' | ',' | '−' | '√'));
+    let begins = Key::of(key).begins_a_number();
     let Some(request @ InputRequest::InsertChar(_)) = request(key).filter(|_| begins) else {
         return Vec::new();
     };

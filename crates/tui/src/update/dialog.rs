@@ -18,11 +18,12 @@ use crate::{
 
 pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
     let page = usize::from(model.size.1.saturating_sub(4).max(1));
+    let longest = view::longest_scroll_of_help(model);
     match (action, &mut model.dialog) {
         (Action::Back, _) => close(model),
         (Action::Enter, _) => enter(model),
         (_, Some(Dialog::Help { scroll })) => {
-            let last = view::longest_scroll_of_help(model.screen, model.size, &model.look, &model.locale);
+            let last = longest;
             *scroll = match action {
                 Action::Up => scroll.saturating_sub(1),
                 Action::Down => (*scroll + 1).min(last),
@@ -175,7 +176,9 @@ fn command(model: &mut Model, typed: &str, chosen: usize) -> Vec<Effect> {
             }
         };
     }
-    let Some((place, binding)) = offered(model, typed).into_iter().nth(chosen) else {
+    let offers = offered(model, typed);
+    let Some((place, action)) = offers.get(chosen).map(|(place, bound)| (*place, bound.binding.action))
+    else {
         let shown = crate::glyphs::filter_untrusted(typed).chars().take(60).collect::<String>();
         model.complain(Text::new("there is no action `{typed}`").with("typed", shown));
         return Vec::new();
@@ -186,5 +189,5 @@ fn command(model: &mut Model, typed: &str, chosen: usize) -> Vec<Effect> {
         model.say("there is nothing to show here");
         return Vec::new();
     }
-    act_there(model, place, binding.action)
+    act_there(model, place, action)
 }

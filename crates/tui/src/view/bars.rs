@@ -17,7 +17,7 @@ use crate::{
     bench::{Bench, State, Tab},
     form::{self, Role},
     glyphs::filter_untrusted,
-    keys::{Action, Binding, Place},
+    keys::{Action, Bound, Place},
     look::Glyph,
     model::{Model, Notice},
 };
@@ -109,20 +109,20 @@ fn draw_notice(model: &Model, notice: &Notice, foot: Rect, buffer: &mut Buffer) 
 /// As many keys of a place as there is room for; the way on is always among them: the help, or that out of a dialog.
 fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
     let look = &model.look;
-    let written = |binding: &Binding| {
-        let keys = match binding.action {
-            Action::Nudge(_) | Action::ZoomIn => "+ -".to_owned(),
-            Action::PanLeft => "< >".to_owned(),
-            Action::NextTab => "[ ]".to_owned(),
-            Action::PreviousFrame => ", .".to_owned(),
-            Action::Right if place == Place::Working => "← →".to_owned(),
-            _ => binding.keys.first().map_or_else(String::new, |key| key.name()),
+    let written = |bound: &Bound| {
+        let binding = bound.binding;
+        let keys = match pair(binding.action, place) {
+            Some((one, other)) => {
+                let keys = [one, other].map(|action| model.keys.key(place, action));
+                keys.iter().filter(|key| !key.is_empty()).map(String::as_str).collect::<Vec<_>>().join(" ")
+            }
+            None => bound.keys.first().map_or_else(String::new, |key| key.name()),
         };
         (keys, word(binding.hint, model))
     };
     let cells = |(keys, hint): &(String, String)| width(keys) + 1 + width(hint);
     let has_film = film(model).is_some();
-    let serves = |binding: &&Binding| match binding.action {
+    let serves = |bound: &&Bound| match bound.binding.action {
         Action::Play | Action::PreviousFrame => has_film,
         Action::Reveal => model.shown_bench().is_some_and(|bench| bench.reading.revealed.is_some()),
         Action::Enter if place == Place::Working => {
@@ -131,26 +131,27 @@ fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
         Action::PanLeft => model.shown_bench().is_some_and(|bench| bench.plot_state.view.window.is_some()),
         _ => true,
     };
-    let mut all: Vec<&Binding> = Vec::new();
-    for binding in place.bindings().filter(|binding| !binding.hint.is_empty()).filter(serves) {
+    let has_hint = |bound: &&Bound| !bound.binding.hint.is_empty() && !bound.keys.is_empty();
+    let mut all: Vec<&Bound> = Vec::new();
+    for bound in model.keys.bindings(place).iter().filter(has_hint).filter(serves) {
         // A place's own key comes before one that it shares.
-        if all.iter().all(|earlier| earlier.action != binding.action) {
-            all.push(binding);
+        if all.iter().all(|earlier| earlier.binding.action != bound.binding.action) {
+            all.push(bound);
         }
     }
     let mut left = room + GAP;
-    let has_help = all.iter().any(|binding| binding.action == Action::Help);
+    let has_help = all.iter().any(|bound| bound.binding.action == Action::Help);
     let always = if has_help { Action::Help } else { Action::Back };
     left -= all
         .iter()
-        .filter(|binding| binding.action == always)
-        .map(|binding| cells(&written(binding)) + GAP)
+        .filter(|bound| bound.binding.action == always)
+        .map(|bound| cells(&written(bound)) + GAP)
         .sum::<usize>()
         .min(left);
     let mut line = Line::default();
-    for binding in all {
-        let hint = written(binding);
-        if binding.action != always {
+    for bound in all {
+        let hint = written(bound);
+        if bound.binding.action != always {
             if cells(&hint) + GAP > left {
                 continue;
             }
@@ -163,6 +164,19 @@ fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
         line.push_span(Span::styled(format!(" {}", hint.1), look.dim()));
     }
     line
+}
+
+/// The two actions whose keys a hint shows side by side.
+fn pair(action: Action, place: Place) -> Option<(Action, Action)> {
+    Some(match action {
+        Action::Nudge(tenths) => (action, Action::Nudge(-tenths)),
+        Action::ZoomIn => (action, Action::ZoomOut),
+        Action::PanLeft => (action, Action::PanRight),
+        Action::NextTab => (Action::PreviousTab, action),
+        Action::PreviousFrame => (action, Action::NextFrame),
+        Action::Right if place == Place::Working => (Action::Left, action),
+        _ => return None,
+    })
 }
 
 fn about_field(model: &Model, bench: &Bench) -> String {

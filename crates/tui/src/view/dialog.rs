@@ -1,6 +1,6 @@
 //! What lies over a screen.
 
-use dalembert_core::{Locale, Text};
+use dalembert_core::Text;
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -18,9 +18,9 @@ use super::{
 use crate::{
     dialog::{Answer, Choice, Dialog, Purpose, Sheet, offered},
     glyphs::filter_untrusted,
-    keys::{ALWAYS, Binding, COMMON, PANES, PROBLEM, Place},
+    keys::{ALWAYS, Action, Binding, COMMON, PANES, PROBLEM, Place},
     layout,
-    look::{Glyph, Look},
+    look::Glyph,
     model::{Model, Screen},
 };
 
@@ -34,8 +34,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
     let [_, _, _, footer] = layout::frame(screen);
     match dialog {
         Dialog::Help { scroll } => {
-            let lines =
-                help_lines(model.screen, &model.look, &model.locale, layout::inside(screen).width.into());
+            let lines = help_lines(model, layout::inside(screen).width.into());
             Clear.render(screen, buffer);
             framed(model, &word("What keys do", model), screen, buffer);
             let inner = layout::inside(screen);
@@ -105,18 +104,14 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
 }
 
 /// The most that the help can be scrolled.
-pub(crate) fn longest_scroll_of_help(
-    screen: Screen,
-    size: (u16, u16),
-    look: &Look,
-    locale: &Locale,
-) -> usize {
-    let inner = layout::inside(Rect::new(0, 0, size.0, size.1));
-    help_lines(screen, look, locale, inner.width.into()).len().saturating_sub(inner.height.into())
+pub(crate) fn longest_scroll_of_help(model: &Model) -> usize {
+    let inner = layout::inside(Rect::new(0, 0, model.size.0, model.size.1));
+    help_lines(model, inner.width.into()).len().saturating_sub(inner.height.into())
 }
 
-/// What every key does, place by place.
-fn help_lines(screen: Screen, look: &Look, locale: &Locale, room: usize) -> Vec<Line<'static>> {
+/// What every key does, place by place. A key that a person moved in one place alone stands with that place.
+fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
+    let (screen, look, locale) = (model.screen, &model.look, &model.locale);
     let places: &[Place] = match screen {
         Screen::Picker => &[Place::Picker, Place::Filter, Place::Prompt],
         Screen::Bench => &[
@@ -133,13 +128,20 @@ fn help_lines(screen: Screen, look: &Look, locale: &Locale, room: usize) -> Vec<
     };
     let say = |text: &'static str| Text::from(text).render(locale);
     let mut lines = Vec::new();
-    let mut section = |name: &'static str, bindings: &mut dyn Iterator<Item = &'static Binding>| {
+    let mut section = |name: &'static str,
+                       place: Place,
+                       bindings: &mut dyn Iterator<Item = &'static Binding>| {
         if !lines.is_empty() {
             lines.push(Line::default());
         }
         lines.push(Line::styled(say(name), look.title()));
         for binding in bindings {
-            let keys = binding.keys.iter().map(|key| key.name()).collect::<Vec<_>>().join("  ");
+            let keys = model.keys.keys_of(place, binding);
+            // What has no key is found by its name.
+            let keys = match keys {
+                [] => model.keys.key(place, Action::Palette),
+                keys => keys.iter().map(|key| key.name()).collect::<Vec<_>>().join("  "),
+            };
             let keys = padded(&keys, 18.min(room / 2), look);
             let left = room.saturating_sub(width(&keys) + 3);
             for (n, text) in wrapped(&say(binding.name), left).into_iter().enumerate() {
@@ -148,14 +150,26 @@ fn help_lines(screen: Screen, look: &Look, locale: &Locale, room: usize) -> Vec<
             }
         }
     };
+    // Keys that several places share are shown once, as they hold in one of them.
+    let home = |binding: &Binding| match screen {
+        Screen::Picker => Place::Picker,
+        Screen::Bench if PANES.contains(binding) => Place::Pane,
+        Screen::Bench => Place::Form,
+    };
     for place in places {
-        section(place.name(), &mut place.table().iter());
+        let differs = |binding: &&Binding| {
+            let keys = model.keys.keys_of(*place, binding);
+            keys != model.keys.keys_of(home(binding), binding)
+        };
+        let shared = place.bindings().skip(place.table().len()).filter(differs);
+        section(place.name(), *place, &mut place.table().iter().chain(shared));
     }
     if screen == Screen::Bench {
-        section("In every tab", &mut PANES.iter());
-        section("In a problem", &mut PROBLEM.iter());
+        section("In every tab", Place::Pane, &mut PANES.iter());
+        section("In a problem", Place::Form, &mut PROBLEM.iter());
     }
-    section("Everywhere", &mut COMMON.iter().chain(ALWAYS));
+    let first = home(&COMMON[0]);
+    section("Everywhere", first, &mut COMMON.iter().chain(ALWAYS));
     lines.push(Line::default());
     for text in [
         "A quantity is a number and a unit: 20.3 mm, 1000 rpm, 200 kN/mm^2, 5 kg*mm, 2*pi*50 rad/s, 1/2 in. Comma and point are both decimal marks. A vector: (300; 200) m/s.",
@@ -185,12 +199,12 @@ fn draw_palette(
         framed(model, &word("Every action", model), area, buffer);
         let inner = layout::inside(area);
         let first = chosen.saturating_sub(rows - 1);
-        for ((n, (_, binding)), y) in offers.iter().enumerate().skip(first).zip(inner.y..inner.bottom()) {
+        for ((n, (_, bound)), y) in offers.iter().enumerate().skip(first).zip(inner.y..inner.bottom()) {
             let (pointer, style) =
                 if n == chosen { (look.glyph(Glyph::Pointer), look.title()) } else { (" ", Style::new()) };
-            let key = binding.keys.first().map_or_else(String::new, |key| key.name());
+            let key = bound.keys.first().map_or_else(String::new, |key| key.name());
             let left = usize::from(inner.width).saturating_sub(width(&key) + 4);
-            let name = fit(&word(binding.name, model), left, look);
+            let name = fit(&word(bound.binding.name, model), left, look);
             let line = Line::from(vec![
                 Span::styled(format!("{pointer} "), look.border(true)),
                 Span::styled(name, style),

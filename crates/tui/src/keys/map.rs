@@ -1,0 +1,292 @@
+//! The keys that hold: those of the tables, unless the person's settings say otherwise.
+
+use dalembert_core::Text;
+use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+
+use super::{Action, Binding, Key, Place};
+
+/// What keys mean, place by place. The tables of the program, with the person's changes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeyMap {
+    /// Every binding that holds in a place, the most useful first; by the number of the place.
+    places: Vec<Vec<Bound>>,
+}
+
+/// A line of a table with the keys that hold.
+#[derive(Clone, Debug)]
+pub struct Bound {
+    /// What is done, and how that is called.
+    pub binding: &'static Binding,
+    /// The keys that do it, the usual one first; none where the person took them away.
+    pub keys: Vec<Key>,
+}
+
+/// A change that the settings ask for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Change {
+    /// Where; `None`: wherever it can be done.
+    pub place: Option<Place>,
+    /// The [`Action::id`] of what is done.
+    pub action: &'static str,
+    /// The keys that do it from now on.
+    pub keys: Vec<Key>,
+}
+
+/// Keys that always mean the same, or a person could be caught.
+const FIXED: [(Key, Action); 2] = [
+    (Key(KeyCode::Esc, KeyModifiers::NONE), Action::Back),
+    (Key(KeyCode::Char('c'), KeyModifiers::CONTROL), Action::Quit),
+];
+
+impl Default for KeyMap {
+    fn default() -> Self {
+        let bound = |binding: &'static Binding| Bound { binding, keys: binding.keys.to_vec() };
+        Self { places: Place::ALL.iter().map(|place| place.bindings().map(bound).collect()).collect() }
+    }
+}
+
+impl PartialEq for Bound {
+    fn eq(&self, other: &Self) -> bool {
+        (self.binding.action, &self.keys) == (other.binding.action, &other.keys)
+    }
+}
+
+impl KeyMap {
+    /// The tables with these changes, and those that were refused, by their number, with the reason.
+    ///
+    /// What is asked for one place counts more than what is asked for all. Where characters are text, a change for
+    /// all places takes no character. A key that would mean two things in a place refuses the later change.
+    pub fn changed(changes: &[Change]) -> (Self, Vec<(usize, Text)>) {
+        let mut refused: Vec<(usize, Text)> =
+            changes.iter().enumerate().filter_map(|(n, change)| Some((n, change.fault()?))).collect();
+        loop {
+            let held: Vec<usize> =
+                (0..changes.len()).filter(|n| !refused.iter().any(|(other, _)| other == n)).collect();
+            let mut map = Self::default();
+            let (everywhere, somewhere): (Vec<usize>, Vec<usize>) =
+                held.iter().partition(|n| changes[**n].place.is_none());
+            for n in everywhere.into_iter().chain(somewhere) {
+                map.change(&changes[n]);
+            }
+            let Some((place, key, one, other)) = map.conflict() else {
+                refused.sort_by_key(|(n, _)| *n);
+                return (map, refused);
+            };
+            let asks =
+                |n: &usize| changes[*n].keys.contains(&key) && changes[*n].place.is_none_or(|at| at == place);
+            // Without changes no key means two things, so one of them asked for it.
+            let culprit = held.into_iter().rev().find(asks).expect("a conflict comes from a change");
+            let taken = if one.id() == changes[culprit].action { other } else { one };
+            let why = Text::new("`{key}` means `{taken}` already in [keys.{place}]: take another key, or write `{taken} = []` there")
+                .with("key", key.id())
+                .with("taken", taken.id())
+                .with("place", place.id());
+            refused.push((culprit, why));
+        }
+    }
+
+    /// What a key means in a place.
+    pub fn action(&self, place: Place, event: KeyEvent) -> Option<Action> {
+        let key = Key::of(event);
+        self.bindings(place).iter().find(|bound| bound.keys.contains(&key)).map(|bound| bound.binding.action)
+    }
+
+    /// Every binding that holds in a place, the most useful first.
+    pub fn bindings(&self, place: Place) -> &[Bound] {
+        &self.places[place as usize]
+    }
+
+    /// The usual key of an action in a place, as a person reads it; empty where there is none.
+    pub fn key(&self, place: Place, action: Action) -> String {
+        let mut bounds = self.bindings(place).iter().filter(|bound| bound.binding.action == action);
+        bounds.find_map(|bound| bound.keys.first()).map_or_else(String::new, |key| key.name())
+    }
+
+    /// Every key of a binding, as it holds in a place.
+    pub fn keys_of(&self, place: Place, binding: &Binding) -> &[Key] {
+        let same = |bound: &&Bound| bound.binding == binding;
+        self.bindings(place).iter().find(same).map_or(&[], |bound| &bound.keys)
+    }
+
+    fn change(&mut self, change: &Change) {
+        for place in Place::ALL.into_iter().filter(|place| change.place.is_none_or(|at| at == *place)) {
+            let mut keys = change.keys.clone();
+            if place.is_text() {
+                keys.retain(|key| !key.is_text());
+                if keys.is_empty() && !change.keys.is_empty() {
+                    continue;
+                }
+            }
+            for bound in &mut self.places[place as usize] {
+                if bound.binding.action.id() == change.action {
+                    bound
+                        .keys
+                        .retain(|key| FIXED.iter().any(|(fixed, _)| fixed == key) && !keys.contains(key));
+                    bound.keys.splice(..0, std::mem::take(&mut keys));
+                }
+            }
+        }
+    }
+
+    /// A key that means two things in a place.
+    fn conflict(&self) -> Option<(Place, Key, Action, Action)> {
+        for place in Place::ALL {
+            let mut seen: Vec<(Key, Action)> = Vec::new();
+            for bound in self.bindings(place) {
+                for key in &bound.keys {
+                    match seen.iter().find(|(other, _)| other == key) {
+                        Some((_, action)) if *action != bound.binding.action => {
+                            return Some((place, *key, *action, bound.binding.action));
+                        }
+                        Some(_) => {}
+                        None => seen.push((*key, bound.binding.action)),
+                    }
+                }
+            }
+        }
+        None
+    }
+}
+
+impl Change {
+    /// Why it cannot be, whatever else is changed.
+    fn fault(&self) -> Option<Text> {
+        let does = |place: &Place| place.bindings().any(|binding| binding.action.id() == self.action);
+        if let Some(place) = self.place.filter(|place| !does(place)) {
+            return Some(
+                Text::new("`{action}` does nothing in [keys.{place}]")
+                    .with("action", self.action)
+                    .with("place", place.id()),
+            );
+        }
+        self.keys.iter().find_map(|key| {
+            let fixed = FIXED.iter().find(|(fixed, action)| fixed == key && action.id() != self.action);
+            if let Some((_, action)) = fixed {
+                return Some(
+                    Text::new("`{key}` always means `{action}`: take another key")
+                        .with("key", key.id())
+                        .with("action", action.id()),
+                );
+            }
+            if let Some(place) = self.place.filter(|place| place.is_text() && key.is_text()) {
+                return Some(
+                    Text::new("`{key}` is text in [keys.{place}]: take one such as `ctrl-g` or `f5`")
+                        .with("key", key.id())
+                        .with("place", place.id()),
+                );
+            }
+            let in_form = self.place.map_or_else(|| does(&Place::Form), |place| place == Place::Form);
+            (in_form && key.begins_a_number()).then(|| {
+                Text::new("`{key}` begins a number in [keys.{place}]: take another key")
+                    .with("key", key.id())
+                    .with("place", Place::Form.id())
+            })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn change(place: Option<Place>, action: &'static str, keys: &[&str]) -> Change {
+        let keys = keys.iter().map(|key| Key::parse(key).expect("a key")).collect();
+        Change { place, action, keys }
+    }
+
+    fn refusals(changes: &[Change]) -> Vec<(usize, String)> {
+        KeyMap::changed(changes).1.into_iter().map(|(n, why)| (n, why.english())).collect()
+    }
+
+    #[test]
+    fn places_are_found_by_their_number() {
+        for (n, place) in Place::ALL.into_iter().enumerate() {
+            assert_eq!(place as usize, n);
+        }
+    }
+
+    #[test]
+    fn a_change_takes_the_place_of_the_usual_keys() {
+        let (map, refused) = KeyMap::changed(&[
+            change(None, "save", &["f5"]),
+            change(Some(Place::Plot), "zoom-in", &["i"]),
+            change(None, "next-frame", &[]),
+        ]);
+        assert_eq!(refused, []);
+        for place in [Place::Form, Place::Plot] {
+            assert_eq!(map.key(place, Action::Save), "F5");
+            assert_eq!(map.action(place, KeyEvent::from(KeyCode::Char('s'))), None);
+        }
+        assert_eq!(map.action(Place::Plot, KeyEvent::from(KeyCode::Char('i'))), Some(Action::ZoomIn));
+        assert_eq!(map.key(Place::Plot, Action::NextFrame), "");
+    }
+
+    #[test]
+    fn two_keys_can_be_exchanged() {
+        let (map, refused) = KeyMap::changed(&[change(None, "undo", &["Z"]), change(None, "redo", &["z"])]);
+        assert_eq!(refused, []);
+        assert_eq!(
+            (map.key(Place::Form, Action::Undo), map.key(Place::Form, Action::Redo)),
+            ("Z".into(), "z".into())
+        );
+    }
+
+    #[test]
+    fn a_key_of_two_meanings_is_refused_by_name_and_the_rest_holds() {
+        let changes =
+            [change(None, "undo", &["w"]), change(None, "save", &["w"]), change(None, "redo", &["y"])];
+        assert_eq!(
+            refusals(&changes),
+            [
+                (
+                    1,
+                    "`w` means `undo` already in [keys.inputs]: take another key, or write `undo = []` there"
+                        .into()
+                ),
+                (
+                    2,
+                    "`y` means `copy` already in [keys.inputs]: take another key, or write `copy = []` there"
+                        .into()
+                ),
+            ]
+        );
+        let (map, _) = KeyMap::changed(&changes);
+        assert_eq!(
+            (map.key(Place::Form, Action::Undo), map.key(Place::Form, Action::Save)),
+            ("w".into(), "s".into())
+        );
+    }
+
+    #[test]
+    fn nobody_is_caught() {
+        assert_eq!(
+            refusals(&[
+                change(None, "save", &["esc"]),
+                change(None, "help", &["ctrl-c"]),
+                change(Some(Place::Edit), "enter", &["g"]),
+                change(None, "save", &["5"]),
+                change(Some(Place::Plot), "add-row", &["w"]),
+            ]),
+            [
+                (0, "`esc` always means `back`: take another key".into()),
+                (1, "`ctrl-c` always means `quit`: take another key".into()),
+                (2, "`g` is text in [keys.edit]: take one such as `ctrl-g` or `f5`".into()),
+                (3, "`5` begins a number in [keys.inputs]: take another key".into()),
+                (4, "`add-row` does nothing in [keys.plot]".into()),
+            ]
+        );
+        let (map, _) = KeyMap::changed(&[
+            change(None, "back", &["f3"]),
+            change(None, "quit", &[]),
+            change(None, "enter", &["e"]),
+        ]);
+        for place in Place::ALL {
+            assert_eq!(map.action(place, KeyEvent::from(KeyCode::Esc)), Some(Action::Back), "{place:?}");
+            let end = KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL);
+            assert_eq!(map.action(place, end), Some(Action::Quit), "{place:?}");
+            if place.is_text() {
+                assert_eq!(map.action(place, KeyEvent::from(KeyCode::Char('e'))), None, "{place:?}");
+            }
+        }
+    }
+}

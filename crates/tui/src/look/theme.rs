@@ -1,0 +1,135 @@
+//! Colours: those of the terminal's own palette, or fixed ones whose contrast is known.
+
+use ratatui::style::Color;
+
+/// How things are coloured.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Theme {
+    /// In the sixteen colours of the terminal's own palette, on its own ground.
+    #[default]
+    Terminal,
+    /// Light on dark.
+    Dark,
+    /// Dark on light.
+    Light,
+    /// Bright on black, as far apart as can be.
+    HighContrast,
+    /// Without colours: bold, dim, underlined, reversed.
+    None,
+}
+
+/// The colours of a theme that has its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Palette {
+    /// The ground.
+    pub ground: Color,
+    /// Text.
+    pub text: Color,
+    /// What may be passed over.
+    pub faint: Color,
+    /// Wrong.
+    pub red: Color,
+    /// Doubtful.
+    pub yellow: Color,
+    /// Right, and what was asked for.
+    pub green: Color,
+    /// Symbols, keys, what has the focus.
+    pub cyan: Color,
+    /// Forces.
+    pub magenta: Color,
+    /// One curve of several.
+    pub blue: Color,
+}
+
+impl Theme {
+    /// Every theme.
+    pub const ALL: [Theme; 5] =
+        [Theme::Terminal, Theme::Dark, Theme::Light, Theme::HighContrast, Theme::None];
+
+    /// Its name in the settings.
+    pub fn id(self) -> &'static str {
+        match self {
+            Theme::Terminal => "terminal",
+            Theme::Dark => "dark",
+            Theme::Light => "light",
+            Theme::HighContrast => "high-contrast",
+            Theme::None => "none",
+        }
+    }
+
+    /// Its name for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Theme::Terminal => "the terminal's own colours",
+            Theme::Dark => "dark",
+            Theme::Light => "light",
+            Theme::HighContrast => "high contrast",
+            Theme::None => "no colour",
+        }
+    }
+
+    /// Its colours, where it has its own.
+    pub fn palette(self) -> Option<Palette> {
+        match self {
+            Theme::Terminal | Theme::None => None,
+            Theme::Dark => Some(DARK),
+            Theme::Light => Some(LIGHT),
+            Theme::HighContrast => Some(HIGH_CONTRAST),
+        }
+    }
+}
+
+impl Palette {
+    /// Its own colour for one of the six of a terminal's palette.
+    pub fn of(&self, color: Color) -> Color {
+        match color {
+            Color::Red => self.red,
+            Color::Yellow => self.yellow,
+            Color::Green => self.green,
+            Color::Cyan => self.cyan,
+            Color::Magenta => self.magenta,
+            Color::Blue => self.blue,
+            other => other,
+        }
+    }
+}
+
+const fn rgb(red: u8, green: u8, blue: u8) -> Color {
+    Color::Rgb(red, green, blue)
+}
+
+const DARK: Palette = Palette {
+    ground: rgb(18, 18, 20),
+    text: rgb(222, 222, 222),
+    faint: rgb(158, 158, 158),
+    red: rgb(255, 125, 125),
+    yellow: rgb(240, 200, 80),
+    green: rgb(110, 215, 110),
+    cyan: rgb(95, 210, 220),
+    magenta: rgb(230, 140, 230),
+    blue: rgb(135, 175, 255),
+};
+
+const LIGHT: Palette = Palette {
+    ground: rgb(255, 255, 255),
+    text: rgb(20, 20, 20),
+    faint: rgb(90, 90, 90),
+    red: rgb(180, 0, 20),
+    yellow: rgb(110, 75, 0),
+    green: rgb(0, 95, 20),
+    cyan: rgb(0, 80, 95),
+    magenta: rgb(135, 0, 135),
+    blue: rgb(0, 50, 180),
+};
+
+const HIGH_CONTRAST: Palette = Palette {
+    ground: rgb(0, 0, 0),
+    text: rgb(255, 255, 255),
+    faint: rgb(215, 215, 215),
+    red: rgb(255, 150, 150),
+    yellow: rgb(255, 255, 0),
+    green: rgb(95, 255, 95),
+    cyan: rgb(0, 255, 255),
+    magenta: rgb(255, 165, 255),
+    blue: rgb(160, 200, 255),
+};

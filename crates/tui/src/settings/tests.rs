@@ -1,0 +1,83 @@
+use dalembert_core::Locale;
+
+use super::*;
+use crate::keys::Action;
+
+fn faults(text: &str) -> Vec<(usize, String)> {
+    parse(text).1.into_iter().map(|fault| (fault.line, fault.why.english())).collect()
+}
+
+#[test]
+fn a_file_sets_what_it_names() {
+    let (settings, faults) = parse(
+        "language = \"pt-BR\"\ntheme = \"high-contrast\"\nascii = true\nmouse = false\nmarker = \"dots\"\n\
+         decimal = \"comma\"\ndigits = 7\nfilm-speed = 2\neditor = \"code --wait\"\n\n\
+         [keys]\nsave = [\"f5\", \"ctrl-s\"]\n\n[keys.plot]\nzoom-in = \"i\"\n",
+    );
+    assert_eq!(faults, []);
+    assert_eq!(settings.language, Some(Language::Portuguese));
+    assert_eq!((settings.theme, settings.ascii, settings.mouse), (Theme::HighContrast, true, Some(false)));
+    assert_eq!((settings.marker, settings.decimal), (Some(Marker::Dot), Some(Decimal::Comma)));
+    assert_eq!((settings.digits, settings.film_speed), (7, 2.0));
+    assert_eq!(settings.editor.as_deref(), Some("code --wait"));
+    assert_eq!(settings.keys.key(Place::Plot, Action::Save), "F5");
+    assert_eq!(settings.keys.key(Place::Plot, Action::ZoomIn), "i");
+}
+
+#[test]
+fn what_cannot_be_taken_is_named_with_its_line_and_the_rest_holds() {
+    let text = "lnguage = \"en\"\ntheme = \"drak\"\nascii = \"yes\"\ndigits = 40\n\
+                [keys]\nsaev = \"f5\"\nundo = \"ctrl-pup\"\nopen = 5\nredo = \"u\"\n[keys.plto]\nplay = \"w\"\n";
+    assert_eq!(
+        faults(text),
+        [
+            (1, "there is no setting `lnguage`; did you mean `language`?".into()),
+            (2, "`theme` cannot be `drak`; did you mean `dark`?".into()),
+            (3, "`ascii` is true or false, without quotes".into()),
+            (4, "`digits` is a whole number from 1 to 17".into()),
+            (6, "there is no action `saev`; did you mean `save`?".into()),
+            (7, "`ctrl-pup` is no key; did you mean `ctrl-up`?".into()),
+            (8, "`open` is a key in quotes, or several: [\"s\", \"ctrl-s\"]".into()),
+            (9, "`u` means `next-unit` already in [keys.inputs]: take another key, or write `next-unit = []` there".into()),
+            (10, "there is no place `plto`; did you mean `plot`?".into()),
+        ]
+    );
+    let (settings, _) = parse(&format!("editor = \"nano\"\n{text}"));
+    assert_eq!(settings.editor.as_deref(), Some("nano"));
+    let (settings, faults) = parse("digits = 7\ntheme = \"dark\n");
+    assert_eq!((settings, faults.len(), faults[0].line), (Settings::default(), 1, 2));
+}
+
+/// What each key does, place by place, however the tables divide it.
+fn meaning(settings: &Settings) -> Vec<(Place, Key, &'static str)> {
+    let mut all: Vec<(Place, Key, &'static str)> = Vec::new();
+    for place in Place::ALL {
+        for bound in settings.keys.bindings(place) {
+            all.extend(bound.keys.iter().map(|key| (place, *key, bound.binding.action.id())));
+        }
+    }
+    all.sort_by_key(|(place, key, _)| (*place as usize, key.id()));
+    all.dedup();
+    all
+}
+
+#[test]
+fn the_file_that_is_begun_with_sets_nothing_commented_or_not() {
+    for locale in [Locale::english(), Locale::portuguese()] {
+        let file = default_file(&locale);
+        assert_eq!(parse(&file), (Settings::default(), Vec::new()), "{file}");
+        let open: String =
+            file.lines().map(|line| format!("{}\n", line.strip_prefix("# ").unwrap_or(line))).collect();
+        // What has no value of its own stays out.
+        let open: String =
+            open.lines().filter(|line| !line.contains(" = …")).map(|line| format!("{line}\n")).collect();
+        let (settings, faults) = parse(&open);
+        assert_eq!(faults, [], "{open}");
+        assert_eq!(meaning(&settings), meaning(&Settings::default()), "{open}");
+        let rest = |settings: Settings| Settings { keys: KeyMap::default(), ..settings };
+        assert_eq!(rest(settings), Settings::default());
+    }
+    for place in Place::ALL {
+        assert!(default_file(&Locale::english()).contains(&format!("[keys.{}]", place.id())));
+    }
+}

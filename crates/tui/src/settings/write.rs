@@ -1,0 +1,132 @@
+//! The file of settings as it is begun: everything that can be set, all of it commented out.
+
+use dalembert_core::{Locale, Text};
+
+use super::{DECIMALS, LANGUAGES, MARKERS, Settings};
+use crate::{
+    keys::{ALWAYS, Binding, COMMON, Key, PANES, PROBLEM, Place},
+    look::Theme,
+};
+
+/// A file that says what can be set, in the person's language, and what it is without a word. It sets nothing; nor
+/// does it where its lines are taken out of their comments.
+pub fn default_file(locale: &Locale) -> String {
+    let default = Settings::default();
+    let say = |text: Text| text.render(locale);
+    let quoted = |name: &str| format!("\"{name}\"");
+    let names = |names: &[&str]| names.iter().map(|name| quoted(name)).collect::<Vec<_>>().join(", ");
+    let mut file = String::new();
+    comment(
+        &mut file,
+        &say(Text::new(
+            "Settings of dalembert. A line that begins with # sets nothing: take the # away and change the value.",
+        )),
+    );
+    let settings = [
+        (
+            "language",
+            String::new(),
+            Text::new("The language: {known}; without this line that of the environment.")
+                .with("known", names(&LANGUAGES.map(|(name, _)| name))),
+        ),
+        (
+            "theme",
+            quoted(default.theme.id()),
+            Text::new("Colours: {known}. `terminal` are those of your terminal's own palette.")
+                .with("known", names(&Theme::ALL.map(Theme::id))),
+        ),
+        ("ascii", default.ascii.to_string(), Text::new("Nothing but ASCII characters.")),
+        (
+            "mouse",
+            String::new(),
+            Text::new(
+                "Take the mouse: true or false; without this line true, and over ssh false. Selecting text with the mouse then needs Shift.",
+            ),
+        ),
+        (
+            "marker",
+            String::new(),
+            Text::new(
+                "What curves are drawn with: {known}; without this line the finest that the terminal shows.",
+            )
+            .with("known", names(&MARKERS.map(|(name, _)| name))),
+        ),
+        (
+            "decimal",
+            String::new(),
+            Text::new("The decimal mark: {known}; without this line that of the language.")
+                .with("known", names(&DECIMALS.map(|(name, _)| name))),
+        ),
+        ("digits", default.digits.to_string(), Text::new("Significant digits of results, 1 to 17.")),
+        (
+            "film-speed",
+            format!("{:?}", default.film_speed),
+            Text::new(
+                "How fast films move: 0.5 is half as fast; at 0 they are held until a key lets them move.",
+            ),
+        ),
+        (
+            "editor",
+            String::new(),
+            Text::new("The command that edits a problem; without this line that of $VISUAL or $EDITOR."),
+        ),
+    ];
+    for (key, value, about) in settings {
+        file += "\n";
+        comment(&mut file, &say(about));
+        // What has no value of its own is shown with nothing to take out of the comment.
+        file += &if value.is_empty() { format!("#   {key} = …\n") } else { format!("# {key} = {value}\n") };
+    }
+    file += "\n";
+    comment(
+        &mut file,
+        &say(Text::new(
+            "Keys: a character, or such as \"space\", \"f5\", \"page-up\", \"ctrl-s\", \"alt-x\", \"shift-up\"; one, several or none. In [keys] they hold wherever the action is known, in a part such as [keys.plot] there alone. Esc always goes one step back and Ctrl-C always ends the program.",
+        )),
+    );
+    file += "[keys]\n";
+    let mut written: Vec<&str> = Vec::new();
+    let shared = [PANES, PROBLEM, COMMON, ALWAYS];
+    for binding in shared.into_iter().flatten() {
+        let id = binding.action.id();
+        if written.contains(&id) {
+            continue;
+        }
+        written.push(id);
+        let all = shared.into_iter().flatten().filter(|other| other.action.id() == id);
+        file += &line(binding, all.flat_map(|other| other.keys).copied(), locale);
+    }
+    for place in Place::ALL {
+        file += &format!("\n[keys.{}]  # {}\n", place.id(), say(Text::new(place.name())));
+        for binding in place.table() {
+            let same = place.bindings().filter(|other| other.action.id() == binding.action.id());
+            file += &line(binding, same.flat_map(|other| other.keys).copied(), locale);
+        }
+    }
+    file
+}
+
+/// `# save = ["s", "ctrl-s"]  # save the problem`
+fn line(binding: &Binding, keys: impl Iterator<Item = Key>, locale: &Locale) -> String {
+    let keys: Vec<String> = keys.map(|key| toml_edit::Value::from(key.id()).to_string()).collect();
+    let keys = if let [key] = &keys[..] { key.clone() } else { format!("[{}]", keys.join(", ")) };
+    let name = Text::new(binding.name).render(locale);
+    format!("# {} = {keys}  # {name}\n", binding.action.id())
+}
+
+/// A text as lines of a comment.
+fn comment(file: &mut String, text: &str) {
+    const WIDEST: usize = 98;
+    let mut line = String::from("##");
+    for word in text.split(' ') {
+        if line.chars().count() + 1 + word.chars().count() > WIDEST {
+            *file += &line;
+            *file += "\n";
+            line = String::from("##");
+        }
+        line.push(' ');
+        line += word;
+    }
+    *file += &line;
+    *file += "\n";
+}
