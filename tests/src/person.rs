@@ -15,9 +15,11 @@ use std::{collections::BTreeMap, path::PathBuf};
 use dalembert_core::{Language, Stop, find, registry};
 use dalembert_plugins as _;
 use dalembert_tui::{
-    Effect, Model, Msg, files,
+    Effect, Model, Msg,
+    files::{self, Fingerprint, Opened},
     glyphs::{Capabilities, Colors, Glyphs, PlotMarker, sweep},
     look::Look,
+    model::Editing,
     solver::{judge, solve},
     start, update, view,
 };
@@ -39,6 +41,8 @@ pub struct Person {
     pub clipboard: String,
     /// The unsaved work that would outlive a crash, by the numbers of the problems.
     pub kept: BTreeMap<u64, String>,
+    /// What the editor makes of a text.
+    pub editor: fn(&str) -> String,
     terminal: Terminal<TestBackend>,
     capabilities: Capabilities,
 }
@@ -80,6 +84,7 @@ impl Person {
             has_left: false,
             clipboard: String::new(),
             kept: BTreeMap::new(),
+            editor: str::to_owned,
             terminal,
             capabilities,
         };
@@ -202,6 +207,22 @@ impl Person {
                 Effect::ReadTable { field, path, columns } => {
                     Msg::TableRead { field, result: files::read_table(&path, columns) }
                 }
+                Effect::Edit(editing) => {
+                    let (text, file) = match editing {
+                        Editing::Text(text) => (text, Editing::Copy(PathBuf::from("copy.toml"))),
+                        // What could not be read is edited from what it is kept as: here, from nothing.
+                        Editing::Copy(path) => (String::new(), Editing::Copy(path)),
+                        Editing::Own(path) => {
+                            (files::read(&path).expect("the file of the test").text, Editing::Own(path))
+                        }
+                    };
+                    let text = (self.editor)(&text);
+                    if let Editing::Own(path) = &file {
+                        std::fs::write(path, &text).expect("the file of the test can be written");
+                    }
+                    let fingerprint = Fingerprint::of(text.as_bytes());
+                    Msg::Edited { file, result: Ok(Opened { text, fingerprint }) }
+                }
                 Effect::Keep { problem, text, .. } => {
                     self.kept.insert(problem, text);
                     continue;
@@ -222,7 +243,11 @@ impl Person {
                     self.has_left = true;
                     continue;
                 }
-                Effect::Fault(_) | Effect::Suspend | Effect::Redraw => continue,
+                Effect::Fault(_)
+                | Effect::Suspend
+                | Effect::Redraw
+                | Effect::Remove(_)
+                | Effect::Mouse(_) => continue,
             };
             self.happens(msg);
         }

@@ -10,15 +10,15 @@ use dalembert_plugins as _;
 use dalembert_tui::{
     drawing,
     glyphs::Colors,
-    look::Look,
+    look::{Look, Theme},
     panes::{label_of, results, sources, table, working},
     plot::{self, Marker, State},
 };
 use ratatui::{buffer::Buffer, layout::Rect, style::Color, text::Line};
 
-const UNICODE: Look = Look { ascii: false, colors: Colors::Sixteen };
-const ASCII: Look = Look { ascii: true, colors: Colors::Sixteen };
-const BARE: Look = Look { ascii: false, colors: Colors::None };
+const UNICODE: Look = Look { ascii: false, colors: Colors::Sixteen, theme: Theme::Terminal, basic: false };
+const ASCII: Look = Look { ascii: true, ..UNICODE };
+const BARE: Look = Look { colors: Colors::None, ..UNICODE };
 
 /// Speed and largest amplitude of the fan: 40 kg, 0.1 kg·m, ωₙ = 106.23 rad/s, ζ = 0.0617.
 const NATURAL: f64 = 106.23;

@@ -50,6 +50,7 @@ fn run() -> Result<(), TerminalError> {
     };
     let mut session = Session::enter(Options {
         mouse: true,
+        plain: false,
         capabilities: Capabilities::detect(&Environment::of_process()),
         autosave: Some(Box::new(autosave)),
     })?;

@@ -1,6 +1,10 @@
 //! The run loop: the one place where effects happen.
 
+mod editor;
+mod watch;
+
 use std::{
+    fs,
     path::{Path, PathBuf},
     process::ExitCode,
     sync::{Arc, mpsc},
@@ -11,11 +15,12 @@ use std::{
 use crossterm::{Command, clipboard::CopyToClipboard};
 use dalembert_core::{Entry, Language, registry};
 
+use self::watch::Watched;
 use crate::{
     files::{self, Autosave},
     glyphs::{Capabilities, Colors, Environment, Glyphs, PlotMarker},
     look::Look,
-    model::{Effect, Model, Msg},
+    model::{EditError, Editing, Effect, Model, Msg},
     settings::{self, Settings},
     solver::{Solver, judge},
     terminal::{self, Fault, Input, Session, TerminalError, fault},
@@ -82,6 +87,10 @@ struct World {
     kept: Instant,
     /// The newest job, while its outcome has not come.
     awaited: Option<u64>,
+    /// The person's editor, where the settings name one.
+    editor: Option<String>,
+    /// The open file, and what it was when it was looked at last.
+    watched: Option<Watched>,
 }
 
 fn workbench(options: Options) -> Result<(), TerminalError> {
@@ -95,11 +104,13 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     if basic {
         capabilities.colors = Colors::None;
     }
-    let (autosave, trouble) = Autosave::open();
+    let mouse = settings.mouse.unwrap_or(!is_remote());
+    let (autosave, trouble) = if readonly { (Autosave::default(), None) } else { Autosave::open() };
     let autosave = Arc::new(autosave);
     let last_words = autosave.clone();
     let session = Session::enter(terminal::Options {
-        mouse: false,
+        mouse,
+        plain: basic,
         capabilities,
         autosave: Some(Box::new(move || {
             // Nobody is left to be told.
@@ -121,6 +132,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     let look = Look::new(&capabilities);
     let mut model = Model::new(registry(), language, look, capabilities.marker);
     model.adopt(&settings);
+    model.mouse = mouse;
     model.look.basic = basic;
     model.playing &= !basic;
     model.readonly = readonly;
@@ -134,6 +146,8 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         noted: None,
         kept: Instant::now(),
         awaited: None,
+        editor: settings.editor,
+        watched: None,
     };
     let effects = start(&mut model, file, analysis);
     if world.perform(&mut model, effects) {
@@ -159,8 +173,7 @@ impl World {
     fn run(&mut self, model: &mut Model, messages: &mpsc::Receiver<Msg>) -> Result<(), TerminalError> {
         // A frame is drawn only after something happened, or for a film: an idle screen costs nothing.
         let mut stale = true;
-        let remote = ["SSH_CONNECTION", "SSH_TTY"].iter().any(|name| std::env::var_os(name).is_some());
-        let rate = if remote { FILM_BYTES.1 } else { FILM_BYTES.0 };
+        let rate = if is_remote() { FILM_BYTES.1 } else { FILM_BYTES.0 };
         let (mut drawn, mut took) = (Instant::now(), Duration::ZERO);
         loop {
             // A key and what it leads to belong in one frame, if it can be had without waiting long.
@@ -192,7 +205,8 @@ impl World {
                 drawn + tempo.max(sending).max(took * FILM_SHARE)
             });
             let keep = self.noted.map(|noted| noted + KEEP_AFTER);
-            let next = film.into_iter().chain(keep).min();
+            let look = Watched::follow(&mut self.watched, model).map(|watched| watched.next);
+            let next = film.into_iter().chain(keep).chain(look).min();
             let wait = next.map_or(LONG, |next| next.saturating_duration_since(Instant::now()));
             let inputs = self.session.next_events(wait)?;
             // Keys come first: a film waits for them.
@@ -204,6 +218,14 @@ impl World {
             if self.noted.is_some_and(|noted| resting(noted) || self.kept.elapsed() > KEEP_WHILE_TYPING) {
                 stale |= self.keep(model);
             }
+            let known = model.bench.as_ref().and_then(|bench| bench.file.as_ref()?.fingerprint);
+            if let Some(msg) = self.watched.as_mut().and_then(|watched| watched.look(known)) {
+                stale = true;
+                let effects = update(model, msg);
+                if self.perform(model, effects) {
+                    return Ok(());
+                }
+            }
             for input in inputs {
                 stale = true;
                 let msg = match input {
@@ -211,7 +233,8 @@ impl World {
                     Input::Paste(text) => Msg::Paste(text),
                     Input::Resize { columns, rows } => Msg::Resize(columns, rows),
                     Input::Notice(text) => Msg::Notice(text),
-                    Input::Mouse(_) | Input::Redraw => continue,
+                    Input::Mouse(event) => Msg::Mouse(event),
+                    Input::Redraw => continue,
                 };
                 let effects = update(model, msg);
                 if self.perform(model, effects) {
@@ -291,6 +314,19 @@ impl World {
                     }
                     Msg::Notice("the terminal did not take the text".to_owned())
                 }
+                Effect::Edit(file) => {
+                    self.keep(model);
+                    self.edit(file)
+                }
+                Effect::Remove(path) => {
+                    // A copy in the folder of temporary files does no harm if it stays.
+                    let _ = fs::remove_file(path);
+                    continue;
+                }
+                Effect::Mouse(taken) => match self.session.set_mouse(taken) {
+                    Ok(()) => continue,
+                    Err(error) => Msg::Notice(error.to_string()),
+                },
                 Effect::Fault(kind) => {
                     fault(kind, || false);
                     continue;
@@ -320,6 +356,26 @@ impl World {
         false
     }
 
+    /// Lets the person edit a file, and reads it.
+    fn edit(&mut self, file: Editing) -> Msg {
+        let file = match file {
+            Editing::Text(text) => match editor::copy(&text) {
+                Ok(path) => Editing::Copy(path),
+                Err(error) => return Msg::Trouble(error),
+            },
+            there => there,
+        };
+        let (Editing::Own(path) | Editing::Copy(path)) = &file else { return Msg::Tick };
+        let command = editor::command(self.editor.as_deref());
+        let ended = self.session.lend(|| editor::run(&command, path));
+        let result = match ended {
+            Ok(true) => files::read(path).map_err(EditError::File),
+            Ok(false) => Err(EditError::Editor(command)),
+            Err(error) => return Msg::Notice(error.to_string()),
+        };
+        Msg::Edited { file, result }
+    }
+
     /// Writes unsaved work aside; whether there was trouble, which is told.
     fn keep(&mut self, model: &mut Model) -> bool {
         self.noted = None;
@@ -332,6 +388,12 @@ impl World {
             }
         }
     }
+}
+
+/// Whether a line lies between the person and the program: bytes are dear, and text leaves by the terminal's own
+/// selection.
+fn is_remote() -> bool {
+    ["SSH_CONNECTION", "SSH_TTY"].iter().any(|name| std::env::var_os(name).is_some())
 }
 
 /// `~/` at the beginning of a path is the person's home.

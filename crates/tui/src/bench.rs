@@ -65,6 +65,8 @@ pub struct Bench {
     pub ask: Ask,
     /// Its file.
     pub file: Option<OpenFile>,
+    /// What was edited of a problem without a file: a save keeps its comments.
+    pub commented: String,
     /// Title and inputs as they are in the file, or as the case has them.
     saved: (String, Draft),
 }
@@ -195,6 +197,7 @@ impl Bench {
             plot_state: plot::State::default(),
             ask: Ask::default(),
             file: None,
+            commented: String::new(),
         }
     }
 
@@ -247,6 +250,11 @@ impl Bench {
     /// What is on the screen is in no file: it comes from a crashed session.
     pub fn mark_unsaved(&mut self) {
         self.saved.1 = Draft::Absent;
+    }
+
+    /// The text that a save is written over, for its comments and its order.
+    pub fn text(&self) -> &str {
+        self.file.as_ref().map_or(&self.commented, |file| &file.text)
     }
 
     /// The problem as it is saved.

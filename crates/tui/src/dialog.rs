@@ -12,7 +12,8 @@ use tui_input::Input;
 use crate::{
     files::Crashed,
     keys::{Bound, Place},
-    model::{After, Model, Screen},
+    look::Theme,
+    model::{After, Editing, Model, Screen},
 };
 
 /// What lies over a screen.
@@ -112,6 +113,12 @@ pub enum Answer {
     SaveThen(After),
     /// Unsaved work is given up.
     DiscardThen(After),
+    /// The theme is taken.
+    Theme(Theme),
+    /// What was edited is edited again.
+    EditAgain(Editing),
+    /// The copy that was edited is given up.
+    DropCopy(PathBuf),
     /// The file is written over.
     Overwrite(PathBuf),
     /// Another name is asked for.

@@ -128,6 +128,12 @@ pub enum Action {
     Redraw,
     /// Ends the program.
     Quit,
+    /// Opens the problem in the person's editor.
+    Edit,
+    /// Asks how things are to be coloured.
+    Theme,
+    /// Takes the mouse, or leaves it to the terminal.
+    Mouse,
 }
 
 /// A line of a table: keys, what they do, and how that is called.

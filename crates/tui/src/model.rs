@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use dalembert_core::{Entry, Field, Language, Locale, Text};
 use dalembert_units::Decimal;
-use ratatui::crossterm::event::KeyEvent;
+use ratatui::crossterm::event::{KeyEvent, MouseEvent};
 
 use crate::{
     bench::Bench,
@@ -47,6 +47,8 @@ pub struct Model {
     pub keys: KeyMap,
     /// The decimal mark that the person wants in every language.
     pub decimal: Option<Decimal>,
+    /// Whether the mouse is taken.
+    pub mouse: bool,
     /// Whether films move.
     pub playing: bool,
     /// How many times as fast as they are made.
@@ -98,6 +100,28 @@ pub enum After {
     Close,
 }
 
+/// What is edited outside of the program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Editing {
+    /// The file of the problem.
+    Own(PathBuf),
+    /// A copy of the problem, of this text: it has no file, or is not what its file says.
+    Text(String),
+    /// Such a copy, at this place.
+    Copy(PathBuf),
+}
+
+/// Why nothing comes back from the editor.
+#[derive(Debug, thiserror::Error)]
+pub enum EditError {
+    /// What was edited cannot be read.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// The editor could not be run, or said that it failed.
+    #[error("`{0}` did not end well: set $VISUAL or $EDITOR, or `editor` in the settings")]
+    Editor(String),
+}
+
 /// What can happen.
 #[derive(Debug)]
 pub enum Msg {
@@ -143,6 +167,22 @@ pub enum Msg {
     },
     /// What was asked beside the results is answered.
     Asked(Outcome),
+    /// The mouse did something.
+    Mouse(MouseEvent),
+    /// The editor was left.
+    Edited {
+        /// What it edited.
+        file: Editing,
+        /// What that says now, or why there is nothing to say.
+        result: Result<Opened, EditError>,
+    },
+    /// The file of the problem is not what it was a moment ago.
+    FileChanged {
+        /// Which.
+        path: PathBuf,
+        /// What it says now.
+        result: Result<Opened, FileError>,
+    },
     /// The next frame of a film is due.
     Tick,
     /// Earlier sessions ended without saving.
@@ -211,6 +251,12 @@ pub enum Effect {
     Discard(Crashed),
     /// Put a text on the clipboard.
     Copy(String),
+    /// Edit a file in the person's editor; [`Msg::Edited`].
+    Edit(Editing),
+    /// Remove a copy that was edited and is read.
+    Remove(PathBuf),
+    /// Take the mouse, or leave it to the terminal.
+    Mouse(bool),
     /// Commit a fault on this thread.
     Fault(Fault),
     /// Give the terminal to the shell for a while.
@@ -237,6 +283,7 @@ impl Model {
             marker,
             keys: KeyMap::default(),
             decimal: None,
+            mouse: false,
             playing: true,
             film_speed: 1.0,
             size: (80, 24),

@@ -3,8 +3,10 @@
 mod ask;
 mod bench;
 mod dialog;
+mod edit;
 mod export;
 mod files;
+mod mouse;
 mod picker;
 mod problems;
 mod settings;
@@ -60,6 +62,9 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
             }
             Vec::new()
         }
+        Msg::Mouse(event) => mouse::happened(model, event),
+        Msg::Edited { file, result } => edit::edited(model, file, result),
+        Msg::FileChanged { path, result } => edit::changed_on_disk(model, &path, result),
         Msg::Tick => {
             if let Some(bench) = &mut model.bench {
                 bench.frame = bench.frame.wrapping_add(1);
@@ -123,6 +128,8 @@ fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
         }),
         Action::NextProblem => return problems::next(model),
         Action::CloseProblem => return problems::leave(model, After::Close),
+        Action::Theme => settings::ask_theme(model),
+        Action::Mouse => return settings::turn_mouse(model),
         Action::Open => {
             model.dialog = Some(Dialog::prompt(Purpose::Open, String::new()));
         }

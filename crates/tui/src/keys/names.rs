@@ -67,6 +67,11 @@ impl Action {
             Action::Suspend => "suspend",
             Action::Redraw => "redraw",
             Action::Quit => "quit",
+            Action::NextProblem => "next-problem",
+            Action::CloseProblem => "close-problem",
+            Action::Edit => "edit",
+            Action::Theme => "theme",
+            Action::Mouse => "mouse",
         }
     }
 }

@@ -191,6 +191,7 @@ pub const PROBLEM: &[Binding] = &[
     bind(Action::Export, &[typed('X')], "export the worked solution", "export"),
     bind(Action::NextProblem, &[typed('b')], "next open problem", ""),
     bind(Action::CloseProblem, &[typed('B')], "close this problem", ""),
+    bind(Action::Edit, &[typed('E')], "edit the problem in $EDITOR", ""),
     bind(Action::Back, ESC, "one step back", "back"),
 ];
 
@@ -237,6 +238,8 @@ pub const COMMON: &[Binding] = &[
     bind(Action::Palette, &[typed(':')], "every action by its name", "actions"),
     bind(Action::Open, &[typed('o')], "open a problem file", ""),
     bind(Action::Language, &[typed('L')], "em português", ""),
+    bind(Action::Theme, &[], "theme: how things are coloured", ""),
+    bind(Action::Mouse, &[], "mouse: take it, or leave it to the terminal", ""),
     bind(Action::Quit, &[typed('q')], "quit", "quit"),
 ];
 

@@ -5,6 +5,7 @@ use std::{
     io::{self, Write},
     rc::Rc,
     sync::{Arc, atomic::Ordering::SeqCst},
+    thread,
     time::Duration,
 };
 
@@ -19,11 +20,16 @@ use super::{
 };
 use crate::glyphs::{Capabilities, sweep};
 
+/// A signal that the guard passes on comes no later than this.
+const AFTERMATH: Duration = Duration::from_millis(50);
+
 /// How to take the terminal.
 #[derive(Default)]
 pub struct Options {
     /// Report mouse buttons, drags and the wheel. The terminal's own selection needs Shift then.
     pub mouse: bool,
+    /// Frames are sent as they are, not marked as synchronized updates: for terminals that print what they do not know.
+    pub plain: bool,
     /// What the terminal can show; every finished frame is reduced to it.
     pub capabilities: Capabilities,
     /// Keeps the work when the program ends without asking: a signal, a lost terminal, a panic of the thread that
@@ -41,13 +47,14 @@ pub struct Session {
     reader: Reader,
     shared: Arc<Shared>,
     capabilities: Capabilities,
+    plain: bool,
 }
 
 impl Session {
     /// Takes the terminal. Fails, without having touched it, where [`usable`] does.
     pub fn enter(options: Options) -> Result<Self, TerminalError> {
         usable()?;
-        let Options { mouse, capabilities, autosave } = options;
+        let Options { mouse, plain, capabilities, autosave } = options;
         let (reader, waker) = Reader::new().map_err(failed("open a pipe for its input"))?;
         let autosave: Option<Autosave> = autosave;
         let shared = Arc::new(Shared::new(mouse, autosave, waker));
@@ -57,7 +64,7 @@ impl Session {
         panics::watch(&shared);
         signals::watch(&shared, guard::parent()).map_err(failed("let its signals be watched"))?;
         shared.take().map_err(failed("switch to raw mode"))?;
-        Ok(Self { terminal, bytes, reader, shared, capabilities })
+        Ok(Self { terminal, bytes, reader, shared, capabilities, plain })
     }
 
     /// Draws a frame: nothing of it is written before it is whole, and it is written as one synchronized update.
@@ -81,7 +88,7 @@ impl Session {
             .map_err(failed("draw a frame"))?;
         let frame = self.shared.frame();
         if self.shared.is_active() {
-            if let Err(error) = self.bytes.write_to(&mut io::stdout().lock()) {
+            if let Err(error) = self.bytes.write_to(&mut io::stdout().lock(), self.plain) {
                 drop(frame);
                 if signals::terminal_is_gone() {
                     self.shared.end(signal_hook::consts::SIGHUP);
@@ -129,6 +136,27 @@ impl Session {
         }
     }
 
+    /// Gives the terminal to another program until that ends, and takes it again. Keys that stop or interrupt are that
+    /// program's meanwhile.
+    pub fn lend<T>(&self, program: impl FnOnce() -> T) -> Result<T, TerminalError> {
+        {
+            let _frame = self.shared.frame();
+            self.shared.lent.store(true, SeqCst);
+            self.shared.give_back();
+        }
+        let done = program();
+        // What interrupted it is on its way to us too, by the guard.
+        thread::sleep(AFTERMATH);
+        self.shared.lent.store(false, SeqCst);
+        self.shared.take().map_err(failed("switch to raw mode"))?;
+        Ok(done)
+    }
+
+    /// Takes the mouse, or leaves it to the terminal.
+    pub fn set_mouse(&self, taken: bool) -> Result<(), TerminalError> {
+        self.shared.set_mouse(taken).map_err(failed("take a message"))
+    }
+
     /// The next frame paints every cell: something else wrote on the screen, and the person asks for it again.
     pub fn repaint(&self) {
         self.shared.repaint.store(true, SeqCst);
@@ -169,9 +197,13 @@ impl Drop for Session {
 struct FrameBytes(Rc<RefCell<Vec<u8>>>);
 
 impl FrameBytes {
-    /// As one synchronized update (mode 2026), so that a terminal never shows half a frame.
-    fn write_to(&self, out: &mut impl Write) -> io::Result<()> {
+    /// As one synchronized update (mode 2026), so that a terminal never shows half a frame; or as it is.
+    fn write_to(&self, out: &mut impl Write, plain: bool) -> io::Result<()> {
         let bytes = self.0.borrow();
+        if plain {
+            out.write_all(&bytes)?;
+            return out.flush();
+        }
         let frame = [b"\x1b[?2026h", &bytes[..], b"\x1b[?2026l"].concat();
         out.write_all(&frame)?;
         out.flush()

@@ -19,6 +19,8 @@ use super::{contained, input::Waker};
 const ENTER: &str = "\x1b[?1049h\x1b[?2004h\x1b[?25l";
 /// Buttons, drags and the wheel, in SGR coordinates; not every movement.
 const ENTER_MOUSE: &str = "\x1b[?1000h\x1b[?1002h\x1b[?1006h";
+/// The mouse is the terminal's own again.
+const LEAVE_MOUSE: &str = "\x1b[?1006l\x1b[?1002l\x1b[?1000l";
 /// Everything that [`ENTER`] or an interrupted frame could have set. On a terminal that is already right it changes
 /// nothing but the cursor's place.
 pub(super) const LEAVE: &str =
@@ -31,10 +33,12 @@ const LAST_WISH: Duration = Duration::from_secs(2);
 pub(super) type Autosave = Box<dyn Fn() + Send + Sync>;
 
 pub(super) struct Shared {
-    mouse: bool,
+    mouse: AtomicBool,
     autosave: Option<Autosave>,
     /// The terminal is ours at this moment: not before `take`, not while suspended, not after `give_back`.
     active: AtomicBool,
+    /// Another program has the terminal, because we started it there.
+    pub(super) lent: AtomicBool,
     /// Held while a frame is written, so that nothing cuts it in two.
     frame: Mutex<()>,
     /// The next frame must paint every cell.
@@ -50,9 +54,10 @@ pub(super) struct Shared {
 impl Shared {
     pub(super) fn new(mouse: bool, autosave: Option<Autosave>, waker: Waker) -> Self {
         Self {
-            mouse,
+            mouse: AtomicBool::new(mouse),
             autosave,
             active: AtomicBool::new(false),
+            lent: AtomicBool::new(false),
             frame: Mutex::new(()),
             repaint: AtomicBool::new(true),
             resized: AtomicBool::new(false),
@@ -76,7 +81,14 @@ impl Shared {
         enable_raw_mode()?;
         self.active.store(true, SeqCst);
         self.repaint.store(true, SeqCst);
-        write(if self.mouse { &[ENTER, ENTER_MOUSE] } else { &[ENTER] })
+        write(if self.mouse.load(SeqCst) { &[ENTER, ENTER_MOUSE] } else { &[ENTER] })
+    }
+
+    /// Takes the mouse, or leaves it to the terminal, now and whenever the terminal is taken again.
+    pub(super) fn set_mouse(&self, taken: bool) -> io::Result<()> {
+        let _frame = self.frame();
+        self.mouse.store(taken, SeqCst);
+        if self.is_active() { write(&[if taken { ENTER_MOUSE } else { LEAVE_MOUSE }]) } else { Ok(()) }
     }
 
     /// Gives the terminal back as it was. Only the first call does anything: a second one would hide what was written

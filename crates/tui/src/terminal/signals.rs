@@ -26,7 +26,14 @@ pub(super) fn watch(shared: &Arc<Shared>, guard: Option<Pid>) -> io::Result<()> 
     let (for_signals, for_terminal) = (shared.clone(), shared.clone());
     thread::Builder::new().name("signals".into()).spawn(move || {
         loop {
-            let batch: Vec<i32> = signals.wait().collect();
+            let mut batch: Vec<i32> = signals.wait().collect();
+            if for_signals.lent.load(SeqCst) {
+                // They are for the program that has the terminal; that it stops stops us all.
+                if batch.contains(&SIGTSTP) && !batch.contains(&SIGCONT) {
+                    let _ = kill_current_process_group(Signal::STOP);
+                }
+                batch.retain(|signal| [SIGTERM, SIGHUP, SIGWINCH].contains(signal));
+            }
             // First, because a process in the background that is continued to be ended must not ask for the terminal.
             if let Some(&signal) =
                 batch.iter().find(|signal| [SIGTERM, SIGHUP, SIGINT, SIGQUIT].contains(signal))

@@ -42,6 +42,7 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
         Action::Save => return files::save(model),
         Action::SaveAs => return files::ask_path(model),
         Action::Export => return export::ask_path(model),
+        Action::Edit => return super::edit::begin(model),
         Action::NextTab => return turn(model, 1),
         Action::Play | Action::PreviousFrame | Action::NextFrame => {
             film(model, action);
@@ -129,11 +130,10 @@ pub(super) fn kept(bench: &Bench) -> Effect {
     if !bench.is_unsaved() {
         return Effect::Forget(bench.number);
     }
-    let over = bench.file.as_ref().map_or("", |file| file.text.as_str());
     Effect::Keep {
         problem: bench.number,
         original: bench.file.as_ref().map(|file| file.path.clone()),
-        text: file::write(&bench.problem(), over),
+        text: file::write(&bench.problem(), bench.text()),
     }
 }
 

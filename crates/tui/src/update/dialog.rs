@@ -84,6 +84,12 @@ fn answer(model: &mut Model, answer: Answer) -> Vec<Effect> {
             vec![Effect::Open(path)]
         }
         Answer::Restore(crashed) => files::restore(model, crashed),
+        Answer::Theme(theme) => {
+            model.look.theme = theme;
+            Vec::new()
+        }
+        Answer::EditAgain(file) => vec![Effect::Edit(file)],
+        Answer::DropCopy(path) => vec![Effect::Remove(path)],
         Answer::Forget(sessions) => sessions.into_iter().map(Effect::Discard).collect(),
     }
 }

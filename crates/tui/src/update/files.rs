@@ -146,30 +146,35 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
         }
         Err(errors) => {
             let title = Text::new("{file} cannot be opened as a problem").with("file", shown(&path));
-            let line = |span: &Option<std::ops::Range<usize>>| {
-                let at = span.as_ref()?.start.min(opened.text.len());
-                Some(1 + opened.text.get(..at)?.matches('\n').count())
-            };
-            let mut lines: Vec<String> = errors
-                .iter()
-                .take(MOST_FAULTS)
-                .map(|error| {
-                    let text = match line(&error.span) {
-                        Some(line) => Text::new("line {line}: {why}").with("line", line),
-                        None => Text::new("{why}"),
-                    };
-                    filter_untrusted(&text.with_text("why", error.why.clone()).render(&model.locale))
-                        .into_owned()
-                })
-                .collect();
-            if errors.len() > MOST_FAULTS {
-                let more = Text::new("and {more} more").with("more", errors.len() - MOST_FAULTS);
-                lines.push(more.render(&model.locale));
-            }
+            let lines = faults(model, &opened.text, &errors);
             model.dialog = Some(Dialog::Message { title, lines });
             super::picker::preview(model)
         }
     }
+}
+
+/// What is wrong with the text of a problem, each with its line.
+pub(super) fn faults(model: &Model, text: &str, errors: &[file::FileError]) -> Vec<String> {
+    let line = |span: &Option<std::ops::Range<usize>>| {
+        let at = span.as_ref()?.start.min(text.len());
+        Some(1 + text.get(..at)?.matches('\n').count())
+    };
+    let mut lines: Vec<String> = errors
+        .iter()
+        .take(MOST_FAULTS)
+        .map(|error| {
+            let text = match line(&error.span) {
+                Some(line) => Text::new("line {line}: {why}").with("line", line),
+                None => Text::new("{why}"),
+            };
+            filter_untrusted(&text.with_text("why", error.why.clone()).render(&model.locale)).into_owned()
+        })
+        .collect();
+    if errors.len() > MOST_FAULTS {
+        let more = Text::new("and {more} more").with("more", errors.len() - MOST_FAULTS);
+        lines.push(more.render(&model.locale));
+    }
+    lines
 }
 
 /// Asks what becomes of the work of sessions that ended without saving.
@@ -257,12 +262,11 @@ fn name_of(model: &Model, crashed: &Crashed) -> String {
 fn write(model: &mut Model, path: PathBuf, before: Before) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     bench.form.keep();
-    let over = bench.file.as_ref().map_or("", |file| file.text.as_str());
-    let text = file::write(&bench.problem(), over);
+    let text = file::write(&bench.problem(), bench.text());
     vec![Effect::Save { path, text, before }]
 }
 
-fn bench_of(model: &Model, problem: Problem) -> Bench {
+pub(super) fn bench_of(model: &Model, problem: Problem) -> Bench {
     let cases = judged_later(model, problem.entry);
     // A file that has the name of a case as its title holds that case, or held it before a change.
     let named = cases.iter().map(|judged| &judged.case).find(|case| case.name == problem.title).cloned();

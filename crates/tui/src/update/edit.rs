@@ -1,0 +1,168 @@
+//! The problem outside of the program: in the person's editor, and when another program changes its file.
+
+use std::path::Path;
+
+use dalembert_core::{
+    Text,
+    file::{self, Problem},
+};
+
+use super::{bench as problem, files, show};
+use crate::{
+    dialog::{Answer, Dialog},
+    files::{FileError, Opened, shown},
+    model::{EditError, Editing, Effect, Model},
+};
+
+/// Opens the problem in the person's editor: its file, or a copy where that says something else.
+pub(super) fn begin(model: &mut Model) -> Vec<Effect> {
+    if model.readonly {
+        model.complain("nothing is saved: the program was started read-only");
+        return Vec::new();
+    }
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    bench.form.keep();
+    let own = bench.file.as_ref().filter(|file| !bench.is_unsaved() && file.fingerprint.is_some());
+    vec![Effect::Edit(match own {
+        Some(file) => Editing::Own(file.path.clone()),
+        None => Editing::Text(file::write(&bench.problem(), bench.text())),
+    })]
+}
+
+/// Takes what the editor left.
+pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, EditError>) -> Vec<Effect> {
+    let opened = match result {
+        Ok(opened) => opened,
+        Err(EditError::Editor(command)) => {
+            let why = "`{command}` did not end well: set $VISUAL or $EDITOR, or `editor` in the settings";
+            model.complain(Text::new(why).with("command", command));
+            return match edited {
+                Editing::Copy(path) => vec![Effect::Remove(path)],
+                _ => Vec::new(),
+            };
+        }
+        Err(EditError::File(error)) => {
+            model.complain(error.text());
+            return Vec::new();
+        }
+    };
+    match (file::parse(&opened.text), edited) {
+        (Ok(read), Editing::Own(path)) => reload(model, &path, read, opened, "{file} is read again"),
+        (Ok(read), Editing::Copy(path)) => {
+            let mut effects = take_copy(model, read, opened.text);
+            effects.push(Effect::Remove(path));
+            effects
+        }
+        (Ok(_), Editing::Text(_)) => Vec::new(),
+        (Err(errors), edited) => {
+            let faults = files::faults(model, &opened.text, &errors).join("; ");
+            let give_up = match &edited {
+                Editing::Copy(path) => ("give up what was edited", Answer::DropCopy(path.clone())),
+                _ => ("go on with what was read before", Answer::Cancel),
+            };
+            model.dialog = Some(Dialog::Ask {
+                question: Text::new("What was edited cannot be read. {faults}").with("faults", faults),
+                answers: vec![("edit it again", Answer::EditAgain(edited)), give_up],
+                chosen: 0,
+            });
+            Vec::new()
+        }
+    }
+}
+
+/// Another program changed the file of the problem: it is read again, unless that would lose something.
+pub(super) fn changed_on_disk(
+    model: &mut Model,
+    path: &Path,
+    result: Result<Opened, FileError>,
+) -> Vec<Effect> {
+    let Some(bench) = &model.bench else { return Vec::new() };
+    let Some(open) = bench.file.as_ref().filter(|file| file.path == path) else { return Vec::new() };
+    let opened = match result {
+        // What it held is not known after a crash; a save asks then.
+        Ok(opened) if open.fingerprint.is_none_or(|known| known == opened.fingerprint) => return Vec::new(),
+        Ok(opened) => opened,
+        Err(FileError::Missing(_)) => {
+            let gone = Text::new("{file} is not there any more; saving writes it again");
+            model.complain(gone.with("file", shown(path)));
+            return Vec::new();
+        }
+        Err(error) => {
+            model.complain(error.text());
+            return Vec::new();
+        }
+    };
+    if bench.is_unsaved() || bench.form.edit.is_some() || model.dialog.is_some() {
+        let question = Text::new("{file} was changed by another program since it was opened.");
+        let question = question.with("file", shown(path));
+        if model.dialog.is_some() {
+            // What lies over the screen is not pushed aside: a save asks, if it is forgotten.
+            model.complain(question);
+        } else {
+            let answers = vec![
+                ("keep what is here", Answer::Cancel),
+                ("read it again; changes here are lost", Answer::Reload(path.to_owned())),
+            ];
+            model.dialog = Some(Dialog::Ask { question, answers, chosen: 0 });
+        }
+        return Vec::new();
+    }
+    match file::parse(&opened.text) {
+        Ok(read) => {
+            reload(model, path, read, opened, "{file} was changed by another program and is read again")
+        }
+        Err(errors) => {
+            let faults = files::faults(model, &opened.text, &errors);
+            let why = Text::new("{file} was changed by another program and cannot be read: {why}");
+            let first = faults.into_iter().next().unwrap_or_default();
+            model.complain(why.with("file", shown(path)).with("why", first));
+            Vec::new()
+        }
+    }
+}
+
+/// The file says something else now; what is looked at stays where it is.
+fn reload(model: &mut Model, path: &Path, read: Problem, opened: Opened, said: &'static str) -> Vec<Effect> {
+    let Some(bench) = model.bench.as_mut() else { return Vec::new() };
+    let unchanged = bench.file.as_ref().is_some_and(|file| file.fingerprint == Some(opened.fingerprint));
+    if unchanged {
+        model.say("nothing was changed");
+        return Vec::new();
+    }
+    let effects = if read.entry.about.id == bench.entry.about.id {
+        bench.form.replace(read.draft);
+        bench.title = read.title;
+        bench.show = read.show;
+        bench.file = Some(crate::bench::OpenFile {
+            path: path.to_owned(),
+            text: opened.text,
+            fingerprint: Some(opened.fingerprint),
+        });
+        bench.mark_saved();
+        problem::changed(model)
+    } else {
+        files::opened(model, path.to_owned(), Ok(opened))
+    };
+    model.say(Text::new(said).with("file", shown(path)));
+    effects
+}
+
+/// What was edited in a copy becomes the problem, not saved yet; it can be taken back.
+fn take_copy(model: &mut Model, read: Problem, text: String) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let before = (bench.title.clone(), bench.form.draft.clone());
+    let file = bench.file.clone().map(|file| crate::bench::OpenFile { text: text.clone(), ..file });
+    if read.entry.about.id != bench.entry.about.id {
+        let mut other = files::bench_of(model, read);
+        (other.file, other.commented) = (file, text);
+        other.mark_unsaved();
+        return show(model, other);
+    }
+    bench.form.replace(read.draft);
+    bench.title = read.title;
+    bench.show = read.show;
+    (bench.file, bench.commented) = (file, text);
+    let same = before == (bench.title.clone(), bench.form.draft.clone());
+    model.say(if same { "nothing was changed" } else { "what was edited is here, not saved yet" });
+    problem::changed(model)
+}
