@@ -49,3 +49,26 @@ significant-digits-of-results-1-to-17 = Algarismos significativos dos resultados
 how-fast-films-move-0-5-is-half-as-fast-at-0-they-are-held-until-a-key-lets-them-move = A velocidade dos filmes: 0.5 é metade; com 0 ficam parados até que uma tecla os solte.
 the-command-that-edits-a-problem-without-this-line-that-of-visual-or-editor = O comando que edita um problema; sem esta linha, o de $VISUAL ou $EDITOR.
 keys-a-character-or-such-as-space-f5-page-up-ctrl-s-alt-x-shift-up-one-several-or-none-in-keys-they = Teclas: um caractere, ou algo como "space", "f5", "page-up", "ctrl-s", "alt-x", "shift-up"; uma, várias ou nenhuma. Em [keys] valem onde quer que a ação exista; numa parte como [keys.plot], só ali. Esc sempre volta um passo e Ctrl-C sempre encerra o programa.
+
+# O problema fora do programa
+edit-the-problem-in-editor = editar o problema no $EDITOR
+edit-it-again = editar de novo
+give-up-what-was-edited = desistir do que foi editado
+go-on-with-what-was-read-before = continuar com o que foi lido antes
+what-was-edited-cannot-be-read-faults = O que foi editado não pode ser lido. { $faults }
+what-was-edited-is-here-not-saved-yet = o que foi editado está aqui, ainda não salvo
+nothing-was-changed = nada mudou
+command-did-not-end-well-set-visual-or-editor-or-editor-in-the-settings = `{ $command }` não terminou bem: defina $VISUAL ou $EDITOR, ou `editor` na configuração
+file-is-read-again = { $file } foi lido de novo
+file-was-changed-by-another-program-and-is-read-again = { $file } foi alterado por outro programa e lido de novo
+file-was-changed-by-another-program-and-cannot-be-read-why = { $file } foi alterado por outro programa e não pode ser lido: { $why }
+file-is-not-there-any-more-saving-writes-it-again = { $file } não está mais lá; salvar grava de novo
+keep-what-is-here = manter o que está aqui
+
+# Cores e mouse
+theme-how-things-are-coloured = tema: como as coisas são coloridas
+how-are-things-to-be-coloured-the-settings-can-say-it-for-good = Como colorir as coisas? A configuração pode dizê-lo de vez.
+this-terminal-shows-no-colours-or-was-asked-to-show-none = este terminal não mostra cores, ou pediram que não mostrasse
+mouse-take-it-or-leave-it-to-the-terminal = mouse: usá-lo, ou deixá-lo com o terminal
+the-mouse-is-taken-the-terminal-s-own-selection-needs-shift-now = o mouse está em uso: a seleção do próprio terminal agora pede Shift
+the-mouse-is-the-terminal-s-own-again = o mouse é do próprio terminal de novo

@@ -49,6 +49,8 @@ pub struct Model {
     pub decimal: Option<Decimal>,
     /// Whether the mouse is taken.
     pub mouse: bool,
+    /// The column that a plot is held at by the mouse.
+    pub held: Option<u16>,
     /// Whether films move.
     pub playing: bool,
     /// How many times as fast as they are made.
@@ -284,6 +286,7 @@ impl Model {
             keys: KeyMap::default(),
             decimal: None,
             mouse: false,
+            held: None,
             playing: true,
             film_speed: 1.0,
             size: (80, 24),

@@ -60,6 +60,23 @@ pub fn render(
     canvas.draw(state, &locale, buffer);
 }
 
+/// The part of the axis at a column of the screen, from 0 to 1, and the cells of the whole of it.
+pub(crate) fn place_at(
+    plot: &Plot,
+    state: &State,
+    look: &Look,
+    locale: &Locale,
+    area: Rect,
+    column: u16,
+) -> Option<(f64, u16)> {
+    let locale = Locale { style: dalembert_units::Style { ascii: look.ascii, ..locale.style }, ..*locale };
+    let marker = if look.ascii { Marker::Ascii } else { state.marker };
+    let axes = Axes::seen(plot, None, &state.view)?;
+    let canvas = Frame::of(&axes, state, Setting { area, marker, look, locale: &locale }).canvas;
+    let inside = f64::from(column) + 0.5 - f64::from(canvas.x);
+    (canvas.width > 0).then(|| (inside / f64::from(canvas.width), canvas.width))
+}
+
 /// The pen of the curve of that place.
 pub(crate) fn pen(n: usize, of: usize, look: &Look) -> Pen {
     const STAMPS: [char; 6] = ['*', '+', 'x', 'o', '#', '%'];

@@ -5,6 +5,7 @@ mod dialog;
 mod form;
 mod pane;
 mod picker;
+mod spot;
 mod text;
 
 use std::time::Duration;
@@ -22,6 +23,7 @@ use ratatui::{
 pub(crate) use self::{
     dialog::longest_scroll_of_help,
     pane::{area_of_tab, page},
+    spot::{Spot, spot},
 };
 use crate::{
     layout,
@@ -95,19 +97,25 @@ fn focus(buffer: &Buffer) -> Option<Position> {
     Some(buffer.pos_of(at).into())
 }
 
+/// Where the title of a pane stands.
+fn title_of(area: Rect) -> Rect {
+    let inset = if layout::framed(area) { 2 } else { 0 };
+    Rect {
+        x: area.x + inset,
+        width: area.width.saturating_sub(2 * inset),
+        height: area.height.min(1),
+        ..area
+    }
+}
+
 /// A frame with a title, and what is left inside.
 fn boxed(title: &Line<'_>, focused: bool, look: &Look, area: Rect, buffer: &mut Buffer) {
-    if look.basic {
-        let inset = u16::from(layout::framed(area));
-        buffer.set_line(area.x + inset, area.y, title, area.width.saturating_sub(2 * inset));
-    } else if layout::framed(area) {
+    if layout::framed(area) && !look.basic {
         let kind = if look.ascii { BorderType::Plain } else { BorderType::Rounded };
         Block::bordered().border_type(kind).border_style(look.border(focused)).render(area, buffer);
-        let room = area.width.saturating_sub(4);
-        buffer.set_line(area.x + 2, area.y, title, room);
-    } else {
-        buffer.set_line(area.x, area.y, title, area.width);
     }
+    let title_area = title_of(area);
+    buffer.set_line(title_area.x, title_area.y, title, title_area.width);
 }
 
 /// Says at the lower edge of a frame that there are lines above and below.

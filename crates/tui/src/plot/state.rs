@@ -48,6 +48,24 @@ impl State {
         if self.view.window.is_some() && by != 0.0 { moved.showing(&axes, by, 1.0 + by) } else { moved }
     }
 
+    /// The cursor at the computed point or mark nearest to a place of the axis, from 0 to 1.
+    #[must_use]
+    pub fn pointed(self, plot: &Plot, place: f64) -> Self {
+        let Some(axes) = Axes::seen(plot, None, &self.view) else { return self };
+        let place = place.clamp(0.0, 1.0);
+        let nearest =
+            axes.stops().into_iter().min_by(|(a, _), (b, _)| (a - place).abs().total_cmp(&(b - place).abs()));
+        nearest.map_or(self, |(_, x)| Self { cursor: Some(x), ..self })
+    }
+
+    /// So many times as much of the axis, with what stands at a place of it left there; the cursor stays.
+    #[must_use]
+    pub fn zoomed_at(self, plot: &Plot, place: f64, factor: f64) -> Self {
+        let Some(axes) = Axes::seen(plot, None, &self.view) else { return self };
+        let from = place.clamp(0.0, 1.0) * (1.0 - factor);
+        self.showing(&axes, from, from + factor)
+    }
+
     /// The same state without a cursor.
     #[must_use]
     pub fn without_cursor(self) -> Self {

@@ -480,7 +480,14 @@ fn turn(model: &mut Model, by: isize) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let tabs = bench.tabs();
     let at = tabs.iter().position(|tab| *tab == bench.tab).unwrap_or(0);
-    bench.tab = tabs[(at as isize + by).rem_euclid(tabs.len() as isize) as usize];
+    let tab = tabs[(at as isize + by).rem_euclid(tabs.len() as isize) as usize];
+    show_tab(model, tab)
+}
+
+/// Shows a tab, and what it needs to be found out first.
+pub(super) fn show_tab(model: &mut Model, tab: Tab) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    bench.tab = tab;
     let (columns, rows) = model.size;
     if layout::bench(Rect::new(0, 0, columns, rows), bench.focus, bench.expanded).pane.is_none() {
         bench.focus = Focus::Pane;
@@ -492,7 +499,7 @@ fn turn(model: &mut Model, by: isize) -> Vec<Effect> {
     ask::renew(model)
 }
 
-fn load_case(model: &mut Model) -> Vec<Effect> {
+pub(super) fn load_case(model: &mut Model) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let Some(case) = bench.cases.get(bench.case).map(|judged| judged.case.clone()) else { return Vec::new() };
     let untouched = !bench.is_unsaved() && bench.file.is_none();
@@ -520,7 +527,7 @@ fn shown_lines(model: &Model) -> usize {
     area(model).map_or(1, |area| usize::from(area.height))
 }
 
-fn scroll(model: &mut Model, by: isize) {
+pub(super) fn scroll(model: &mut Model, by: isize) {
     let (Some(area), Some(bench)) = (area(model), &model.bench) else { return };
     let tab = bench.tab;
     let lines = view::page(model, bench, tab, area.width).lines.len();
@@ -532,7 +539,7 @@ fn scroll(model: &mut Model, by: isize) {
 }
 
 /// Scrolls so that the chosen case is seen from its first line.
-fn reveal_case(model: &mut Model) {
+pub(super) fn reveal_case(model: &mut Model) {
     let case = model.bench.as_ref().map_or(0, |bench| bench.case);
     bring_in(model, case);
 }

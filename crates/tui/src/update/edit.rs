@@ -7,7 +7,7 @@ use dalembert_core::{
     file::{self, Problem},
 };
 
-use super::{bench as problem, files, show};
+use super::{bench as problem, files, problems};
 use crate::{
     dialog::{Answer, Dialog},
     files::{FileError, Opened, shown},
@@ -156,7 +156,7 @@ fn take_copy(model: &mut Model, read: Problem, text: String) -> Vec<Effect> {
         let mut other = files::bench_of(model, read);
         (other.file, other.commented) = (file, text);
         other.mark_unsaved();
-        return show(model, other);
+        return problems::replace(model, other);
     }
     bench.form.replace(read.draft);
     bench.title = read.title;

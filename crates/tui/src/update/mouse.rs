@@ -1,9 +1,231 @@
-//! What the mouse does.
+//! What the mouse does: nothing that a key cannot do.
+//!
+//! A click goes to what is clicked, and a second one opens, edits or takes it, as Enter does. The wheel moves what is
+//! under the pointer, whatever has the focus. On a plot a click sets the cursor, a drag moves it or, where part of the
+//! axis is shown, moves that part, and the wheel zooms about the pointer.
 
-use ratatui::crossterm::event::MouseEvent;
+use ratatui::{
+    crossterm::event::{MouseButton, MouseEvent, MouseEventKind},
+    layout::{Position, Rect},
+};
 
-use crate::model::{Effect, Model};
+use super::{act, bench, dialog, picker};
+use crate::{
+    bench::{Bench, Focus, Tab},
+    dialog::Dialog,
+    keys::{Action, Place},
+    model::{Effect, Model},
+    plot,
+    view::{self, Spot},
+};
 
-pub(super) fn happened(_model: &mut Model, _event: MouseEvent) -> Vec<Effect> {
-    Vec::new()
+/// Lines of a text that a notch of the wheel moves it by.
+const NOTCH: isize = 3;
+/// How much of the axis is left after a notch of the wheel.
+const ZOOM: f64 = 0.8;
+
+pub(super) fn happened(model: &mut Model, event: MouseEvent) -> Vec<Effect> {
+    let at = Position::new(event.column, event.row);
+    match event.kind {
+        MouseEventKind::Down(MouseButton::Left) => {
+            let spot = view::spot(model, at);
+            model.notice = None;
+            spot.map_or_else(Vec::new, |spot| click(model, spot, at))
+        }
+        MouseEventKind::Drag(MouseButton::Left) => {
+            drag(model, at);
+            Vec::new()
+        }
+        MouseEventKind::Up(_) => {
+            model.held = None;
+            Vec::new()
+        }
+        MouseEventKind::ScrollUp => turn(model, at, true),
+        MouseEventKind::ScrollDown => turn(model, at, false),
+        _ => Vec::new(),
+    }
+}
+
+fn click(model: &mut Model, spot: Spot, at: Position) -> Vec<Effect> {
+    let place = model.place();
+    match spot {
+        Spot::Key(action) => act(model, place, action),
+        Spot::Offer(offer) => choose(model, offer),
+        Spot::Below => match model.dialog {
+            // A question stays until it is answered.
+            Some(Dialog::Choice { .. } | Dialog::Palette { .. }) => dialog::close(model),
+            _ => Vec::new(),
+        },
+        Spot::Over => Vec::new(),
+        Spot::Form(line) => field(model, line),
+        Spot::Tab(tab) => look_at(model, tab),
+        Spot::Pane(tab, inside) => {
+            let again =
+                model.bench.as_ref().is_some_and(|bench| bench.focus == Focus::Pane && bench.tab == tab);
+            let effects = look_at(model, tab);
+            match tab {
+                Tab::Plot => {
+                    point(model, inside, at);
+                    effects
+                }
+                Tab::Sources => case(model, inside, at, again, effects),
+                _ => effects,
+            }
+        }
+        Spot::Listing(line) => {
+            let Some(line) = line else { return Vec::new() };
+            let again = model.picker.case.is_none() && model.picker.chosen == line;
+            (model.picker.case, model.picker.chosen) = (None, line);
+            if again { act(model, place, Action::Enter) } else { picker::preview(model) }
+        }
+        Spot::Case(case) => {
+            let again = model.picker.case.is_some() && model.picker.case == case;
+            model.picker.case = case.or(model.picker.case);
+            if again { act(model, place, Action::Enter) } else { picker::preview(model) }
+        }
+    }
+}
+
+/// A line of the form: to it, and into it.
+fn field(model: &mut Model, line: Option<usize>) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let Some(line) = line else {
+        bench.focus = Focus::Form;
+        return Vec::new();
+    };
+    let here = bench.focus == Focus::Form && bench.form.cursor == line;
+    match (here, bench.form.edit.is_some()) {
+        (true, true) => Vec::new(),
+        (true, false) => act(model, Place::Form, Action::Enter),
+        (false, _) => {
+            bench.form.keep();
+            (bench.focus, bench.form.cursor) = (Focus::Form, line);
+            Vec::new()
+        }
+    }
+}
+
+/// To a tab.
+fn look_at(model: &mut Model, tab: Tab) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    bench.form.keep();
+    bench.focus = Focus::Pane;
+    if bench.tab == tab { Vec::new() } else { bench::show_tab(model, tab) }
+}
+
+/// A published case: to it, and into it.
+fn case(model: &mut Model, inside: Rect, at: Position, again: bool, effects: Vec<Effect>) -> Vec<Effect> {
+    let Some(shown) = &model.bench else { return effects };
+    let page = view::page(model, shown, Tab::Sources, inside.width);
+    let line = shown.scroll[Tab::Sources as usize] + usize::from(at.y.saturating_sub(inside.y));
+    let clicked = page.starts.iter().rposition(|start| *start <= line);
+    let Some(clicked) = clicked.filter(|_| inside.contains(at) && line < page.lines.len()) else {
+        return effects;
+    };
+    if again && shown.case == clicked {
+        return bench::load_case(model);
+    }
+    if let Some(shown) = &mut model.bench {
+        shown.case = clicked;
+    }
+    bench::reveal_case(model);
+    effects
+}
+
+/// Chooses what lies over the screen; what is chosen already is taken.
+fn choose(model: &mut Model, offer: usize) -> Vec<Effect> {
+    let place = model.place();
+    match &mut model.dialog {
+        Some(Dialog::Palette { chosen, .. } | Dialog::Choice { chosen, .. } | Dialog::Ask { chosen, .. })
+            if *chosen != offer =>
+        {
+            *chosen = offer;
+            Vec::new()
+        }
+        _ => act(model, place, Action::Enter),
+    }
+}
+
+/// Sets the cursor of the plot.
+fn point(model: &mut Model, inside: Rect, at: Position) {
+    let Some((place, _)) = place_at(model, inside, at.x) else { return };
+    if let Some(bench) = &mut model.bench
+        && let Some(plot) = Bench::nth(bench.plots(), bench.plot)
+    {
+        bench.plot_state = bench.plot_state.pointed(plot, place);
+        model.held = Some(at.x);
+    }
+}
+
+/// Moves the cursor of the plot that is held, or the part of the axis that is shown.
+fn drag(model: &mut Model, at: Position) {
+    let Some(held) = model.held else { return };
+    let Some(Spot::Pane(Tab::Plot, inside)) = view::spot(model, at) else { return };
+    let Some((place, cells)) = place_at(model, inside, at.x) else { return };
+    let Some(bench) = &mut model.bench else { return };
+    let Some(plot) = Bench::nth(bench.plots(), bench.plot) else { return };
+    let state: plot::State = bench.plot_state;
+    bench.plot_state = if state.view.window.is_some() {
+        state.panned(plot, (f64::from(held) - f64::from(at.x)) / f64::from(cells))
+    } else {
+        state.pointed(plot, place)
+    };
+    model.held = Some(at.x);
+}
+
+/// The wheel.
+fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Effect> {
+    let action = if up { Action::Up } else { Action::Down };
+    let by = if up { -NOTCH } else { NOTCH };
+    let place = model.place();
+    match view::spot(model, at) {
+        _ if matches!(model.dialog, Some(Dialog::Help { .. })) => {
+            (0..NOTCH).flat_map(|_| act(model, place, action)).collect()
+        }
+        Some(Spot::Offer(_) | Spot::Over) if matches!(place, Place::List | Place::Prompt) => {
+            act(model, place, action)
+        }
+        Some(Spot::Form(_)) => {
+            if let Some(bench) = &mut model.bench {
+                bench.form.keep();
+                bench.form.step(if up { -1 } else { 1 });
+            }
+            Vec::new()
+        }
+        Some(Spot::Pane(Tab::Plot, inside)) => {
+            let Some((place, _)) = place_at(model, inside, at.x) else { return Vec::new() };
+            if let Some(bench) = &mut model.bench
+                && let Some(plot) = Bench::nth(bench.plots(), bench.plot)
+            {
+                let factor = if up { ZOOM } else { 1.0 / ZOOM };
+                bench.plot_state = bench.plot_state.zoomed_at(plot, place, factor);
+            }
+            Vec::new()
+        }
+        Some(Spot::Pane(Tab::Drawing, _)) => {
+            act(model, Place::Drawing, if up { Action::PreviousFrame } else { Action::NextFrame })
+        }
+        Some(Spot::Pane(tab, _)) => {
+            let Some(shown) = &mut model.bench else { return Vec::new() };
+            let before = std::mem::replace(&mut shown.tab, tab);
+            bench::scroll(model, by);
+            if let Some(shown) = &mut model.bench {
+                shown.tab = before;
+            }
+            Vec::new()
+        }
+        Some(Spot::Listing(_)) => {
+            model.picker.case = None;
+            act(model, place, action)
+        }
+        Some(Spot::Case(_)) if model.picker.case.is_some() => act(model, place, action),
+        _ => Vec::new(),
+    }
+}
+
+/// The part of the axis of the shown plot at a column of the screen, and the cells of the whole of it.
+fn place_at(model: &Model, inside: Rect, column: u16) -> Option<(f64, u16)> {
+    let bench = model.bench.as_ref()?;
+    let (plot, _) = bench.shown_plot()?;
+    plot::place_at(plot, &bench.plot_state, &model.look, &model.locale, inside, column)
 }

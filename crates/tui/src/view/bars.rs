@@ -3,7 +3,7 @@
 use dalembert_core::{Shape, Text};
 use ratatui::{
     buffer::Buffer,
-    layout::Rect,
+    layout::{Position, Rect},
     text::{Line, Span},
     widgets::{Clear, Widget},
 };
@@ -83,7 +83,47 @@ pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
         draw_notice(model, notice, area, buffer);
         return;
     }
-    buffer.set_line(area.x + 1, area.y, &hints(model, model.place(), room), area.width.saturating_sub(1));
+    let look = &model.look;
+    let mut line = Line::default();
+    for hint in hints(model, model.place(), room) {
+        if !line.spans.is_empty() {
+            line.push_span(Span::raw(" ".repeat(GAP)));
+        }
+        line.push_span(Span::styled(hint.keys, look.key()));
+        line.push_span(Span::styled(format!(" {}", hint.name), look.dim()));
+    }
+    buffer.set_line(area.x + 1, area.y, &line, area.width.saturating_sub(1));
+}
+
+/// What the hint does that is drawn at a place of the footer.
+pub(super) fn action_at(model: &Model, area: Rect, at: Position) -> Option<Action> {
+    if model.notice.is_some() || !area.contains(at) {
+        return None;
+    }
+    let mut offset = usize::from(at.x).checked_sub(usize::from(area.x) + 1)?;
+    for hint in hints(model, model.place(), usize::from(area.width).saturating_sub(2)) {
+        let cells = width(&hint.keys) + 1 + width(&hint.name);
+        if offset < cells {
+            // Of two keys side by side each does its own.
+            let first = hint.keys.split(' ').next().map_or(0, width);
+            return Some(match hint.pair {
+                Some((one, _)) if offset < first => one,
+                Some((_, other)) if offset > first && offset < width(&hint.keys) => other,
+                _ => hint.action,
+            });
+        }
+        offset = offset.checked_sub(cells + GAP)?;
+    }
+    None
+}
+
+/// A key of the footer.
+struct Hint {
+    action: Action,
+    /// The actions of two keys side by side.
+    pair: Option<(Action, Action)>,
+    keys: String,
+    name: String,
 }
 
 /// A word to the person, at the foot of the screen and as far up as it needs.
@@ -107,20 +147,20 @@ fn draw_notice(model: &Model, notice: &Notice, foot: Rect, buffer: &mut Buffer) 
 }
 
 /// As many keys of a place as there is room for; the way on is always among them: the help, or that out of a dialog.
-fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
-    let look = &model.look;
+fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
     let written = |bound: &Bound| {
         let binding = bound.binding;
-        let keys = match pair(binding.action, place) {
+        let pair = pair(binding.action, place);
+        let keys = match pair {
             Some((one, other)) => {
                 let keys = [one, other].map(|action| model.keys.key(place, action));
                 keys.iter().filter(|key| !key.is_empty()).map(String::as_str).collect::<Vec<_>>().join(" ")
             }
             None => bound.keys.first().map_or_else(String::new, |key| key.name()),
         };
-        (keys, word(binding.hint, model))
+        Hint { action: binding.action, pair, keys, name: word(binding.hint, model) }
     };
-    let cells = |(keys, hint): &(String, String)| width(keys) + 1 + width(hint);
+    let cells = |hint: &Hint| width(&hint.keys) + 1 + width(&hint.name);
     let has_film = film(model).is_some();
     let serves = |bound: &&Bound| match bound.binding.action {
         Action::Play | Action::PreviousFrame => has_film,
@@ -148,7 +188,7 @@ fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
         .map(|bound| cells(&written(bound)) + GAP)
         .sum::<usize>()
         .min(left);
-    let mut line = Line::default();
+    let mut shown = Vec::new();
     for bound in all {
         let hint = written(bound);
         if bound.binding.action != always {
@@ -157,13 +197,9 @@ fn hints(model: &Model, place: Place, room: usize) -> Line<'static> {
             }
             left -= cells(&hint) + GAP;
         }
-        if !line.spans.is_empty() {
-            line.push_span(Span::raw(" ".repeat(GAP)));
-        }
-        line.push_span(Span::styled(hint.0, look.key()));
-        line.push_span(Span::styled(format!(" {}", hint.1), look.dim()));
+        shown.push(hint);
     }
-    line
+    shown
 }
 
 /// The two actions whose keys a hint shows side by side.

@@ -11,7 +11,7 @@ use ratatui::{
 use tui_input::Input;
 
 use super::{
-    bars, boxed, draw_lines, scroll_mark,
+    Spot, bars, boxed, draw_lines, scroll_mark,
     text::{fit, padded, shortened, width, wrapped},
     word,
 };
@@ -44,7 +44,8 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
         }
         Dialog::Palette { input, chosen } => draw_palette(model, input, *chosen, screen, footer, buffer),
         Dialog::Choice { options, chosen, .. } => {
-            draw_choice(model, options, *chosen, screen, buffer);
+            let laid = lay_choice(model, options, *chosen, screen);
+            laid.draw(model, &word("Choose one", model), buffer);
             bars::footer(model, footer, buffer);
             None
         }
@@ -78,7 +79,8 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
             draw_input(model, input, "", style, Rect { height: inner.height.min(1), ..inner }, buffer)
         }
         Dialog::Ask { question, answers, chosen } => {
-            draw_question(model, &question.render(&model.locale), answers, *chosen, screen, buffer);
+            let laid = lay_question(model, &question.render(&model.locale), answers, *chosen, screen);
+            laid.draw(model, "", buffer);
             bars::footer(model, footer, buffer);
             None
         }
@@ -100,6 +102,38 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
             bars::footer(model, footer, buffer);
             Some(cursor)
         }
+    }
+}
+
+/// What lies at a place, where this lies over the screen.
+pub(super) fn spot(model: &Model, dialog: &Dialog, screen: Rect, at: Position) -> Spot {
+    let [_, _, _, footer] = layout::frame(screen);
+    let laid = match dialog {
+        Dialog::Choice { options, chosen, .. } => lay_choice(model, options, *chosen, screen),
+        Dialog::Ask { question, answers, chosen } => {
+            lay_question(model, &question.render(&model.locale), answers, *chosen, screen)
+        }
+        Dialog::Palette { input, chosen } => {
+            let area = palette_area(screen, footer);
+            let offers = offered(model, input.value()).len();
+            let inside = layout::inside(area);
+            let first = chosen.saturating_sub(usize::from(inside.height).saturating_sub(1));
+            let row = usize::from(at.y.saturating_sub(inside.y));
+            return match area.contains(at) || footer.contains(at) {
+                true if inside.contains(at) && first + row < offers => Spot::Offer(first + row),
+                true => Spot::Over,
+                false => Spot::Below,
+            };
+        }
+        Dialog::Help { .. } | Dialog::Message { .. } | Dialog::Prompt { .. } | Dialog::Sheet(_) => {
+            return Spot::Over;
+        }
+    };
+    let row = usize::from(at.y.saturating_sub(laid.inside.y));
+    match laid.owners.get(laid.first + row) {
+        Some(Some(offer)) if laid.inside.contains(at) => Spot::Offer(*offer),
+        _ if laid.area.contains(at) => Spot::Over,
+        _ => Spot::Below,
     }
 }
 
@@ -191,9 +225,8 @@ fn draw_palette(
 ) -> Option<Position> {
     let look = &model.look;
     let offers = offered(model, input.value());
-    let rows = OFFERED.min(usize::from(screen.height.saturating_sub(4)));
-    let height = rows as u16 + 2;
-    let area = Rect::new(screen.x, footer.y.saturating_sub(height), screen.width.min(56), height);
+    let area = palette_area(screen, footer);
+    let rows = usize::from(area.height).saturating_sub(2);
     if rows > 0 {
         Clear.render(area, buffer);
         framed(model, &word("Every action", model), area, buffer);
@@ -215,6 +248,12 @@ fn draw_palette(
     }
     Clear.render(footer, buffer);
     draw_input(model, input, ":", Style::new(), footer, buffer)
+}
+
+/// Where the palette offers what may be meant.
+fn palette_area(screen: Rect, footer: Rect) -> Rect {
+    let height = OFFERED.min(usize::from(screen.height.saturating_sub(4))) as u16 + 2;
+    Rect::new(screen.x, footer.y.saturating_sub(height), screen.width.min(56), height)
 }
 
 /// A line of text with its cursor.
@@ -241,16 +280,37 @@ fn draw_input(
     ))
 }
 
+/// Lines with what may be chosen among them, as they are drawn.
+struct Laid {
+    lines: Vec<Line<'static>>,
+    /// What each line chooses.
+    owners: Vec<Option<usize>>,
+    /// The first line that is seen.
+    first: usize,
+    /// All of it, with its frame if it has one.
+    area: Rect,
+    inside: Rect,
+}
+
+impl Laid {
+    fn draw(&self, model: &Model, title: &str, buffer: &mut Buffer) {
+        Clear.render(self.area, buffer);
+        if self.area != self.inside {
+            framed(model, title, self.area, buffer);
+        }
+        draw_lines(&self.lines, self.first, self.inside, buffer);
+    }
+}
+
 /// A question above its answers. Where there is little room the frame goes first and then the end of the question,
 /// since every answer must be seen.
-fn draw_question(
+fn lay_question(
     model: &Model,
     question: &str,
     answers: &[(&'static str, Answer)],
     chosen: usize,
     screen: Rect,
-    buffer: &mut Buffer,
-) {
+) -> Laid {
     let question = filter_untrusted(question);
     let rows = usize::from(screen.height.saturating_sub(1));
     let framed = answers.len() + 4 <= rows;
@@ -269,19 +329,20 @@ fn draw_question(
     let asked = shortened(asked, rows.saturating_sub(answers.len() + gap), room, &model.look);
     let mut lines: Vec<Line<'static>> = asked.into_iter().map(Line::from).collect();
     lines.extend(std::iter::repeat_n(Line::default(), gap));
+    let mut owners = vec![None; lines.len()];
+    owners.extend((0..answers.len()).map(Some));
     lines.extend(shown);
     if framed {
-        draw_box(model, "", &lines, screen, buffer);
-    } else {
-        // With no room for all the answers either, the chosen one is among those that are seen.
-        let first = (lines.len() - answers.len() + chosen + 1).saturating_sub(rows);
-        let area = Rect { height: lines.len().min(rows) as u16, ..screen };
-        Clear.render(area, buffer);
-        draw_lines(&lines, first, area, buffer);
+        let area = box_of("", &lines, screen);
+        return Laid { lines, owners, first: 0, area, inside: layout::inside(area) };
     }
+    // With no room for all the answers either, the chosen one is among those that are seen.
+    let first = (lines.len() - answers.len() + chosen + 1).saturating_sub(rows);
+    let area = Rect { height: lines.len().min(rows) as u16, ..screen };
+    Laid { lines, owners, first, area, inside: area }
 }
 
-fn draw_choice(model: &Model, options: &[Choice], chosen: usize, screen: Rect, buffer: &mut Buffer) {
+fn lay_choice(model: &Model, options: &[Choice], chosen: usize, screen: Rect) -> Laid {
     let look = &model.look;
     let room = usize::from(box_width(screen)).saturating_sub(4);
     let help: Vec<Line<'static>> = options
@@ -294,18 +355,16 @@ fn draw_choice(model: &Model, options: &[Choice], chosen: usize, screen: Rect, b
         .collect();
     let most = usize::from(screen.height.saturating_sub(4)).saturating_sub(help.len() + 1).max(1);
     let first = (chosen + 1).saturating_sub(most);
-    let mut lines: Vec<Line<'static>> = options
-        .iter()
-        .enumerate()
-        .skip(first)
-        .take(most)
-        .map(|(n, choice)| option(model, &choice.label, n == chosen, room))
-        .collect();
+    let seen = options.iter().enumerate().skip(first).take(most);
+    let owners = seen.clone().map(|(n, _)| Some(n)).collect();
+    let mut lines: Vec<Line<'static>> =
+        seen.map(|(n, choice)| option(model, &choice.label, n == chosen, room)).collect();
     if !help.is_empty() {
         lines.push(Line::default());
         lines.extend(help);
     }
-    draw_box(model, &word("Choose one", model), &lines, screen, buffer);
+    let area = box_of(&word("Choose one", model), &lines, screen);
+    Laid { lines, owners, first: 0, area, inside: layout::inside(area) }
 }
 
 fn draw_sheet(model: &Model, sheet: &Sheet, area: Rect, buffer: &mut Buffer) -> Position {
@@ -334,14 +393,20 @@ fn option(model: &Model, name: &str, chosen: bool, room: usize) -> Line<'static>
 }
 
 fn draw_box(model: &Model, title: &str, lines: &[Line<'static>], screen: Rect, buffer: &mut Buffer) {
+    let area = box_of(title, lines, screen);
+    Clear.render(area, buffer);
+    framed(model, title, area, buffer);
+    draw_lines(lines, 0, layout::inside(area), buffer);
+}
+
+/// The box around lines.
+fn box_of(title: &str, lines: &[Line<'static>], screen: Rect) -> Rect {
     let longest = lines.iter().map(Line::width).max().unwrap_or(0).max(width(title) + 4);
     let columns = u16::try_from(longest + 4).unwrap_or(u16::MAX).min(box_width(screen));
     let mut area = centred(screen, lines.len() + 2);
     area.x += (area.width - columns) / 2;
     area.width = columns;
-    Clear.render(area, buffer);
-    framed(model, title, area, buffer);
-    draw_lines(lines, 0, layout::inside(area), buffer);
+    area
 }
 
 fn framed(model: &Model, title: &str, area: Rect, buffer: &mut Buffer) {

@@ -63,44 +63,73 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
         });
     }
     boxed(&Shown::from(title), focused, look, area, buffer);
-    let mut inner = layout::inside(area);
-    if layout::framed(area) {
-        // The pointer is margin enough.
-        inner.x -= 1;
-        inner.width += 2;
-    }
-    let lines = bench.form.lines();
-    let columns = columns(model, &lines, inner.width.into());
-    let mut rows: Vec<Shown<'static>> = Vec::new();
-    let mut cursor = None;
-    let (mut begin, mut end) = (0, 0);
-    for (n, line) in lines.iter().enumerate() {
-        let under_cursor = n == bench.form.cursor;
-        if under_cursor {
-            begin = rows.len();
-        }
-        let (row, column) = draw_line(model, bench, line, under_cursor, &columns);
-        if let Some(column) = column {
-            cursor = Some((rows.len(), column));
-        }
-        rows.push(row);
-        rows.extend(draw_errors(model, bench, line, under_cursor, inner.width.into()));
-        if under_cursor {
-            end = rows.len();
-        }
-    }
-    let height = usize::from(inner.height);
-    let last = rows.len().saturating_sub(height);
-    // The line of the cursor stays near the middle, with all of its error.
-    let first = begin.saturating_sub(height / 2).max(end.saturating_sub(height)).min(begin).min(last);
-    super::draw_lines(&rows, first, inner, buffer);
-    scroll_mark(first, height, rows.len(), look, area, buffer);
-    let (row, column) = cursor?;
-    let y = row.checked_sub(first).filter(|y| *y < height)?;
+    let laid = Laid::of(model, bench, area);
+    let height = usize::from(laid.inner.height);
+    super::draw_lines(&laid.rows, laid.first, laid.inner, buffer);
+    scroll_mark(laid.first, height, laid.rows.len(), look, area, buffer);
+    let (row, column) = laid.cursor?;
+    let y = row.checked_sub(laid.first).filter(|y| *y < height)?;
     Some(Position::new(
-        inner.x + column.min(usize::from(inner.width).saturating_sub(1)) as u16,
-        inner.y + y as u16,
+        laid.inner.x + column.min(usize::from(laid.inner.width).saturating_sub(1)) as u16,
+        laid.inner.y + y as u16,
     ))
+}
+
+/// The line of the form that is drawn at a place of the screen.
+pub(super) fn line_at(model: &Model, bench: &Bench, area: Rect, at: Position) -> Option<usize> {
+    let laid = Laid::of(model, bench, area);
+    let row = usize::from(at.y.checked_sub(laid.inner.y)?);
+    laid.owners.get(laid.first + row).copied().filter(|_| laid.inner.contains(at))
+}
+
+/// The form as it is drawn.
+struct Laid {
+    rows: Vec<Shown<'static>>,
+    /// The line that each row belongs to.
+    owners: Vec<usize>,
+    /// Row and column of the cursor of an edit.
+    cursor: Option<(usize, usize)>,
+    /// The first row that is seen.
+    first: usize,
+    inner: Rect,
+}
+
+impl Laid {
+    fn of(model: &Model, bench: &Bench, area: Rect) -> Self {
+        let mut inner = layout::inside(area);
+        if layout::framed(area) {
+            // The pointer is margin enough.
+            inner.x -= 1;
+            inner.width += 2;
+        }
+        let lines = bench.form.lines();
+        let columns = columns(model, &lines, inner.width.into());
+        let mut rows: Vec<Shown<'static>> = Vec::new();
+        let mut owners = Vec::new();
+        let mut cursor = None;
+        let (mut begin, mut end) = (0, 0);
+        for (n, line) in lines.iter().enumerate() {
+            let under_cursor = n == bench.form.cursor;
+            if under_cursor {
+                begin = rows.len();
+            }
+            let (row, column) = draw_line(model, bench, line, under_cursor, &columns);
+            if let Some(column) = column {
+                cursor = Some((rows.len(), column));
+            }
+            rows.push(row);
+            rows.extend(draw_errors(model, bench, line, under_cursor, inner.width.into()));
+            owners.resize(rows.len(), n);
+            if under_cursor {
+                end = rows.len();
+            }
+        }
+        let height = usize::from(inner.height);
+        let last = rows.len().saturating_sub(height);
+        // The line of the cursor stays near the middle, with all of its error.
+        let first = begin.saturating_sub(height / 2).max(end.saturating_sub(height)).min(begin).min(last);
+        Self { rows, owners, cursor, first, inner }
+    }
 }
 
 fn columns(model: &Model, lines: &[Line], room: usize) -> Columns {

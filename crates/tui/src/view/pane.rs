@@ -3,8 +3,8 @@
 use dalembert_core::{Exhibit, FieldError, Text};
 use ratatui::{
     buffer::Buffer,
-    layout::Rect,
-    style::Modifier,
+    layout::{Position, Rect},
+    style::{Modifier, Style},
     text::{Line, Span},
 };
 
@@ -30,26 +30,57 @@ const LEAST_UNDER_BAR: u16 = 5;
 
 /// Draws every pane of what was found.
 pub(super) fn draw(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buffer) {
-    let Some(pane) = areas.pane else { return };
+    for (tab, area, tabs) in panes(model, bench, areas) {
+        let title = match tabs {
+            Some(tabs) => tab_bar(model, bench, &tabs, area.width),
+            None => tab_title(model, bench, tab),
+        };
+        draw_tab(model, bench, tab, &title, area, buffer);
+    }
+}
+
+/// The panes that are seen: what each shows, where, and the tabs that are named above it.
+fn panes(model: &Model, bench: &Bench, areas: &Areas) -> Vec<(Tab, Rect, Option<Vec<Tab>>)> {
+    let Some(pane) = areas.pane else { return Vec::new() };
     let Some(picture) = areas.picture else {
-        draw_tab(model, bench, bench.tab, &tab_bar(model, bench, &bench.tabs(), pane.width), pane, buffer);
-        return;
+        return vec![(bench.tab, pane, Some(bench.tabs()))];
     };
     // Pictures have a column of their own.
     let tabs: Vec<Tab> = bench.tabs().into_iter().filter(|tab| !tab.is_picture()).collect();
-    let bar = tab_bar(model, bench, &tabs, pane.width);
-    if bench.tab.is_alone() {
-        draw_tab(model, bench, bench.tab, &bar, pane, buffer);
+    let mut panes = if bench.tab == Tab::Table || bench.tab == Tab::Sources {
+        vec![(bench.tab, pane, Some(tabs))]
     } else {
         let [upper, lower] = stacked(model, bench, pane);
-        draw_tab(model, bench, Tab::Results, &bar, upper, buffer);
-        draw_tab(model, bench, Tab::Working, &tab_title(model, bench, Tab::Working), lower, buffer);
-    }
+        vec![(Tab::Results, upper, Some(tabs)), (Tab::Working, lower, None)]
+    };
     let [upper, lower] = pictures(bench, picture);
-    draw_tab(model, bench, Tab::Plot, &tab_title(model, bench, Tab::Plot), upper, buffer);
+    panes.push((Tab::Plot, upper, None));
     if !lower.is_empty() {
-        draw_tab(model, bench, Tab::Drawing, &tab_title(model, bench, Tab::Drawing), lower, buffer);
+        panes.push((Tab::Drawing, lower, None));
     }
+    panes
+}
+
+/// The pane at a place of the screen, its inside, and the tab whose name stands just there.
+pub(super) fn pane_at(
+    model: &Model,
+    bench: &Bench,
+    areas: &Areas,
+    at: Position,
+) -> Option<(Tab, Rect, Option<Tab>)> {
+    let (tab, area, tabs) = panes(model, bench, areas).into_iter().find(|(_, area, _)| area.contains(at))?;
+    let title = super::title_of(area);
+    let named = tabs.filter(|_| title.contains(at)).and_then(|tabs| {
+        let mut offset = usize::from(at.x - title.x);
+        for (named, cells) in bar(model, bench, &tabs, area.width).cells {
+            match offset.checked_sub(cells) {
+                Some(rest) => offset = rest,
+                None => return named,
+            }
+        }
+        None
+    });
+    Some((tab, layout::inside(area), named))
 }
 
 /// Whether a drawing or film is on the screen.
@@ -305,6 +336,16 @@ fn covered(model: &Model, width: u16) -> Page {
 
 /// The names of these tabs, the chosen one marked; where there is no room for all, those around it.
 fn tab_bar(model: &Model, bench: &Bench, tabs: &[Tab], columns: u16) -> Line<'static> {
+    bar(model, bench, tabs, columns).line
+}
+
+/// A line of tabs, and what its cells belong to, from left to right.
+struct Bar {
+    line: Line<'static>,
+    cells: Vec<(Option<Tab>, usize)>,
+}
+
+fn bar(model: &Model, bench: &Bench, tabs: &[Tab], columns: u16) -> Bar {
     let names: Vec<String> = tabs
         .iter()
         .map(|tab| match place_of_shown(bench, *tab).filter(|_| *tab == bench.tab) {
@@ -327,9 +368,14 @@ fn tab_bar(model: &Model, bench: &Bench, tabs: &[Tab], columns: u16) -> Line<'st
     }
     let look = &model.look;
     let focused = bench.focus == Focus::Pane;
-    let mut line = Line::from(" ");
+    let mut bar = Bar { line: Line::default(), cells: Vec::new() };
+    let mut push = |tab: Option<Tab>, text: String, style: Style| {
+        bar.cells.push((tab, width(&text)));
+        bar.line.push_span(Span::styled(text, style));
+    };
+    push(None, " ".into(), Style::new());
     if first > 0 {
-        line.push_span(Span::styled(format!("{} ", look.glyph(Glyph::Left)), look.dim()));
+        push(Some(tabs[first - 1]), format!("{} ", look.glyph(Glyph::Left)), look.dim());
     }
     for (n, name) in names.iter().enumerate().take(end).skip(first) {
         let style = match (tabs[n] == bench.tab, focused) {
@@ -337,13 +383,13 @@ fn tab_bar(model: &Model, bench: &Bench, tabs: &[Tab], columns: u16) -> Line<'st
             (true, false) => look.title().add_modifier(Modifier::UNDERLINED),
             (false, _) => look.dim(),
         };
-        line.push_span(Span::styled(name.clone(), style));
-        line.push_span(" ");
+        push(Some(tabs[n]), name.clone(), style);
+        push(None, " ".into(), Style::new());
     }
     if end < names.len() {
-        line.push_span(Span::styled(format!("{} ", look.glyph(Glyph::Right)), look.dim()));
+        push(Some(tabs[end]), format!("{} ", look.glyph(Glyph::Right)), look.dim());
     }
-    line
+    bar
 }
 
 /// The name of a tab that has a frame of its own, and which of several it shows.

@@ -8,7 +8,7 @@ use ratatui::{
 };
 
 use super::{
-    boxed, draw_lines, scroll_mark,
+    Spot, boxed, draw_lines, scroll_mark,
     text::{fit, padded, width, wrapped},
     word,
 };
@@ -36,6 +36,15 @@ pub(super) fn draw(model: &Model, body: Rect, buffer: &mut Buffer) -> Option<Pos
         draw_preview(model, listing, area, buffer);
     }
     cursor
+}
+
+/// What lies at a place of the screen.
+pub(super) fn spot(_model: &Model, body: Rect, at: Position) -> Option<Spot> {
+    let (list, preview) = layout::picker(body);
+    if list.contains(at) {
+        return Some(Spot::Listing(None));
+    }
+    preview.filter(|preview| preview.contains(at)).map(|_| Spot::Case(None))
 }
 
 fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position> {
