@@ -175,11 +175,13 @@ impl Change {
                         .with("place", place.id()),
                 );
             }
-            let in_form = self.place.map_or_else(|| does(&Place::Form), |place| place == Place::Form);
-            (in_form && key.begins_a_number()).then(|| {
+            // There a digit begins a text.
+            let typed = [Place::Form, Place::Cells].into_iter().filter(does);
+            let place = typed.filter(|_| key.begins_a_number()).find(|place| self.place.is_none_or(|at| at == *place));
+            place.map(|place| {
                 Text::new("`{key}` begins a number in [keys.{place}]: take another key")
                     .with("key", key.id())
-                    .with("place", Place::Form.id())
+                    .with("place", place.id())
             })
         })
     }

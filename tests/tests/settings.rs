@@ -1,0 +1,450 @@
+//! What a person sets: keys, themes, the mouse, the editor; and files that other programs change.
+
+use std::{fs, os::unix::fs::PermissionsExt, path::Path, time::Duration};
+
+use dalembert_core::Locale;
+use dalembert_tests::{
+    person::Person,
+    pty::{self, Launch, Pty},
+};
+use dalembert_tui::{
+    Msg,
+    keys::{Action, Place},
+    look::Theme,
+    settings,
+};
+use ratatui::{
+    crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind},
+    style::Color,
+};
+
+const FAN: &str = "vibration/rotating-unbalance";
+
+fn fan(columns: u16, rows: u16) -> Person {
+    Person::at(columns, rows).opens(FAN)
+}
+
+/// The fan before a person with these settings.
+fn fan_with(text: &str) -> Person {
+    let (settings, faults) = settings::parse(text);
+    assert_eq!(faults, [], "{text}");
+    let mut person = fan(90, 30);
+    person.model.adopt(&settings);
+    person
+}
+
+fn mouse(person: &mut Person, kind: MouseEventKind, column: u16, row: u16) {
+    person.happens(Msg::Mouse(MouseEvent { kind, column, row, modifiers: KeyModifiers::NONE }));
+}
+
+/// Where a text begins on the screen.
+fn place(person: &mut Person, text: &str) -> (u16, u16) {
+    let screen = person.sees();
+    let found = screen.lines().enumerate().find_map(|(row, line)| Some((line, row, line.find(text)?)));
+    let (line, row, at) = found.unwrap_or_else(|| panic!("`{text}` is not on the screen:\n{screen}"));
+    (line[..at].chars().count() as u16, row as u16)
+}
+
+fn click(person: &mut Person, text: &str) {
+    let (column, row) = place(person, text);
+    mouse(person, MouseEventKind::Down(MouseButton::Left), column, row);
+    mouse(person, MouseEventKind::Up(MouseButton::Left), column, row);
+}
+
+#[test]
+fn the_footer_the_help_and_the_palette_show_the_keys_that_hold() {
+    let mut person = fan_with("[keys]\nnext-tab = \"f6\"\nprevious-tab = \"f5\"\nundo = \"ctrl-x\"\nsave = []\n");
+    let footer = person.sees().lines().last().unwrap_or_default().to_owned();
+    assert!(footer.contains("F5 F6 tabs") && footer.contains("Ctrl-X undo"), "{footer}");
+    assert!(!footer.contains(" s save"), "{footer}");
+    let before = person.sees();
+    assert_eq!(person.types("]").sees(), before, "a key that was moved does nothing at its old place");
+    person.types("<f6>");
+    assert!(person.sees().contains("reason") || person.sees() != before);
+    person.types("?<pgdn><pgdn><pgdn><pgdn>");
+    let help = person.sees();
+    assert!(help.contains("Ctrl-X") || person.types("<pgup>").sees().contains("Ctrl-X"), "{help}");
+    person.types("<esc>:undo");
+    assert!(person.sees().lines().any(|line| line.contains("undo") && line.contains("Ctrl-X")));
+}
+
+#[test]
+fn what_is_set_holds_from_the_first_frame() {
+    let mut person = fan_with("decimal = \"comma\"\ndigits = 3\nfilm-speed = 0\n");
+    assert!(person.sees().contains("19,5 mm"), "{}", person.sees());
+    assert!(!person.model.playing);
+    // The mark outlives a change of the language.
+    person.types("LL");
+    assert!(person.sees().contains("19,5 mm"), "{}", person.sees());
+}
+
+#[test]
+fn every_action_has_a_key_or_a_name_and_stands_in_the_file_of_settings() {
+    let file = settings::default_file(&Locale::english());
+    for place in Place::ALL {
+        for binding in place.bindings() {
+            assert!(!binding.name.is_empty(), "{binding:?}");
+            assert!(file.contains(&format!("# {} = ", binding.action.id())), "{binding:?}");
+            // What has no key can be reached in the palette alone.
+            assert!(!binding.keys.is_empty() || !place.is_text(), "{binding:?}");
+        }
+    }
+    // Every action that has a name in the settings stands in a table.
+    let names = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/tui/src/keys/names.rs"))
+        .expect("the source is there");
+    let ids: Vec<&str> = names
+        .lines()
+        .filter(|line| line.trim_start().starts_with("Action::"))
+        .filter_map(|line| line.split('"').nth(1))
+        .collect();
+    assert!(ids.len() > 50, "{ids:?}");
+    for id in ids {
+        let stands = Place::ALL.into_iter().flat_map(Place::bindings).any(|binding| binding.action.id() == id);
+        assert!(stands, "{id} stands in no table");
+    }
+}
+
+#[test]
+fn a_theme_is_chosen_by_name_and_colours_every_cell() {
+    let mut person = fan(80, 24);
+    person.types(":theme<enter>");
+    assert!(person.sees().contains("high contrast"), "{}", person.sees());
+    person.types("<down><enter>");
+    assert_eq!(person.model.look.theme, Theme::Dark);
+    let buffer = person.draws();
+    assert!(buffer.content.iter().all(|cell| cell.fg != Color::Reset && cell.bg == Color::Black));
+    person.types(":theme<enter><end><enter>");
+    let buffer = person.draws();
+    assert!(buffer.content.iter().all(|cell| cell.fg == Color::Reset && cell.bg == Color::Reset));
+    let mut person = Person::in_ascii(80, 24).opens(FAN);
+    assert!(person.types(":theme<enter>").sees().contains("shows no colours"));
+}
+
+#[test]
+fn a_click_goes_there_and_a_second_one_enters() {
+    let mut person = fan(90, 30);
+    click(&mut person, "0.1 kg");
+    assert_eq!(person.model.place(), Place::Form);
+    assert!(person.sees().contains("▸ Unbalance"), "{}", person.sees());
+    click(&mut person, "0.1 kg");
+    assert_eq!(person.model.place(), Place::Edit);
+    person.types("<esc>");
+    click(&mut person, "Working");
+    assert_eq!(person.model.place(), Place::Working);
+    click(&mut person, "Plot");
+    assert_eq!(person.model.place(), Place::Plot);
+    // A key of the footer: what is clicked is done.
+    click(&mut person, "Tab edit inputs");
+    assert_eq!(person.model.place(), Place::Form);
+    // Of two keys side by side each is its own.
+    let (column, row) = place(&mut person, "[ ] tabs");
+    let tab = person.model.bench.as_ref().map(|bench| bench.tab);
+    mouse(&mut person, MouseEventKind::Down(MouseButton::Left), column + 2, row);
+    let next = person.model.bench.as_ref().map(|bench| bench.tab);
+    mouse(&mut person, MouseEventKind::Down(MouseButton::Left), column, row);
+    assert_eq!(person.model.bench.as_ref().map(|bench| bench.tab), tab);
+    assert_ne!(next, tab);
+}
+
+#[test]
+fn a_dialog_is_chosen_from_and_left_by_the_mouse() {
+    let mut person = fan(90, 30);
+    person.types(":");
+    click(&mut person, "help");
+    assert!(person.sees().contains("▸ help"), "{}", person.sees());
+    click(&mut person, "help");
+    assert!(person.sees().contains("What keys do"), "{}", person.sees());
+    let before = person.sees();
+    mouse(&mut person, MouseEventKind::ScrollDown, 10, 10);
+    assert_ne!(person.sees(), before);
+    person.types("<esc>:theme<enter>");
+    click(&mut person, " light ");
+    click(&mut person, " light ");
+    assert_eq!(person.model.look.theme, Theme::Light);
+    // Beside it the palette is left, a question is not.
+    person.types(":");
+    mouse(&mut person, MouseEventKind::Down(MouseButton::Left), 85, 3);
+    assert!(person.model.dialog.is_none());
+    person.types(":theme<enter>");
+    mouse(&mut person, MouseEventKind::Down(MouseButton::Left), 1, 3);
+    assert!(person.model.dialog.is_some());
+}
+
+#[test]
+fn the_wheel_moves_what_is_under_the_pointer() {
+    let mut person = fan(90, 20);
+    click(&mut person, "Working");
+    click(&mut person, "Mass");
+    let before = person.sees();
+    mouse(&mut person, MouseEventKind::ScrollDown, 70, 10);
+    assert_ne!(person.sees(), before);
+    assert_eq!(person.model.place(), Place::Form, "the focus stays");
+    mouse(&mut person, MouseEventKind::ScrollUp, 70, 10);
+    assert_eq!(person.sees(), before);
+}
+
+#[test]
+fn a_plot_is_pointed_at_zoomed_and_dragged() {
+    let mut person = fan(90, 30);
+    click(&mut person, "Plot");
+    let cursor = |person: &Person| person.model.bench.as_ref().and_then(|bench| bench.plot_state.cursor);
+    let window = |person: &Person| person.model.bench.as_ref().and_then(|bench| bench.plot_state.view.window);
+    assert_eq!(cursor(&person), None);
+    mouse(&mut person, MouseEventKind::Down(MouseButton::Left), 60, 15);
+    let first = cursor(&person).expect("a cursor");
+    mouse(&mut person, MouseEventKind::Drag(MouseButton::Left), 75, 15);
+    let dragged = cursor(&person).expect("a cursor");
+    assert!(dragged > first, "{dragged} {first}");
+    mouse(&mut person, MouseEventKind::Up(MouseButton::Left), 75, 15);
+    mouse(&mut person, MouseEventKind::ScrollUp, 75, 15);
+    let (from, to) = window(&person).expect("a part of the axis");
+    assert_eq!(cursor(&person), Some(dragged), "the cursor stays");
+    assert!(from < dragged && dragged < to);
+    mouse(&mut person, MouseEventKind::Down(MouseButton::Left), 60, 15);
+    mouse(&mut person, MouseEventKind::Drag(MouseButton::Left), 70, 15);
+    let (moved, _) = window(&person).expect("a part of the axis");
+    assert!(moved < from, "what is shown follows the pointer: {moved} {from}");
+    mouse(&mut person, MouseEventKind::ScrollDown, 60, 15);
+    assert_eq!(window(&person), None);
+}
+
+#[test]
+fn what_is_edited_outside_is_here_and_can_be_taken_back() {
+    let mut person = fan(90, 30);
+    person.editor = |text| text.replace("1000 rpm", "1500 rpm");
+    assert!(person.types("E").sees().contains("4.5535 mm"), "{}", person.sees());
+    assert!(person.sees().contains("not saved yet"));
+    assert!(person.types("z").sees().contains("19.456 mm"));
+    person.editor = |text| text.replace("[inputs]", "[inputs");
+    let broken = person.types("E").sees();
+    assert!(broken.contains("cannot be read") && broken.contains("line 3"), "{broken}");
+    assert!(person.types("<down><enter>").sees().contains("19.456 mm"), "nothing is lost");
+    person.editor = str::to_owned;
+    assert!(person.types("E").sees().contains("nothing was changed"));
+}
+
+fn started(launch: Launch) -> Pty {
+    let pty = launch.start();
+    pty.expect("dalembert");
+    pty
+}
+
+/// A home whose settings say this.
+fn home_with(settings: &str) -> tempfile::TempDir {
+    let home = tempfile::tempdir().expect("a folder");
+    fs::create_dir(home.path().join("dalembert")).expect("a folder");
+    fs::write(home.path().join("dalembert/settings.toml"), settings).expect("written");
+    home
+}
+
+fn configured(home: &tempfile::TempDir) -> Launch {
+    Launch::new(pty::program()).env("XDG_CONFIG_HOME", home.path().to_str().expect("a readable path"))
+}
+
+fn fan_file(folder: &Path) -> std::path::PathBuf {
+    let path = folder.join("fan.toml");
+    let text = "# the fan of the paint shop\nanalysis = \"vibration/rotating-unbalance\"\n\n[inputs]\nmass = \"40 kg\"\nunbalance = \"0.1 kg*m\"\nspeed = \"1000 rpm\" # its plate\nsupport.stiffness.stiffness = \"450 kN/m\"\ndamping.ratio.ratio = \"0.1\"\n";
+    fs::write(&path, text).expect("written");
+    path
+}
+
+fn opening(path: &Path, arguments: &str, launch: Launch) -> Pty {
+    let script = format!("\"$PROGRAM\" {arguments} '{}'; exit $?", path.display());
+    let pty = launch.in_script(&script).start();
+    pty.expect("fan.toml");
+    pty
+}
+
+#[test]
+fn broken_settings_are_named_by_line_and_the_rest_holds() {
+    let home = home_with("theme = \"drak\"\n[keys]\nnext-tab = \"f6\"\nquit = \"Q\"\nsave = \"esc\"\n");
+    let mut pty = started(configured(&home));
+    pty.expect("line 1: `theme` cannot be `drak`; did you mean `dark`?");
+    pty.expect("line 5: `esc` always means `back`");
+    pty.types("<esc>");
+    pty.expect("[ F6 tabs");
+    pty.types("Q");
+    assert_eq!(pty.exit_code(), Some(0));
+}
+
+#[test]
+fn the_mouse_is_taken_and_left_by_the_terminal_s_own_sequences() {
+    let mut pty = started(Launch::new(pty::program()));
+    pty.expect("19.456 mm");
+    assert!(String::from_utf8_lossy(&pty.raw()).contains("\x1b[?1000h\x1b[?1002h\x1b[?1006h"));
+    let screen = pty.screen();
+    let (row, line) = screen.lines().enumerate().find(|(_, line)| line.contains("Working")).expect("the tab");
+    let column = line[..line.find("Working").unwrap_or(0)].chars().count() + 1;
+    pty.send(format!("\x1b[<0;{column};{}M\x1b[<0;{column};{}m", row + 1, row + 1).as_bytes());
+    pty.expect("symbols");
+    pty.types(":mouse<enter>");
+    pty.expect("the terminal's own again");
+    assert!(String::from_utf8_lossy(&pty.raw()).contains("\x1b[?1000l"));
+    pty.types("q");
+    assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
+}
+
+#[test]
+fn over_ssh_and_where_it_is_not_wanted_the_mouse_is_the_terminal_s() {
+    let over_ssh = Launch::new(pty::program()).env("SSH_CONNECTION", "192.0.2.1 50000 192.0.2.2 22");
+    let home = home_with("mouse = false\n");
+    let unwanted = Launch::new(pty::program()).in_script("\"$PROGRAM\" --no-mouse; exit $?");
+    for launch in [over_ssh, configured(&home), unwanted] {
+        let mut pty = started(launch);
+        pty.expect("19.456 mm");
+        assert!(!String::from_utf8_lossy(&pty.raw()).contains("\x1b[?1000h"));
+        pty.types("q");
+        assert_eq!(pty.exit_code(), Some(0));
+    }
+}
+
+#[test]
+fn basic_has_no_colours_no_frames_and_the_cursor_at_the_focus() {
+    let mut pty = started(Launch::new(pty::program()).in_script("\"$PROGRAM\" --basic; exit $?"));
+    pty.expect("19.456 mm");
+    pty.idle(Duration::from_millis(200));
+    let raw = pty.raw();
+    assert!(raw.is_ascii());
+    let text = String::from_utf8_lossy(&raw);
+    assert!(!text.contains("?2026h") && !text.contains("?1000h") && !text.contains("\x1b[3"), "{text:?}");
+    let screen = pty.screen();
+    assert!(!screen.contains("+--") && !screen.contains('|'), "{screen}");
+    pty.types("q");
+    assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
+}
+
+/// An editor that changes the speed, or spoils the file once.
+fn editor(folder: &Path, script: &str) -> String {
+    let path = folder.join("editor.sh");
+    fs::write(&path, format!("#!/bin/sh\n{script}\n")).expect("written");
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).expect("executable");
+    path.to_str().expect("a readable path").to_owned()
+}
+
+#[test]
+fn the_problem_is_edited_in_the_person_s_editor() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = fan_file(folder.path());
+    let command = editor(folder.path(), "echo the editor is here; sed -i 's/1000 rpm/1500 rpm/' \"$1\"");
+    let mut pty = opening(&path, "", Launch::new(pty::program()).env("EDITOR", &command));
+    pty.types("E");
+    pty.expect("1500 rpm");
+    pty.expect("is read again");
+    assert!(String::from_utf8_lossy(&pty.raw()).contains("the editor is here"));
+    assert!(fs::read_to_string(&path).is_ok_and(|text| text.contains("1500 rpm") && text.contains("# its plate")));
+    pty.types("q");
+    assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
+}
+
+#[test]
+fn what_the_editor_spoils_is_named_and_edited_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let spoil = "if grep -q inputz \"$1\"; then sed -i s/inputz/inputs/ \"$1\"; else sed -i s/inputs/inputz/ \"$1\"; fi";
+    let command = editor(folder.path(), spoil);
+    let home = home_with(&format!("editor = \"{command}\"\n"));
+    let mut pty = started(configured(&home).env("EDITOR", "false"));
+    pty.expect("19.456 mm");
+    pty.types("E");
+    pty.expect("cannot be read");
+    pty.expect("inputz");
+    pty.types("<enter>");
+    pty.expect("nothing was changed");
+    pty.types("q");
+    assert_eq!(pty.exit_code(), Some(0));
+}
+
+#[test]
+fn an_editor_that_fails_is_named() {
+    let mut pty = started(Launch::new(pty::program()).env("VISUAL", "false"));
+    pty.expect("19.456 mm");
+    pty.types("E");
+    pty.expect("`false` did not end well");
+    pty.types("<c-c>");
+    assert_eq!(pty.exit_code(), Some(0));
+}
+
+#[test]
+fn an_interrupt_in_the_editor_is_the_editor_s() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let command = editor(folder.path(), "echo waiting; sleep 20");
+    let mut pty = started(Launch::new(pty::program()).env("EDITOR", &command));
+    pty.expect("19.456 mm");
+    pty.types("E");
+    pty.expect("waiting");
+    pty.types("<c-c>");
+    pty.expect("did not end well");
+    pty.types("q");
+    assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
+}
+
+#[test]
+fn a_file_that_another_program_changes_is_read_again_or_asked_about() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = fan_file(folder.path());
+    let mut pty = opening(&path, "", Launch::new(pty::program()));
+    let change = |from: &str, to: &str| {
+        let text = fs::read_to_string(&path).expect("the file is there");
+        fs::write(&path, text.replace(from, to)).expect("written");
+    };
+    change("1000 rpm", "1200 rpm");
+    pty.expect("is read again");
+    pty.expect("1200 rpm");
+    pty.types("<end><del>900 rpm<enter>");
+    change("40 kg", "50 kg");
+    pty.expect("keep what is here");
+    pty.types("<down><enter>");
+    pty.expect("50 kg");
+    pty.expect("1200 rpm");
+    pty.types("q");
+    assert_eq!(pty.exit_code(), Some(0));
+}
+
+#[test]
+fn a_watched_file_costs_no_bytes_and_no_time() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = fan_file(folder.path());
+    let mut pty = opening(&path, "", Launch::new(pty::program()));
+    pty.idle(Duration::from_millis(1500));
+    let busy = |pty: &Pty| pty.processes().into_iter().filter_map(pty::alive).sum::<f64>();
+    let (bytes, seconds) = (pty.count(), busy(&pty));
+    std::thread::sleep(Duration::from_millis(3200));
+    assert_eq!(pty.count(), bytes);
+    assert!(busy(&pty) - seconds <= 0.02, "{}", busy(&pty) - seconds);
+    pty.types("q");
+    assert_eq!(pty.exit_code(), Some(0));
+}
+
+#[test]
+fn read_only_writes_nothing_at_all() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = fan_file(folder.path());
+    let before = fs::read(&path).expect("the file is there");
+    let state = folder.path().join("state");
+    let launch = Launch::new(pty::program()).env("XDG_STATE_HOME", state.to_str().expect("a readable path"));
+    let mut pty = opening(&path, "--readonly", launch);
+    pty.types("<end><del>900 rpm<enter>");
+    pty.expect("900 rpm");
+    for keys in ["s", "S", "X", "E"] {
+        pty.types(keys);
+        pty.expect("nothing is saved: the program was started read-only");
+        pty.types("<esc><tab><tab>");
+        pty.expect("actions");
+    }
+    // Long enough for what is kept against a crash.
+    std::thread::sleep(Duration::from_millis(1500));
+    pty.types("q");
+    assert_eq!(pty.exit_code(), Some(0));
+    assert_eq!(fs::read(&path).ok(), Some(before));
+    let left: Vec<_> = fs::read_dir(folder.path()).expect("the folder").flatten().map(|entry| entry.file_name()).collect();
+    assert_eq!(left, ["fan.toml"]);
+    assert!(fs::read_dir(pty.home()).is_ok_and(|mut home| home.next().is_none()), "something in the home folder");
+}
+
+#[test]
+fn an_action_without_a_key_is_reached_by_its_name() {
+    let mut person = fan(90, 30);
+    person.types(":mouse<enter>");
+    assert!(person.model.mouse && person.sees().contains("needs Shift"), "{}", person.sees());
+    let unkeyed = |action| Place::Form.bindings().any(|binding| binding.action == action && binding.keys.is_empty());
+    assert!(unkeyed(Action::Mouse) && unkeyed(Action::Theme));
+}
