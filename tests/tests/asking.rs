@@ -1,11 +1,14 @@
-//! What a person asks of a problem beside its results: whether their own answers are right, and if not, why.
+//! What a person asks of a problem beside its results: whether their own answers are right, and if not, why; which
+//! input matters; how an answer runs over an input, where it is a wanted one, and how it scatters.
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
 use dalembert_core::{
-    AnswerValue, Draft, Entry, Number, Record, Solution, Stop, cases,
+    AnswerValue, Draft, Entry, Number, Record, Scale, Solution, Stop, cases,
     check::{self, Verdict},
-    find, registry, vary,
+    find, registry, sensitivity,
+    study::{self, Distribution, Plan},
+    vary,
 };
 use dalembert_plugins as _;
 use dalembert_tests::person::Person;
@@ -317,4 +320,197 @@ fn praise_is_given_once() {
         person.types("<down>");
     }
     assert_eq!(praised, 1, "{}", person.sees());
+}
+
+/// An answer's sensitivity, by the path of the input.
+fn elasticity(problem: &Problem, answer: &str, path: &str) -> f64 {
+    let found =
+        sensitivity::sensitivity(problem.entry, &problem.record, answer, (&[], 0.01), &Stop::new()).unwrap();
+    let one = found.influences.iter().find(|one| one.input.path == path).unwrap();
+    one.elasticity(found.value)
+}
+
+#[test]
+fn elasticities_are_the_exponents_of_the_formulas() {
+    let fan = problem(FAN);
+    // ωₙ = √(3EI/(mL³)).
+    for (path, exponent) in [
+        ("mass", -0.5),
+        ("support.cantilever.young", 0.5),
+        ("support.cantilever.length", -1.5),
+        ("support.cantilever.section.given.second_moment", 0.5),
+        ("speed", 0.0),
+    ] {
+        let found = elasticity(&fan, "natural_frequency", path);
+        assert!((found - exponent).abs() < 1e-6, "{path}: {found}");
+    }
+}
+
+#[test]
+fn tolerances_add_up_at_worst_and_in_squares() {
+    let fan = problem(FAN);
+    let tolerances = [("mass".to_owned(), 0.02), ("support.cantilever.young".to_owned(), 0.04)];
+    let found = sensitivity::sensitivity(
+        fan.entry,
+        &fan.record,
+        "natural_frequency",
+        (&tolerances, 0.0),
+        &Stop::new(),
+    )
+    .unwrap();
+    let spread = found.spread();
+    // ½ · 2 % and ½ · 4 %, to the second order of what is left out.
+    assert!((spread.worst / found.value - 0.03).abs() < 6e-4, "{spread:?}");
+    assert!(
+        (spread.likely / found.value - (0.01f64.powi(2) + 0.02f64.powi(2)).sqrt()).abs() < 5e-4,
+        "{spread:?}"
+    );
+}
+
+#[test]
+fn a_value_that_is_found_gives_the_wanted_answer() {
+    let fan = problem(FAN);
+    let wanted = 0.01;
+    let range = [500.0, 3000.0].map(|rpm| rpm * std::f64::consts::TAU / 60.0);
+    let plan = Plan::Find { input: "speed".into(), range, answer: "amplitude".into(), wanted };
+    let found = study::study(fan.entry, &fan.record, &plan, &Stop::new()).unwrap();
+    // Once on the way up to the resonance, once behind it.
+    assert_eq!(found.numbers.len(), 2, "{:?}", found.says);
+    for speed in found.numbers {
+        let record = vary::changed(&fan.record, "speed", speed).unwrap();
+        let amplitude =
+            fan.entry.solve(&record, &Stop::new()).unwrap().answer("amplitude").unwrap().si().unwrap();
+        assert!((amplitude / wanted - 1.0).abs() < 1e-9, "{amplitude}");
+    }
+    let nowhere = Plan::Find { input: "speed".into(), range, answer: "amplitude".into(), wanted: 1.0 };
+    let found = study::study(fan.entry, &fan.record, &nowhere, &Stop::new()).unwrap();
+    assert!(
+        found.numbers.is_empty() && found.says[0].english().contains("no value in the range"),
+        "{:?}",
+        found.says
+    );
+}
+
+#[test]
+fn a_sweep_runs_through_the_answers_and_says_where_there_is_none() {
+    let fan = problem(FAN);
+    // No damping gives a largest amplitude below m₀e/m = 2.5 mm.
+    let plan = Plan::Sweep {
+        input: "damping.largest-amplitude.amplitude".into(),
+        range: [0.0005, 0.0205],
+        points: 41,
+        scale: Scale::Linear,
+        family: Some(("mass".into(), vec![40.0, 80.0])),
+        answer: "amplitude".into(),
+    };
+    let found = study::study(fan.entry, &fan.record, &plan, &Stop::new()).unwrap();
+    let plot = found.plot.unwrap();
+    assert_eq!(plot.series.len(), 2);
+    let (gaps, points): (Vec<_>, Vec<_>) = plot.series[0].points.iter().partition(|(_, y)| y.is_nan());
+    assert!(gaps.iter().all(|(x, _)| *x <= 0.0025) && !gaps.is_empty(), "{gaps:?}");
+    assert!(points.len() > 30);
+    let said = found.says[0].english();
+    assert!(said.contains("no answer from 0.5 mm to 2.5 mm") && said.contains("m₀e/m"), "{said}");
+    let ours = |x: f64| {
+        let record = vary::changed(&fan.record, "damping.largest-amplitude.amplitude", x).unwrap();
+        fan.entry.solve(&record, &Stop::new()).unwrap().answer("amplitude").unwrap().si().unwrap()
+    };
+    for (x, y) in points.into_iter().step_by(7) {
+        assert!((ours(x) / y - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_linear_answer_scatters_as_its_input_does() {
+    let fan = problem(FAN);
+    let plan = |distribution, seed| Plan::Scatter {
+        tolerances: vec![("unbalance".into(), 0.1)],
+        usual: 0.0,
+        distribution,
+        samples: 10_000,
+        seed,
+        answer: "stiffness".into(),
+    };
+    let stiffness = Plan::Scatter {
+        tolerances: vec![("support.cantilever.young".into(), 0.1)],
+        usual: 0.0,
+        distribution: Distribution::Uniform,
+        samples: 10_000,
+        seed: 7,
+        answer: "stiffness".into(),
+    };
+    let ours = fan.solution.answer("stiffness").unwrap().si().unwrap();
+    // Uniform within ± 10 %: σ = 0.1/√3; the mean of 10 000 samples is off by σ/100.
+    let found = study::study(fan.entry, &fan.record, &stiffness, &Stop::new()).unwrap().numbers;
+    assert!((found[0] / ours - 1.0).abs() < 0.0025, "{found:?}");
+    assert!((found[1] / ours - 0.1 / 3f64.sqrt()).abs() < 0.0015, "{found:?}");
+    assert!((found[2] / ours - 0.905).abs() < 0.003 && (found[3] / ours - 1.095).abs() < 0.003, "{found:?}");
+    let normal = Plan::Scatter {
+        tolerances: vec![("support.cantilever.young".into(), 0.3)],
+        usual: 0.0,
+        distribution: Distribution::Normal,
+        samples: 10_000,
+        seed: 7,
+        answer: "stiffness".into(),
+    };
+    let normal = study::study(fan.entry, &fan.record, &normal, &Stop::new()).unwrap().numbers;
+    assert!((normal[1] / ours - 0.1).abs() < 0.003, "{normal:?}");
+    assert!((normal[3] / ours - 1.196).abs() < 0.01, "{normal:?}");
+    // What does not matter does not scatter, and the same seed gives the same samples.
+    let still =
+        study::study(fan.entry, &fan.record, &plan(Distribution::Uniform, 1), &Stop::new()).unwrap().numbers;
+    assert!(still[1] <= 1e-12 * ours, "{still:?}");
+    let again = study::study(fan.entry, &fan.record, &stiffness, &Stop::new()).unwrap().numbers;
+    assert_eq!(found, again);
+}
+
+#[test]
+fn a_study_is_stopped() {
+    let fan = problem(FAN);
+    let stop = Stop::new();
+    stop.stop();
+    let plan =
+        Plan::Find { input: "speed".into(), range: [50.0, 300.0], answer: "amplitude".into(), wanted: 0.01 };
+    assert!(study::study(fan.entry, &fan.record, &plan, &stop).is_err());
+    assert!(sensitivity::sensitivity(fan.entry, &fan.record, "amplitude", (&[], 0.01), &stop).is_err());
+}
+
+fn at(mut person: Person, tab: Tab) -> Person {
+    person.types("<tab>");
+    goes_to(&mut person, tab);
+    person
+}
+
+#[test]
+fn which_input_matters_is_seen_as_bars() {
+    let mut person = at(Person::at(80, 24).opens(FAN), Tab::Sensitivity);
+    for _ in 0..5 {
+        person.types("<right>");
+    }
+    assert_snapshot!("sensitivity", person.types("<down>2 %<enter>").sees());
+    let mut person = at(Person::at(160, 50).opens(FAN), Tab::Sensitivity);
+    assert_snapshot!("sensitivity_wide", person.types("<right>").sees());
+    let mut person = at(Person::in_portuguese(120, 36).opens(FAN), Tab::Sensitivity);
+    assert_snapshot!("sensitivity_portuguese", person.types("<right>").sees());
+    let mut person = at(Person::in_ascii(80, 24).opens(FAN), Tab::Sensitivity);
+    assert_snapshot!("sensitivity_ascii", person.types("<right>e").sees());
+}
+
+#[test]
+fn a_study_is_typed_and_its_curve_is_seen() {
+    // The amplitude over the speed.
+    let keys =
+        "<down><right><right><right><right><right><down><left><down>500 rpm<down><enter>1500 rpm<enter>";
+    let mut person = at(Person::at(80, 24).opens(FAN), Tab::Study);
+    assert_snapshot!("study", person.types(keys).types("e").sees());
+    let mut person = at(Person::at(160, 50).opens(FAN), Tab::Study);
+    assert_snapshot!("study_wide", person.types(keys).sees());
+    assert!(person.model.bench.as_ref().unwrap().plots().count() > 1, "the plot is among the others");
+    let mut person = at(Person::in_portuguese(120, 36).opens(FAN), Tab::Study);
+    assert_snapshot!("study_find_portuguese", person.types("<right><down><right><right><right><right><right><down>10 mm<enter><down><left><down>500 rpm<down><enter>3000 rpm<enter>").sees());
+    let mut person = at(Person::in_ascii(100, 36).opens(FAN), Tab::Study);
+    assert_snapshot!("study_scatter_ascii", person.types("<left>").sees());
+    let mut wrong = at(Person::at(110, 36).opens(FAN), Tab::Study);
+    wrong.types("<down><down><down>3 s<enter>");
+    assert!(wrong.sees().contains("is a time"), "{}", wrong.sees());
 }

@@ -87,7 +87,7 @@ fn escape_goes_back_one_step_at_a_time_and_never_ends_the_program() {
 #[test]
 fn every_tab_of_the_fan() {
     let mut person = fan(80, 24);
-    for tab in ["results", "working", "plot", "drawing", "check", "sources"] {
+    for tab in ["results", "working", "plot", "drawing", "check", "sensitivity", "study", "sources"] {
         assert_snapshot!(format!("fan_{tab}"), person.sees());
         person.types("]");
     }
@@ -136,7 +136,7 @@ fn a_small_screen_has_one() {
 #[test]
 fn everything_in_ascii_without_colours() {
     let mut person = Person::in_ascii(80, 24).opens(FAN);
-    for tab in ["results", "working", "plot", "drawing", "check", "sources"] {
+    for tab in ["results", "working", "plot", "drawing", "check", "sensitivity", "study", "sources"] {
         let screen = person.sees();
         assert!(screen.is_ascii(), "{screen}");
         assert!(person.draws().content.iter().all(|cell| cell.fg == Color::Reset && cell.bg == Color::Reset));

@@ -220,3 +220,24 @@ this-is-right = está certo
 nearly-off-off-so-something-was-rounded-too-early = quase: difere em { $off }, algo foi arredondado cedo demais
 it-fits-but-give-more-digits-to-be-sure = confere, mas dê mais algarismos para ter certeza
 not-right = não está certo
+
+# Sensibilidade e estudos
+write-a-share-from-0-to-below-100 = escreva uma parcela de 0 a menos de 100 %
+this-answer-is-no-single-number = esta resposta não é um único número
+this-input-is-no-number-of-the-problem-as-it-stands = esta entrada não é um número do problema como está
+the-range-has-no-width-write-two-different-ends = o intervalo não tem largura: escreva dois extremos diferentes
+this-input-cannot-be-varied = esta entrada não pode ser variada
+input-value = { $input } = { $value }
+no-value-in-the-range-gives-it-the-answer-runs-from-least-at-at-least-to-most-at-at-most = nenhum valor do intervalo a dá: a resposta vai de { $least } (em { $at_least }) a { $most } (em { $at_most })
+there-is-no-answer-anywhere-in-the-range = não há resposta em nenhum ponto do intervalo
+answer-over-input = { $answer } em função de { $input }
+no-answer-from-from-to-to-why = sem resposta de { $from } a { $to }: { $why }
+not-told = sem explicação
+as-it-stands = como está
+wanted = desejado
+mean-mean-standard-deviation-deviation = média { $mean }, desvio padrão { $deviation }
+n-95-lie-between-low-and-high = 95 % ficam entre { $low } e { $high }
+refused-of-all-have-no-answer = { $refused } de { $all } não têm resposta
+how-answer-scatters = Como { $answer } se dispersa
+share-of-the-samples = parcela das amostras
+a-thread-of-this-study-failed = uma parte deste estudo falhou

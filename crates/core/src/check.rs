@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use dalembert_units::{self as units, Dim, Kind, Quantity};
 
 pub use self::search::slips;
-use crate::{Answer, Arg, Solution, Symbol, Text, cases, printer, reading};
+use crate::{Answer, Arg, Solution, Symbol, Text, cases, printer, reading, study};
 
 /// Answers that are farther off than this share of ours are not right, however few their digits.
 pub const TOLERANCE: f64 = 0.005;
@@ -124,6 +124,14 @@ pub fn compare_all(solution: &Solution, typed: &[(String, String)]) -> Vec<(Stri
     compared.collect()
 }
 
+/// The value of an answer as it is typed, in SI; a number alone is in the unit that ours is shown in.
+///
+/// # Errors
+/// Why it cannot be read.
+pub fn value(answer: &Answer, typed: &str) -> Result<f64, Text> {
+    read(answer, typed).map(|read| read.si)
+}
+
 /// Reads a typed answer; a number alone is in the unit that ours is shown in.
 fn read(answer: &Answer, typed: &str) -> Result<Quantity, Text> {
     let read = units::read_quantity(typed, &answer.unit, Kind::of(&answer.unit));
@@ -172,7 +180,7 @@ impl Slip {
     /// What may have gone wrong, in words that do not say our number.
     pub fn text(&self, solution: &Solution) -> Text {
         let label = |name: &str| match solution.answer(name) {
-            Some(answer) => named(answer),
+            Some(answer) => study::named(answer),
             None => Text::new(name.to_owned()),
         };
         match self {
@@ -200,13 +208,6 @@ impl Slip {
                 .with("symbol", printer::symbol(symbol))
                 .with_text("change", of_step(change)),
         }
-    }
-}
-
-fn named(answer: &Answer) -> Text {
-    match answer.name.to_string().strip_prefix(answer.name.base) {
-        Some("") | None => Text::from(answer.label),
-        Some(place) => Text::new("{label} {place}").with_text("label", answer.label).with("place", place),
     }
 }
 

@@ -1,10 +1,11 @@
 //! The numbers among the inputs of a problem, and the same problem solved again with some of them changed.
 
-use dalembert_units::Unit;
+use dalembert_units::{self as units, Kind, Unit};
 
 use crate::{
     Entry, Evaluate, Limit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value,
     path::{Segment, segments},
+    reading,
 };
 
 /// A number among the inputs: a quantity, or one component of a vector.
@@ -97,7 +98,30 @@ pub fn why_not(entry: &Entry, record: &Record, input: &Input, si: f64, stop: &St
     }
 }
 
+/// A share as it is typed: `1 %`, `0.5`; a number alone is in percent.
+///
+/// # Errors
+/// Why it cannot be read.
+pub fn share(text: &str) -> Result<f64, Text> {
+    let percent = units::unit("%").expect("percent is a unit");
+    let read = units::read_quantity(text, &percent, Kind::Ratio).map_err(|error| reading::text(&error))?;
+    if (0.0..1.0).contains(&read.si) {
+        Ok(read.si)
+    } else {
+        Err(Text::new("write a share from 0 to below 100 %"))
+    }
+}
+
 impl Input {
+    /// A value of this input as it is typed; a number alone is in the unit of the input.
+    ///
+    /// # Errors
+    /// Why it cannot be read.
+    pub fn read(&self, text: &str) -> Result<f64, Text> {
+        let read = units::read_quantity(text, &self.unit, self.measure.kind());
+        read.map(|read| read.si).map_err(|error| reading::text(&error))
+    }
+
     /// Whether a value, in SI, is within the limits of the input.
     pub fn permits(&self, si: f64) -> bool {
         let value = self.measure.own_unit().value(si);

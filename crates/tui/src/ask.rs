@@ -1,20 +1,32 @@
-//! What a person asks of a problem beside its results: whether an answer of their own is right.
+//! What a person asks of a problem beside its results: whether an answer of their own is right, which input matters,
+//! and how an answer runs over one.
 //!
 //! What takes time is asked as a job of its own, beside that which solves: see [`Question`].
+
+mod study;
 
 use std::collections::BTreeSet;
 
 use dalembert_core::{
-    Entry, Record, Refusal, Solution, Stop,
+    Entry, Record, Refusal, Solution, SolveError, Stop,
     check::{self, Slip, Verdict},
+    sensitivity::{self, Influence},
+    study::{Plan, Studied},
+    vary,
 };
 use tui_input::Input;
+
+pub use self::study::{Cell, Kind, Study};
 
 /// What is asked, and what was found.
 #[derive(Debug, Default)]
 pub struct Ask {
     /// The person's own answers.
     pub check: Check,
+    /// Which input matters.
+    pub sensitivity: Sensitivity,
+    /// How an answer runs over an input.
+    pub study: Study,
     /// The cell that is being typed in.
     pub edit: Option<Input>,
     /// The number of the job that is under way.
@@ -36,6 +48,19 @@ pub struct Check {
     pub praised: bool,
 }
 
+/// Which input matters for an answer.
+#[derive(Debug, Default)]
+pub struct Sensitivity {
+    /// The line under the cursor.
+    pub cursor: usize,
+    /// The answer, by its place among those that are numbers.
+    pub answer: usize,
+    /// The tolerances that were typed, by the paths of inputs.
+    pub tolerances: Vec<(String, String)>,
+    /// What was found; `None` while it is sought.
+    pub found: Option<Result<sensitivity::Sensitivity, SolveError>>,
+}
+
 /// What takes time to be answered.
 #[derive(Clone, Debug)]
 pub enum Question {
@@ -50,6 +75,26 @@ pub enum Question {
         /// The person's answers.
         typed: Vec<(String, String)>,
     },
+    /// Which input matters for an answer?
+    Sensitivity {
+        /// The analysis.
+        entry: &'static Entry,
+        /// Its inputs.
+        record: Record,
+        /// The name of the answer.
+        answer: String,
+        /// The tolerances of inputs, as shares, by their paths.
+        tolerances: Vec<(String, f64)>,
+    },
+    /// A study.
+    Study {
+        /// The analysis.
+        entry: &'static Entry,
+        /// Its inputs.
+        record: Record,
+        /// What is asked.
+        plan: Plan,
+    },
 }
 
 /// The answer to a [`Question`].
@@ -57,7 +102,14 @@ pub enum Question {
 pub enum Reply {
     /// For each wrong answer the slips that give it.
     Slips(Vec<(String, Vec<Slip>)>),
+    /// How much each input matters.
+    Sensitivity(Result<sensitivity::Sensitivity, SolveError>),
+    /// What a study found.
+    Study(Result<Studied, SolveError>),
 }
+
+/// The tolerance of an input that none is typed for, as a share.
+pub const USUAL: f64 = 0.01;
 
 impl Question {
     /// The answer; `None` when it was stopped.
@@ -69,6 +121,14 @@ impl Question {
                     Err(Refusal::Stopped) => None,
                     Err(Refusal::NoAnswer(_)) => Some(Reply::Slips(Vec::new())),
                 }
+            }
+            Question::Sensitivity { entry, record, answer, tolerances } => {
+                let tolerances = (tolerances.as_slice(), USUAL);
+                unless_stopped(sensitivity::sensitivity(entry, record, answer, tolerances, stop))
+                    .map(Reply::Sensitivity)
+            }
+            Question::Study { entry, record, plan } => {
+                unless_stopped(dalembert_core::study::study(entry, record, plan, stop)).map(Reply::Study)
             }
         }
     }
@@ -100,4 +160,46 @@ impl Check {
     pub fn is_right<'n>(&self, solution: &Solution, mut wanted: impl Iterator<Item = &'n str>) -> bool {
         wanted.all(|name| self.verdict(solution, name) == Some(Verdict::Right))
     }
+}
+
+impl Sensitivity {
+    /// The tolerance that was typed for an input, as it was typed.
+    pub fn text(&self, path: &str) -> &str {
+        self.tolerances.iter().find(|(known, _)| known == path).map_or("", |(_, text)| text)
+    }
+
+    /// Takes a tolerance.
+    pub fn set(&mut self, path: &str, text: String) {
+        match self.tolerances.iter_mut().find(|(known, _)| known == path) {
+            Some((_, old)) => *old = text,
+            None => self.tolerances.push((path.to_owned(), text)),
+        }
+    }
+
+    /// The tolerances that can be read, as shares.
+    pub fn shares(&self) -> Vec<(String, f64)> {
+        let read = |(path, text): &(String, String)| Some((path.clone(), vary::share(text).ok()?));
+        self.tolerances.iter().filter_map(read).collect()
+    }
+
+    /// The inputs that change the answer, the most influential first; those that do not, last.
+    pub fn sorted(&self) -> Vec<&Influence> {
+        let Some(Ok(found)) = &self.found else { return Vec::new() };
+        let mut sorted: Vec<&Influence> = found.influences.iter().collect();
+        let size = |one: &Influence| match one.change(found.value).abs() {
+            change if change.is_nan() => 0.0,
+            change => change,
+        };
+        sorted.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        sorted
+    }
+}
+
+/// The answers that are numbers.
+pub fn numbers(solution: &Solution) -> Vec<&dalembert_core::Answer> {
+    solution.answers.iter().filter(|answer| answer.si().is_some()).collect()
+}
+
+fn unless_stopped<T>(result: Result<T, SolveError>) -> Option<Result<T, SolveError>> {
+    if matches!(result, Err(SolveError::Refused(Refusal::Stopped))) { None } else { Some(result) }
 }

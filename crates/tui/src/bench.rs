@@ -7,7 +7,7 @@ use dalembert_core::{
 };
 
 use crate::{
-    ask::Ask,
+    ask::{self, Ask},
     files::Fingerprint,
     form::Form,
     keys::Place,
@@ -131,14 +131,27 @@ pub enum Tab {
     Table,
     /// The person's own answers.
     Check,
+    /// Which input matters.
+    Sensitivity,
+    /// Ranges of inputs.
+    Study,
     /// Books and published cases.
     Sources,
 }
 
 impl Tab {
     /// Every tab, from left to right.
-    pub const ALL: [Tab; 7] =
-        [Tab::Results, Tab::Working, Tab::Plot, Tab::Drawing, Tab::Table, Tab::Check, Tab::Sources];
+    pub const ALL: [Tab; 9] = [
+        Tab::Results,
+        Tab::Working,
+        Tab::Plot,
+        Tab::Drawing,
+        Tab::Table,
+        Tab::Check,
+        Tab::Sensitivity,
+        Tab::Study,
+        Tab::Sources,
+    ];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -149,13 +162,15 @@ impl Tab {
             Tab::Drawing => "Drawing",
             Tab::Table => "Table",
             Tab::Check => "Check",
+            Tab::Sensitivity => "Sensitivity",
+            Tab::Study => "Study",
             Tab::Sources => "Sources",
         }
     }
 
     /// Whether it has cells to type in.
     pub fn has_cells(self) -> bool {
-        self == Tab::Check
+        matches!(self, Tab::Check | Tab::Sensitivity | Tab::Study)
     }
 
     /// Whether it stands alone in its column on a wide screen.
@@ -211,8 +226,8 @@ impl Bench {
                 Tab::Plot => Place::Plot,
                 Tab::Drawing => Place::Drawing,
                 Tab::Results | Tab::Table | Tab::Sources => Place::Pane,
-                Tab::Check if self.ask.edit.is_some() => Place::Cell,
-                Tab::Check => Place::Cells,
+                Tab::Check | Tab::Sensitivity | Tab::Study if self.ask.edit.is_some() => Place::Cell,
+                Tab::Check | Tab::Sensitivity | Tab::Study => Place::Cells,
             },
         }
     }
@@ -313,14 +328,22 @@ impl Bench {
             Tab::Drawing => self.drawings().next().is_some(),
             Tab::Table => self.tables().next().is_some(),
             Tab::Check => self.found.solution.as_ref().is_some_and(|found| !found.answers.is_empty()),
+            Tab::Sensitivity | Tab::Study => {
+                self.found.solution.as_ref().is_some_and(|found| !ask::numbers(found).is_empty())
+            }
             Tab::Results | Tab::Working | Tab::Sources => true,
         };
         Tab::ALL.into_iter().filter(has).collect()
     }
 
-    /// The plots of the newest solution.
+    /// The plot of the study.
+    pub fn studied(&self) -> Option<&Plot> {
+        self.ask.study.found.as_ref()?.as_ref().ok()?.plot.as_ref()
+    }
+
+    /// The plots of the newest solution, and that of the study.
     pub fn plots(&self) -> impl Iterator<Item = &Plot> {
-        plots_of(self.found.solution.iter())
+        plots_of(self.found.solution.iter()).chain(self.studied())
     }
 
     /// The plot that is shown, and the pinned one of the same axes.

@@ -240,7 +240,7 @@ impl Place {
             Place::Prompt => "Asked for a text",
             Place::Sheet => "Text of many lines",
             Place::Help => "In this list of keys",
-            Place::Cells => "Check",
+            Place::Cells => "Check, sensitivity, study",
             Place::Cell => "While typing in a cell",
         }
     }

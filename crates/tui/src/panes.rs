@@ -3,7 +3,9 @@
 pub mod check;
 mod columns;
 pub mod results;
+pub mod sensitivity;
 pub mod sources;
+pub mod study;
 pub mod table;
 pub mod working;
 pub(crate) mod wrap;

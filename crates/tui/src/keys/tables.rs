@@ -143,8 +143,10 @@ pub(super) const DRAWING: &[Binding] = &[
 
 /// Keys of the cells of a tab: of the person's own answers.
 pub(super) const CELLS: &[Binding] = &[
-    bind(Action::Enter, ENTER, "type in the cell", "type"),
+    bind(Action::Enter, ENTER, "type in the cell, or choose", "type"),
     bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "empty the cell and type", ""),
+    bind(Action::Left, LEFT, "another answer, or what may be chosen before", "choose"),
+    bind(Action::Right, RIGHT, "another answer, or what may be chosen next", ""),
     bind(Action::Toggle, &[typed(' ')], "show our answer, or cover it", "show ours"),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),

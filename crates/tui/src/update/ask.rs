@@ -1,12 +1,12 @@
-//! Keys of what is asked of a problem: the person's own answers.
+//! Keys of what is asked of a problem: the person's own answers, which input matters, studies.
 
-use dalembert_core::check::Verdict;
+use dalembert_core::{Refusal, SolveError, check::Verdict};
 use ratatui::crossterm::event::{KeyCode, KeyEvent};
 use tui_input::{Input, InputRequest};
 
 use super::{bench::bring_in, request, type_in};
 use crate::{
-    ask::{Question, Reply},
+    ask::{self, Cell, Question, Reply},
     bench::{Bench, Focus, State, Tab},
     form,
     keys::Action,
@@ -24,7 +24,9 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::First => step(model, isize::MIN),
         Action::Last => step(model, isize::MAX),
         Action::Enter => {
-            begin(model, None);
+            if !begin(model, None) {
+                return choose(model, 1);
+            }
         }
         Action::Clear => {
             if begin(model, Some(String::new())) {
@@ -32,6 +34,8 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
             }
         }
         Action::Toggle => show_ours(model),
+        Action::Left => return choose(model, -1),
+        Action::Right => return choose(model, 1),
         Action::Back => {
             if let Some(bench) = &mut model.bench {
                 bench.focus = Focus::Form;
@@ -73,8 +77,17 @@ pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
 pub(super) fn typed(model: &mut Model) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let Some(text) = bench.ask.edit.as_ref().map(|input| input.value().to_owned()) else { return Vec::new() };
-    if let Some(name) = name_under_cursor(bench) {
-        bench.ask.check.set(&name, text);
+    match under_cursor(bench) {
+        Some(Under::Answer(name)) => bench.ask.check.set(&name, text),
+        Some(Under::Tolerance(path)) => {
+            bench.ask.sensitivity.set(&path, text);
+            bench.ask.study.found = None;
+        }
+        Some(Under::Cell(cell)) => {
+            bench.ask.study.set(cell, text);
+            bench.ask.study.found = None;
+        }
+        None => {}
     }
     renew(model)
 }
@@ -97,7 +110,17 @@ pub(super) fn take(model: &mut Model, outcome: Outcome) {
     bench.ask.awaited = None;
     match outcome.reply {
         Some(Reply::Slips(slips)) => bench.ask.check.slips = Some(slips),
-        None => {}
+        Some(Reply::Sensitivity(found)) => bench.ask.sensitivity.found = Some(found),
+        Some(Reply::Study(found)) => bench.ask.study.found = Some(found),
+        // A fault of the program: what was asked has no answer.
+        None => {
+            let failed = SolveError::from(Refusal::because("this failed (a fault of the program)"));
+            match bench.tab {
+                Tab::Sensitivity => bench.ask.sensitivity.found = Some(Err(failed)),
+                Tab::Study => bench.ask.study.found = Some(Err(failed)),
+                _ => bench.ask.check.slips = Some(Vec::new()),
+            }
+        }
     }
 }
 
@@ -106,6 +129,8 @@ pub(super) fn forget(bench: &mut Bench) {
     bench.ask.awaited = None;
     bench.ask.check.slips = None;
     bench.ask.check.praised = false;
+    bench.ask.sensitivity.found = None;
+    bench.ask.study.found = None;
 }
 
 fn question(bench: &Bench) -> Option<Question> {
@@ -129,15 +154,86 @@ fn question(bench: &Bench) -> Option<Question> {
                 typed: check.typed.clone(),
             })
         }
+        Tab::Sensitivity => {
+            let sensitivity = &bench.ask.sensitivity;
+            let numbers = ask::numbers(solution);
+            let answer = numbers.get(sensitivity.answer.min(numbers.len().checked_sub(1)?))?;
+            Some(Question::Sensitivity {
+                entry: bench.entry,
+                record: record()?,
+                answer: answer.name.to_string(),
+                tolerances: sensitivity.shares(),
+            })
+        }
+        Tab::Study => {
+            let record = record()?;
+            let plan = bench.ask.study.plan(&record, solution, &bench.ask.sensitivity.shares()).ok()?;
+            Some(Question::Study { entry: bench.entry, record, plan })
+        }
         _ => None,
     }
+}
+
+/// What is under the cursor of the shown tab.
+enum Under {
+    /// A person's own answer, by its name.
+    Answer(String),
+    /// The tolerance of an input, by its path.
+    Tolerance(String),
+    /// A cell of a study.
+    Cell(Cell),
+}
+
+fn under_cursor(bench: &Bench) -> Option<Under> {
+    match bench.tab {
+        Tab::Check => name_under_cursor(bench).map(Under::Answer),
+        Tab::Sensitivity => {
+            let sensitivity = &bench.ask.sensitivity;
+            // The order must not change while a tolerance is typed.
+            let sorted = sensitivity.sorted();
+            let at = sensitivity.cursor.min(sorted.len().checked_sub(1)?);
+            Some(Under::Tolerance(sorted[at].input.path.clone()))
+        }
+        Tab::Study => Some(bench.ask.study.cell()).map(Under::Cell),
+        _ => None,
+    }
+}
+
+/// Chooses another answer, or what stands beside in the cell under the cursor.
+fn choose(model: &mut Model, by: isize) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let Some(solution) = &bench.found.solution else { return Vec::new() };
+    match bench.tab {
+        Tab::Sensitivity => {
+            let of = ask::numbers(solution).len();
+            let sensitivity = &mut bench.ask.sensitivity;
+            if of > 0 {
+                sensitivity.answer =
+                    (sensitivity.answer.min(of - 1) as isize + by).rem_euclid(of as isize) as usize;
+            }
+            sensitivity.found = None;
+        }
+        Tab::Study => {
+            let Ok(record) = bench.form.draft.read(&bench.entry.shape()) else { return Vec::new() };
+            let cell = bench.ask.study.cell();
+            bench.ask.study.choose(cell, by, &record, solution);
+            bench.ask.study.found = None;
+        }
+        _ => return Vec::new(),
+    }
+    renew(model)
 }
 
 /// Begins to type in the cell under the cursor, in its text or in an empty one.
 fn begin(model: &mut Model, text: Option<String>) -> bool {
     let Some(bench) = &mut model.bench else { return false };
-    let Some(name) = name_under_cursor(bench) else { return false };
-    let text = text.unwrap_or_else(|| bench.ask.check.text(&name).to_owned());
+    let old = match under_cursor(bench) {
+        Some(Under::Answer(name)) => bench.ask.check.text(&name).to_owned(),
+        Some(Under::Tolerance(path)) => bench.ask.sensitivity.text(&path).to_owned(),
+        Some(Under::Cell(cell)) if !cell.is_choice() => bench.ask.study.text(cell).to_owned(),
+        _ => return false,
+    };
+    let text = text.unwrap_or(old);
     bench.ask.edit = Some(Input::new(text.chars().take(form::LONGEST).collect()));
     true
 }
@@ -150,17 +246,30 @@ fn name_under_cursor(bench: &Bench) -> Option<String> {
 
 fn step(model: &mut Model, by: isize) {
     let Some(bench) = &mut model.bench else { return };
-    let answers = bench.found.solution.as_ref().map_or(0, |solution| solution.answers.len());
-    let check = &mut bench.ask.check;
-    check.cursor = check.cursor.saturating_add_signed(by).min(answers.saturating_sub(1));
-    let cursor = check.cursor;
+    let ask = &mut bench.ask;
+    let (cursor, of) = match bench.tab {
+        Tab::Sensitivity => {
+            let of = ask.sensitivity.sorted().len();
+            (&mut ask.sensitivity.cursor, of)
+        }
+        Tab::Study => {
+            let of = ask.study.cells().len();
+            (&mut ask.study.cursor, of)
+        }
+        _ => (
+            &mut ask.check.cursor,
+            bench.found.solution.as_ref().map_or(0, |solution| solution.answers.len()),
+        ),
+    };
+    *cursor = cursor.saturating_add_signed(by).min(of.saturating_sub(1));
+    let cursor = *cursor;
     bring_in(model, cursor);
 }
 
 /// Shows our answer under the cursor, or covers it again.
 fn show_ours(model: &mut Model) {
     let Some(bench) = &mut model.bench else { return };
-    let Some(name) = name_under_cursor(bench) else { return };
+    let Some(name) = name_under_cursor(bench).filter(|_| bench.tab == Tab::Check) else { return };
     let seen = &mut bench.ask.check.seen;
     if !seen.remove(&name) {
         seen.insert(name);
@@ -169,7 +278,7 @@ fn show_ours(model: &mut Model) {
 
 /// Says once that everything is right.
 fn praise(model: &mut Model) {
-    let Some(bench) = &mut model.bench else { return };
+    let Some(bench) = model.bench.as_mut().filter(|bench| bench.tab == Tab::Check) else { return };
     let Some(solution) = bench.found.solution.as_ref().filter(|_| !bench.is_stale()) else { return };
     let names: Vec<String> = solution.answers.iter().map(|answer| answer.name.to_string()).collect();
     // Of a published case, what it asks for; of other problems, everything.

@@ -162,8 +162,11 @@ fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
     };
     let cells = |hint: &Hint| width(&hint.keys) + 1 + width(&hint.name);
     let has_film = film(model).is_some();
+    let in_tab = |tab: Tab| model.shown_bench().is_some_and(|bench| bench.tab == tab);
     let serves = |bound: &&Bound| match bound.binding.action {
         Action::Play | Action::PreviousFrame => has_film,
+        Action::Toggle if place == Place::Cells => in_tab(Tab::Check),
+        Action::Left if place == Place::Cells => !in_tab(Tab::Check),
         Action::Reveal => model.shown_bench().is_some_and(|bench| bench.reading.revealed.is_some()),
         Action::Enter if place == Place::Working => {
             model.shown_bench().is_some_and(|bench| bench.reading.symbol.is_some())
@@ -211,6 +214,7 @@ fn pair(action: Action, place: Place) -> Option<(Action, Action)> {
         Action::NextTab => (Action::PreviousTab, action),
         Action::PreviousFrame => (action, Action::NextFrame),
         Action::Right if place == Place::Working => (Action::Left, action),
+        Action::Left if place == Place::Cells => (action, Action::Right),
         _ => return None,
     })
 }
@@ -270,6 +274,8 @@ fn about_pane(model: &Model, bench: &Bench) -> String {
         Tab::Drawing if several => &["n next drawing"],
         Tab::Sources => &["↑ ↓ choose a case; Enter loads it"],
         Tab::Check => &["a number and a unit; what is said of it follows at once"],
+        Tab::Sensitivity => &["← → another answer; type the tolerance of the input, such as 2 %"],
+        Tab::Study => &["the plot is also among those of the tab of plots, with cursor and zoom"],
         Tab::Results | Tab::Working | Tab::Drawing | Tab::Table => &[],
     };
     hints.iter().map(|hint| word(hint, model)).collect::<Vec<_>>().join("; ")

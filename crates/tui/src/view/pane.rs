@@ -25,6 +25,8 @@ use crate::{
     solver::Failure,
 };
 
+/// A plot in fewer rows than these tells nothing.
+const LEAST_CURVES: u16 = 7;
 /// A drawing that has no more rows than this has none to spare for the bar of a film.
 const LEAST_UNDER_BAR: u16 = 5;
 
@@ -167,6 +169,21 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
             }
             _ => Page { lines: why_not(model, bench, width), starts: Vec::new() },
         },
+        Tab::Sensitivity | Tab::Study if bench.reading.revealed.is_some() => covered(model, width),
+        Tab::Sensitivity | Tab::Study => match solution {
+            Some(solution) if !bench.is_stale() => {
+                let focused = bench.focus == Focus::Pane;
+                if tab == Tab::Sensitivity {
+                    panes::sensitivity::page(solution, &bench.ask, focused, look, locale, width)
+                } else {
+                    let record = bench.form.draft.read(&bench.entry.shape()).ok();
+                    record.map_or_else(Page::default, |record| {
+                        panes::study::page(solution, &record, &bench.ask, focused, look, locale, width)
+                    })
+                }
+            }
+            _ => Page { lines: why_not(model, bench, width), starts: Vec::new() },
+        },
         Tab::Sources => {
             let chosen = (bench.focus == Focus::Pane).then_some(bench.case);
             let solution = solution.filter(|_| bench.reading.revealed.is_none());
@@ -200,6 +217,19 @@ fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area:
         let first = bench.scroll[tab as usize].min(lines.len().saturating_sub(height));
         draw_lines(&lines, first, inner, buffer);
         scroll_mark(first, height, lines.len(), look, area, buffer);
+        // Where there is room below its cells, a study shows its curves.
+        let used = (lines.len() + 1).min(height) as u16;
+        let left = Rect { y: inner.y + used, height: inner.height - used, ..inner };
+        if tab == Tab::Study
+            && left.height >= LEAST_CURVES
+            && !bench.is_stale()
+            && bench.reading.revealed.is_none()
+        {
+            if let Some(plot) = bench.studied() {
+                let state = plot::State { marker: bench.plot_state.marker, ..plot::State::default() };
+                plot::render(plot, None, &state, look, locale, left, buffer);
+            }
+        }
         return;
     }
     if tab == Tab::Plot && bench.reading.revealed.is_some() {

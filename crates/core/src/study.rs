@@ -1,0 +1,346 @@
+//! Questions about a whole range of inputs: how an answer runs over one of them, where it takes a wanted value, and
+//! how it scatters when the inputs do.
+
+mod scatter;
+
+use std::{
+    collections::BTreeSet,
+    ops::ControlFlow,
+    sync::{Mutex, PoisonError},
+};
+
+use dalembert_mechanics::roots;
+use dalembert_units::{Kind, Unit};
+
+pub use self::scatter::Distribution;
+use crate::{
+    Answer, Axis, Entry, Plot, Record, Refusal, Scale, Series, SolveError, Stop, Text,
+    vary::{self, Again, Input},
+};
+
+/// So many points are looked at when a value is sought.
+const SCAN: usize = 400;
+/// The most points of a curve, and the most samples.
+pub const MOST_POINTS: usize = 10_000;
+/// The most curves of a family.
+pub const MOST_CURVES: usize = 6;
+/// So many ranges without an answer are told.
+const MOST_GAPS: usize = 3;
+
+/// What is asked.
+#[derive(Clone, Debug)]
+pub enum Plan {
+    /// How an answer runs over an input, once for each value of another.
+    Sweep {
+        /// The path of the input.
+        input: String,
+        /// From and to, in SI.
+        range: [f64; 2],
+        /// How many points.
+        points: usize,
+        /// How they are spread.
+        scale: Scale,
+        /// Another input, and its values in SI; a curve each.
+        family: Option<(String, Vec<f64>)>,
+        /// The answer.
+        answer: String,
+    },
+    /// For which value of an input an answer is a wanted one.
+    Find {
+        /// The path of the input.
+        input: String,
+        /// From and to, in SI.
+        range: [f64; 2],
+        /// The answer.
+        answer: String,
+        /// What it is to be, in SI.
+        wanted: f64,
+    },
+    /// How an answer scatters when the inputs do.
+    Scatter {
+        /// The tolerances of inputs, as shares of their values, by their paths.
+        tolerances: Vec<(String, f64)>,
+        /// That of every other input.
+        usual: f64,
+        /// How values lie within it.
+        distribution: Distribution,
+        /// How many problems are solved.
+        samples: usize,
+        /// The same seed gives the same samples.
+        seed: u64,
+        /// The answer.
+        answer: String,
+    },
+}
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Studied {
+    /// What there is to say.
+    pub says: Vec<Text>,
+    /// The curves.
+    pub plot: Option<Plot>,
+    /// The numbers behind it, in SI: the values that were sought; mean, standard deviation and the ends of the 95 %
+    /// interval of a scatter.
+    pub numbers: Vec<f64>,
+}
+
+/// Carries out a study.
+///
+/// # Errors
+/// Why the problem as it stands has no answer, or what of the plan does not fit it.
+pub fn study(entry: &Entry, record: &Record, plan: &Plan, stop: &Stop) -> Result<Studied, SolveError> {
+    let solution = entry.solve(record, stop)?;
+    let name = match plan {
+        Plan::Sweep { answer, .. } | Plan::Find { answer, .. } | Plan::Scatter { answer, .. } => answer,
+    };
+    let no_number = || SolveError::from(Refusal::because("this answer is no single number"));
+    let answer = solution.answer(name).filter(|answer| answer.si().is_some()).ok_or_else(no_number)?;
+    match plan {
+        Plan::Sweep { input, range, points, scale, family, .. } => {
+            let curve = Curve::new(entry, record, input, *range, answer)?;
+            curve.sweep(*points, *scale, family.as_ref(), stop)
+        }
+        Plan::Find { input, range, wanted, .. } => {
+            Curve::new(entry, record, input, *range, answer)?.find(*wanted, stop)
+        }
+        Plan::Scatter { tolerances, usual, distribution, samples, seed, .. } => {
+            let tolerances = (tolerances.as_slice(), *usual);
+            scatter::scatter(entry, record, answer, tolerances, *distribution, (*samples, *seed), stop)
+        }
+    }
+}
+
+/// An answer over an input.
+struct Curve<'a> {
+    entry: &'a Entry,
+    record: &'a Record,
+    answer: &'a Answer,
+    inputs: Vec<Input>,
+    /// The place of the input.
+    at: usize,
+    range: [f64; 2],
+}
+
+impl<'a> Curve<'a> {
+    fn new(
+        entry: &'a Entry,
+        record: &'a Record,
+        input: &str,
+        range: [f64; 2],
+        answer: &'a Answer,
+    ) -> Result<Self, SolveError> {
+        let inputs = vary::inputs(record);
+        let at = inputs.iter().position(|known| known.path == input);
+        let at = at.ok_or_else(|| Refusal::because("this input is no number of the problem as it stands"))?;
+        let range = [range[0].min(range[1]), range[0].max(range[1])];
+        if !range.iter().all(|end| end.is_finite()) || range[0] == range[1] {
+            return Err(Refusal::because("the range has no width: write two different ends").into());
+        }
+        Ok(Self { entry, record, answer, inputs, at, range })
+    }
+
+    fn input(&self) -> &Input {
+        &self.inputs[self.at]
+    }
+
+    fn again(&self) -> Result<Again, SolveError> {
+        let path = self.input().path.clone();
+        let again =
+            Again::new(self.entry, self.record, self.inputs.clone(), vec![self.answer.name.to_string()])?;
+        if again.answers.is_empty() || !again.inputs.iter().any(|known| known.path == path) {
+            return Err(Refusal::because("this input cannot be varied").into());
+        }
+        Ok(again)
+    }
+
+    fn places(&self, points: usize, scale: Scale) -> Vec<f64> {
+        let [from, to] = self.range;
+        let last = points.max(2) - 1;
+        let share = |n: usize| n as f64 / last as f64;
+        match scale {
+            Scale::Log if from > 0.0 => (0..=last).map(|n| from * (to / from).powf(share(n))).collect(),
+            _ => (0..=last).map(|n| from + (to - from) * share(n)).collect(),
+        }
+    }
+
+    fn values(
+        &self,
+        again: &mut Again,
+        places: &[f64],
+        other: Option<(usize, f64)>,
+        stop: &Stop,
+    ) -> Result<Vec<f64>, Refusal> {
+        let at = place_of(again, &self.input().path);
+        places
+            .iter()
+            .map(|x| {
+                let changes: Vec<(usize, f64)> = [(at, *x)].into_iter().chain(other).collect();
+                Ok(again.with(&changes, stop)?[0])
+            })
+            .collect()
+    }
+
+    fn sweep(
+        &self,
+        points: usize,
+        scale: Scale,
+        family: Option<&(String, Vec<f64>)>,
+        stop: &Stop,
+    ) -> Result<Studied, SolveError> {
+        let mut again = self.again()?;
+        let places = self.places(points.clamp(2, MOST_POINTS), scale);
+        let mut series = Vec::new();
+        let mut says = Vec::new();
+        let parameters: Vec<Option<(usize, f64)>> = match family {
+            Some((path, values)) if again.inputs.iter().any(|known| known.path == *path) => {
+                let at = place_of(&again, path);
+                values.iter().take(MOST_CURVES).map(|value| Some((at, *value))).collect()
+            }
+            _ => vec![None],
+        };
+        for other in parameters {
+            let values = self.values(&mut again, &places, other, stop)?;
+            let label = match other {
+                None => named(self.answer),
+                Some((at, value)) => {
+                    let input = &again.inputs[at];
+                    Text::new("{input} = {value}").with_text("input", input.label.clone()).with_quantity(
+                        "value",
+                        value,
+                        fixed(&input.unit),
+                    )
+                }
+            };
+            if says.is_empty() {
+                says = self.gaps(&places, &values, stop);
+            }
+            series.push(Series::line(label, places.iter().copied().zip(values).collect()));
+        }
+        let mut plot = self.plot(series);
+        plot.x.scale = if self.range[0] > 0.0 { scale } else { Scale::Linear };
+        if family.is_none() {
+            plot = plot.mark("as it stands", (self.input().si, self.answer.si().unwrap_or(f64::NAN)));
+        }
+        Ok(Studied { says, plot: Some(plot), numbers: Vec::new() })
+    }
+
+    fn find(&self, wanted: f64, stop: &Stop) -> Result<Studied, SolveError> {
+        let mut again = self.again()?;
+        let [from, to] = self.range;
+        let scale = if from > 0.0 && to / from > 30.0 { Scale::Log } else { Scale::Linear };
+        let places = self.places(SCAN, scale);
+        let values = self.values(&mut again, &places, None, stop)?;
+        let at = place_of(&again, &self.input().path);
+        let mut found = Vec::new();
+        for pair in 1..places.len() {
+            let (before, after) = (values[pair - 1] - wanted, values[pair] - wanted);
+            if before == 0.0 {
+                found.push(places[pair - 1]);
+            } else if before * after < 0.0 {
+                let off = |x: f64| again.with(&[(at, x)], stop).map_or(f64::NAN, |values| values[0] - wanted);
+                let root = roots::find(off, [places[pair - 1], places[pair]], |_| ControlFlow::Continue(()));
+                stop.check()?;
+                found.extend(root.ok());
+            }
+        }
+        found.extend(places.last().filter(|_| values.last() == Some(&wanted)));
+        let (x_unit, y_unit) = (fixed(&self.input().unit), fixed(&self.answer.unit));
+        let mut says: Vec<Text> = found
+            .iter()
+            .map(|x| {
+                Text::new("{input} = {value}")
+                    .with_text("input", self.input().label.clone())
+                    .with_quantity("value", *x, x_unit)
+            })
+            .collect();
+        if found.is_empty() {
+            let ends = places.iter().zip(&values).filter(|(_, y)| y.is_finite());
+            let least = ends.clone().min_by(|a, b| a.1.total_cmp(b.1));
+            let most = ends.max_by(|a, b| a.1.total_cmp(b.1));
+            says.push(match least.zip(most) {
+                Some((least, most)) => Text::new(
+                    "no value in the range gives it: the answer runs from {least} (at {at_least}) to {most} (at {at_most})",
+                )
+                .with_quantity("least", *least.1, y_unit)
+                .with_quantity("at_least", *least.0, x_unit)
+                .with_quantity("most", *most.1, y_unit)
+                .with_quantity("at_most", *most.0, x_unit),
+                None => Text::new("there is no answer anywhere in the range"),
+            });
+        }
+        says.extend(self.gaps(&places, &values, stop));
+        let points = places.iter().copied().zip(values).collect();
+        let mut plot = self.plot(vec![Series::line(named(self.answer), points)]).level("wanted", wanted);
+        plot.x.scale = scale;
+        for x in &found {
+            plot = plot.mark("", (*x, wanted));
+        }
+        Ok(Studied { says, plot: Some(plot), numbers: found })
+    }
+
+    fn plot(&self, series: Vec<Series>) -> Plot {
+        let title = Text::new("{answer} over {input}")
+            .with_text("answer", named(self.answer))
+            .with_text("input", self.input().label.clone());
+        let x = Axis::linear(self.input().label.clone(), fixed(&self.input().unit));
+        Plot::new(title, x, Axis::linear(named(self.answer), fixed(&self.answer.unit)), series)
+    }
+
+    /// Where there is no answer, and why.
+    fn gaps(&self, places: &[f64], values: &[f64], stop: &Stop) -> Vec<Text> {
+        let mut gaps: Vec<(usize, usize)> = Vec::new();
+        for at in (0..values.len()).filter(|at| values[*at].is_nan()) {
+            match gaps.last_mut() {
+                Some((_, end)) if *end + 1 == at => *end = at,
+                _ => gaps.push((at, at)),
+            }
+        }
+        let unit = fixed(&self.input().unit);
+        let told = gaps.into_iter().take(MOST_GAPS).map(|(first, last)| {
+            let why = vary::why_not(
+                self.entry,
+                self.record,
+                self.input(),
+                places[usize::midpoint(first, last)],
+                stop,
+            );
+            Text::new("no answer from {from} to {to}: {why}")
+                .with_quantity("from", places[first], unit)
+                .with_quantity("to", places[last], unit)
+                .with_text("why", why.unwrap_or_else(|| Text::new("not told")))
+        });
+        told.collect()
+    }
+}
+
+fn place_of(again: &Again, path: &str) -> usize {
+    again.inputs.iter().position(|input| input.path == path).unwrap_or(0)
+}
+
+/// An answer in words, with its place.
+pub(crate) fn named(answer: &Answer) -> Text {
+    match answer.name.to_string().strip_prefix(answer.name.base) {
+        Some("") | None => Text::from(answer.label),
+        Some(place) => Text::new("{label} {place}").with_text("label", answer.label).with("place", place),
+    }
+}
+
+/// The text of a unit for as long as the program runs. Units that no kind offers are kept: there are as many as
+/// people type.
+pub(crate) fn fixed(unit: &Unit) -> &'static str {
+    static KEPT: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
+    let text = unit.ascii();
+    let known = Kind::of(unit).units().iter().copied().find(|known| *known == text);
+    known.unwrap_or_else(|| {
+        let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+        match kept.get(text.as_str()).copied() {
+            Some(known) => known,
+            None => {
+                let new: &'static str = text.leak();
+                kept.insert(new);
+                new
+            }
+        }
+    })
+}

@@ -1,0 +1,313 @@
+//! A study as it is typed: a few cells, of which the kind of the study says which.
+
+use dalembert_core::SolveError;
+use dalembert_core::{
+    Record, Scale, Solution, Text, check,
+    study::{Distribution, Plan, Studied},
+    vary::{self, Input},
+};
+use dalembert_units::{Decimal, Style, write_quantity};
+
+use super::{USUAL, numbers};
+
+/// Points of a curve, unless the person says otherwise.
+const POINTS: usize = 201;
+/// Samples, unless the person says otherwise.
+const SAMPLES: usize = 2000;
+
+/// A study as it is typed.
+#[derive(Debug, Default)]
+pub struct Study {
+    /// The cell under the cursor.
+    pub cursor: usize,
+    /// What is asked.
+    pub kind: Kind,
+    /// The place of the input among those that are numbers.
+    pub input: usize,
+    /// The place of the answer among those that are numbers.
+    pub answer: usize,
+    /// The place of the input of which every value gives a curve, counted from 1; 0 for none.
+    pub family: usize,
+    /// Whether points are spread by equal ratios.
+    pub log: bool,
+    /// Whether values lie normally within their tolerances.
+    pub normal: bool,
+    /// What was typed, by cells.
+    pub typed: Vec<(Cell, String)>,
+    /// What was found; `None` while it is sought.
+    pub found: Option<Result<Studied, SolveError>>,
+}
+
+/// What is asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Kind {
+    /// How an answer runs over an input.
+    #[default]
+    Sweep,
+    /// Where it takes a wanted value.
+    Find,
+    /// How it scatters within tolerances.
+    Scatter,
+}
+
+/// A cell of a study.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cell {
+    /// What is asked.
+    Kind,
+    /// The input.
+    Input,
+    /// The answer.
+    Answer,
+    /// The beginning of the range.
+    From,
+    /// Its end.
+    To,
+    /// How many points.
+    Points,
+    /// How they are spread.
+    Spread,
+    /// The input of the family of curves.
+    Family,
+    /// Its values.
+    Values,
+    /// The wanted value.
+    Wanted,
+    /// How values lie within their tolerances.
+    Distribution,
+    /// How many problems are solved.
+    Samples,
+    /// The same seed gives the same samples.
+    Seed,
+}
+
+impl Cell {
+    /// What it is called.
+    pub fn name(self) -> Text {
+        match self {
+            Cell::Kind => Text::new("Study"),
+            Cell::Input => Text::new("Over the input"),
+            Cell::Answer => Text::new("Answer"),
+            Cell::From => Text::new("Range from"),
+            Cell::To => Text::new("Range to"),
+            Cell::Points => Text::new("Points"),
+            Cell::Spread => Text::new("Spread"),
+            Cell::Family => Text::new("A curve for each"),
+            Cell::Values => Text::new("Its values"),
+            Cell::Wanted => Text::new("Wanted value"),
+            Cell::Distribution => Text::new("Within the tolerances"),
+            Cell::Samples => Text::new("Samples"),
+            Cell::Seed => Text::new("Seed"),
+        }
+    }
+
+    /// Whether it is chosen, not typed.
+    pub fn is_choice(self) -> bool {
+        matches!(
+            self,
+            Cell::Kind | Cell::Input | Cell::Answer | Cell::Spread | Cell::Family | Cell::Distribution
+        )
+    }
+}
+
+impl Study {
+    /// The cells from top to bottom.
+    pub fn cells(&self) -> Vec<Cell> {
+        let mut cells = vec![Cell::Kind, Cell::Answer];
+        cells.extend_from_slice(match self.kind {
+            Kind::Sweep => &[Cell::Input, Cell::From, Cell::To, Cell::Points, Cell::Spread, Cell::Family],
+            Kind::Find => &[Cell::Wanted, Cell::Input, Cell::From, Cell::To],
+            Kind::Scatter => &[Cell::Distribution, Cell::Samples, Cell::Seed],
+        });
+        if self.kind == Kind::Sweep && self.family > 0 {
+            cells.push(Cell::Values);
+        }
+        cells
+    }
+
+    /// The cell under the cursor.
+    pub fn cell(&self) -> Cell {
+        let cells = self.cells();
+        cells[self.cursor.min(cells.len() - 1)]
+    }
+
+    /// What was typed in a cell.
+    pub fn text(&self, cell: Cell) -> &str {
+        self.typed.iter().find(|(known, _)| *known == cell).map_or("", |(_, text)| text)
+    }
+
+    /// Takes a text for a cell.
+    pub fn set(&mut self, cell: Cell, text: String) {
+        self.typed.retain(|(known, _)| *known != cell);
+        self.typed.push((cell, text));
+    }
+
+    /// Chooses what stands so many places further in a cell.
+    pub fn choose(&mut self, cell: Cell, by: isize, record: &Record, solution: &Solution) {
+        let inputs = vary::inputs(record).len();
+        let turn = |at: usize, of: usize| {
+            if of == 0 { 0 } else { (at.min(of - 1) as isize + by).rem_euclid(of as isize) as usize }
+        };
+        match cell {
+            Cell::Kind => {
+                let all = [Kind::Sweep, Kind::Find, Kind::Scatter];
+                let at = all.iter().position(|kind| *kind == self.kind).unwrap_or(0);
+                self.kind = all[turn(at, all.len())];
+            }
+            Cell::Input => {
+                self.input = turn(self.input, inputs);
+                self.typed.retain(|(cell, _)| !matches!(cell, Cell::From | Cell::To));
+            }
+            Cell::Answer => {
+                self.answer = turn(self.answer, numbers(solution).len());
+                self.typed.retain(|(cell, _)| *cell != Cell::Wanted);
+            }
+            Cell::Family => {
+                self.family = turn(self.family, inputs + 1);
+                self.typed.retain(|(cell, _)| *cell != Cell::Values);
+            }
+            Cell::Spread => self.log = !self.log,
+            Cell::Distribution => self.normal = !self.normal,
+            _ => {}
+        }
+    }
+
+    /// What stands in a cell: what was typed or chosen, or else what is taken for it.
+    pub fn shown(&self, cell: Cell, record: &Record, solution: &Solution, decimal: Decimal) -> Text {
+        let inputs = vary::inputs(record);
+        let words = |text: &str| Text::new(text.to_owned());
+        let typed = self.text(cell);
+        if !typed.trim().is_empty() {
+            return words(typed);
+        }
+        let style = Style { decimal, ..Style::default() };
+        let of_input = |at: usize, share: f64| {
+            inputs.get(at).map_or_else(
+                || words(""),
+                |input| words(&write_quantity(share * input.si, &input.unit, style)),
+            )
+        };
+        let input = self.input.min(inputs.len().saturating_sub(1));
+        match cell {
+            Cell::Kind => match self.kind {
+                Kind::Sweep => Text::new("sweep: the answer over an input"),
+                Kind::Find => Text::new("find: the input for a wanted answer"),
+                Kind::Scatter => Text::new("scatter: inputs within their tolerances"),
+            },
+            Cell::Input => inputs.get(input).map_or_else(|| words(""), |input| input.label.clone()),
+            Cell::Answer => match self.answer_of(solution) {
+                Some(answer) => Text::new(answer.label),
+                None => words(""),
+            },
+            Cell::From => of_input(input, 0.5),
+            Cell::To => of_input(input, 1.5),
+            Cell::Points => words(&POINTS.to_string()),
+            Cell::Spread if self.log => Text::new("by equal ratios"),
+            Cell::Spread => Text::new("by equal differences"),
+            Cell::Family => match self.family.checked_sub(1).and_then(|at| inputs.get(at)) {
+                Some(input) => input.label.clone(),
+                None => Text::new("no other input"),
+            },
+            Cell::Values => match self.family.checked_sub(1).and_then(|at| inputs.get(at)) {
+                Some(input) => {
+                    let values =
+                        [0.5, 1.0, 2.0].map(|share| write_quantity(share * input.si, &input.unit, style));
+                    words(&values.join("; "))
+                }
+                None => words(""),
+            },
+            Cell::Wanted => match self.answer_of(solution).and_then(|answer| Some((answer, answer.si()?))) {
+                Some((answer, si)) => words(&write_quantity(si, &answer.unit, style)),
+                None => words(""),
+            },
+            Cell::Distribution if self.normal => Text::new("normal, a tolerance being 3 standard deviations"),
+            Cell::Distribution => Text::new("everywhere alike"),
+            Cell::Samples => words(&SAMPLES.to_string()),
+            Cell::Seed => words("1"),
+        }
+    }
+
+    /// What is asked, or which cell cannot be read, and why.
+    ///
+    /// # Errors
+    /// The first cell that cannot be read.
+    pub fn plan(
+        &self,
+        record: &Record,
+        solution: &Solution,
+        tolerances: &[(String, f64)],
+    ) -> Result<Plan, (Cell, Text)> {
+        let inputs = vary::inputs(record);
+        let none = || (Cell::Input, Text::new("no input of this problem is a number"));
+        let input = inputs.get(self.input.min(inputs.len().saturating_sub(1)));
+        let answer = self
+            .answer_of(solution)
+            .ok_or_else(|| (Cell::Answer, Text::new("no answer of this problem is a single number")))?;
+        let name = answer.name.to_string();
+        let value = |input: &Input, cell: Cell, share: f64| match self.text(cell).trim() {
+            "" => Ok(share * input.si),
+            typed => input.read(typed).map_err(|why| (cell, why)),
+        };
+        let range = |input: &Input| Ok([value(input, Cell::From, 0.5)?, value(input, Cell::To, 1.5)?]);
+        Ok(match self.kind {
+            Kind::Sweep => {
+                let input = input.ok_or_else(none)?;
+                let family = match self.family.checked_sub(1).and_then(|at| inputs.get(at)) {
+                    Some(other) => Some((other.path.clone(), self.values(other)?)),
+                    None => None,
+                };
+                Plan::Sweep {
+                    input: input.path.clone(),
+                    range: range(input)?,
+                    points: self.count(Cell::Points, POINTS)?,
+                    scale: if self.log { Scale::Log } else { Scale::Linear },
+                    family,
+                    answer: name,
+                }
+            }
+            Kind::Find => {
+                let input = input.ok_or_else(none)?;
+                let wanted = match self.text(Cell::Wanted).trim() {
+                    "" => answer.si().unwrap_or(f64::NAN),
+                    typed => check::value(answer, typed).map_err(|why| (Cell::Wanted, why))?,
+                };
+                Plan::Find { input: input.path.clone(), range: range(input)?, answer: name, wanted }
+            }
+            Kind::Scatter => Plan::Scatter {
+                tolerances: tolerances.to_vec(),
+                usual: USUAL,
+                distribution: if self.normal { Distribution::Normal } else { Distribution::Uniform },
+                samples: self.count(Cell::Samples, SAMPLES)?,
+                seed: self.count(Cell::Seed, 1)? as u64,
+                answer: name,
+            },
+        })
+    }
+
+    /// The answer that is studied.
+    pub fn answer_of<'s>(&self, solution: &'s Solution) -> Option<&'s dalembert_core::Answer> {
+        let numbers = numbers(solution);
+        numbers.get(self.answer.min(numbers.len().checked_sub(1)?)).copied()
+    }
+
+    fn values(&self, input: &Input) -> Result<Vec<f64>, (Cell, Text)> {
+        match self.text(Cell::Values).trim() {
+            "" => Ok([0.5, 1.0, 2.0].map(|share| share * input.si).to_vec()),
+            typed => {
+                let read = |text: &str| input.read(text.trim()).map_err(|why| (Cell::Values, why));
+                typed.split(';').filter(|text| !text.trim().is_empty()).map(read).collect()
+            }
+        }
+    }
+
+    fn count(&self, cell: Cell, usual: usize) -> Result<usize, (Cell, Text)> {
+        match self.text(cell).trim() {
+            "" => Ok(usual),
+            typed => typed
+                .parse()
+                .ok()
+                .filter(|count| (1..=dalembert_core::study::MOST_POINTS).contains(count))
+                .ok_or_else(|| (cell, Text::new("write a whole number from 1 to 10000"))),
+        }
+    }
+}
