@@ -44,6 +44,7 @@ impl Analysis for Fan {
         id: "bench/fan",
         title: "Fan",
         summary: "The amplitude of an unbalanced machine.",
+        topic: "",
         keywords: "",
         sources: &[&NOTES],
         cases: "",

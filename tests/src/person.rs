@@ -12,7 +12,7 @@
 
 use std::{collections::BTreeMap, path::PathBuf};
 
-use dalembert_core::{Language, Stop, find, registry};
+use dalembert_core::{Entry, Language, Stop, find, registry};
 use dalembert_plugins as _;
 use dalembert_tui::{
     Effect, Model, Msg,
@@ -20,6 +20,7 @@ use dalembert_tui::{
     glyphs::{Capabilities, Colors, Glyphs, PlotMarker, sweep},
     look::Look,
     model::Editing,
+    remembered::Change,
     solver::{judge, solve},
     start, update, view,
 };
@@ -41,6 +42,9 @@ pub struct Person {
     pub clipboard: String,
     /// The unsaved work that would outlive a crash, by the numbers of the problems.
     pub kept: BTreeMap<u64, String>,
+    /// What later sessions would remember.
+    pub remembered: Vec<Change>,
+    wish: Option<&'static Entry>,
     /// What the editor makes of a text.
     pub editor: fn(&str) -> String,
     terminal: Terminal<TestBackend>,
@@ -84,6 +88,8 @@ impl Person {
             has_left: false,
             clipboard: String::new(),
             kept: BTreeMap::new(),
+            remembered: Vec::new(),
+            wish: None,
             editor: str::to_owned,
             terminal,
             capabilities,
@@ -160,6 +166,9 @@ impl Person {
 
     /// The screen with its colours.
     pub fn draws(&mut self) -> &Buffer {
+        if let Some(entry) = self.wish.take() {
+            self.happens(Msg::Judged(entry.about.id, judge(entry)));
+        }
         let (model, capabilities) = (&self.model, &self.capabilities);
         self.terminal
             .draw(|frame| {
@@ -191,7 +200,15 @@ impl Person {
                     Some(outcome) => Msg::Asked(outcome),
                     None => continue,
                 },
-                Effect::Judge(entry) => Msg::Judged(entry.about.id, judge(entry)),
+                // Done when the person looks, as the newest wish of several.
+                Effect::Judge(entry) => {
+                    self.wish = Some(entry);
+                    continue;
+                }
+                Effect::Remember(change) => {
+                    self.remembered.push(change);
+                    continue;
+                }
                 Effect::Save { path, text, before } => {
                     let result = files::save(&path, &text, before);
                     Msg::Saved { path, text, result }

@@ -24,6 +24,7 @@ fn every_sentence_has_its_portuguese() {
         let of = entry.family();
         sentences.add(of, entry.about.title);
         sentences.add(of, entry.about.summary);
+        sentences.add(of, entry.about.topic);
         sentences.fields(of, entry.fields(), &mut BTreeSet::new());
         for case in cases::cases(entry).unwrap() {
             let Ok(record) = case.record(entry) else { continue };

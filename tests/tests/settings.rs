@@ -53,7 +53,8 @@ fn click(person: &mut Person, text: &str) {
 
 #[test]
 fn the_footer_the_help_and_the_palette_show_the_keys_that_hold() {
-    let mut person = fan_with("[keys]\nnext-tab = \"f6\"\nprevious-tab = \"f5\"\nundo = \"ctrl-x\"\nsave = []\n");
+    let mut person =
+        fan_with("[keys]\nnext-tab = \"f6\"\nprevious-tab = \"f5\"\nundo = \"ctrl-x\"\nsave = []\n");
     let footer = person.sees().lines().last().unwrap_or_default().to_owned();
     assert!(footer.contains("F5 F6 tabs") && footer.contains("Ctrl-X undo"), "{footer}");
     assert!(!footer.contains(" s save"), "{footer}");
@@ -90,8 +91,9 @@ fn every_action_has_a_key_or_a_name_and_stands_in_the_file_of_settings() {
         }
     }
     // Every action that has a name in the settings stands in a table.
-    let names = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/tui/src/keys/names.rs"))
-        .expect("the source is there");
+    let names =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/tui/src/keys/names.rs"))
+            .expect("the source is there");
     let ids: Vec<&str> = names
         .lines()
         .filter(|line| line.trim_start().starts_with("Action::"))
@@ -99,7 +101,8 @@ fn every_action_has_a_key_or_a_name_and_stands_in_the_file_of_settings() {
         .collect();
     assert!(ids.len() > 50, "{ids:?}");
     for id in ids {
-        let stands = Place::ALL.into_iter().flat_map(Place::bindings).any(|binding| binding.action.id() == id);
+        let stands =
+            Place::ALL.into_iter().flat_map(Place::bindings).any(|binding| binding.action.id() == id);
         assert!(stands, "{id} stands in no table");
     }
 }
@@ -331,7 +334,9 @@ fn the_problem_is_edited_in_the_person_s_editor() {
     pty.expect("1500 rpm");
     pty.expect("is read again");
     assert!(String::from_utf8_lossy(&pty.raw()).contains("the editor is here"));
-    assert!(fs::read_to_string(&path).is_ok_and(|text| text.contains("1500 rpm") && text.contains("# its plate")));
+    assert!(
+        fs::read_to_string(&path).is_ok_and(|text| text.contains("1500 rpm") && text.contains("# its plate"))
+    );
     pty.types("q");
     assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
 }
@@ -435,9 +440,13 @@ fn read_only_writes_nothing_at_all() {
     pty.types("q");
     assert_eq!(pty.exit_code(), Some(0));
     assert_eq!(fs::read(&path).ok(), Some(before));
-    let left: Vec<_> = fs::read_dir(folder.path()).expect("the folder").flatten().map(|entry| entry.file_name()).collect();
+    let left: Vec<_> =
+        fs::read_dir(folder.path()).expect("the folder").flatten().map(|entry| entry.file_name()).collect();
     assert_eq!(left, ["fan.toml"]);
-    assert!(fs::read_dir(pty.home()).is_ok_and(|mut home| home.next().is_none()), "something in the home folder");
+    assert!(
+        fs::read_dir(pty.home()).is_ok_and(|mut home| home.next().is_none()),
+        "something in the home folder"
+    );
 }
 
 #[test]
@@ -445,6 +454,7 @@ fn an_action_without_a_key_is_reached_by_its_name() {
     let mut person = fan(90, 30);
     person.types(":mouse<enter>");
     assert!(person.model.mouse && person.sees().contains("needs Shift"), "{}", person.sees());
-    let unkeyed = |action| Place::Form.bindings().any(|binding| binding.action == action && binding.keys.is_empty());
+    let unkeyed =
+        |action| Place::Form.bindings().any(|binding| binding.action == action && binding.keys.is_empty());
     assert!(unkeyed(Action::Mouse) && unkeyed(Action::Theme));
 }

@@ -20,6 +20,8 @@ pub struct About {
     pub id: &'static str,
     /// A few words.
     pub title: &'static str,
+    /// The topic of its family that it stands under in the list, a few words: one that is there already, if it fits.
+    pub topic: &'static str,
     /// One sentence: what goes in and what comes out.
     pub summary: &'static str,
     /// Words people search for, in any language.

@@ -10,6 +10,7 @@ mod analysis;
 pub mod cases;
 pub mod check;
 pub mod draft;
+pub mod exercises;
 pub mod exhibit;
 mod field;
 pub mod file;

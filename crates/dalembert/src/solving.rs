@@ -66,8 +66,15 @@ mod tests {
     }
 
     impl Analysis for Faulty {
-        const ABOUT: About =
-            About { id: "test/faulty", title: "", summary: "", keywords: "", sources: &[], cases: "" };
+        const ABOUT: About = About {
+            id: "test/faulty",
+            title: "",
+            topic: "",
+            summary: "",
+            keywords: "",
+            sources: &[],
+            cases: "",
+        };
 
         fn solve<W: Worksheet>(&self, _: &FaultyGiven<W>, _: W) -> Result<(), Refusal> {
             panic!("index {} of a list of 1", self.mass)

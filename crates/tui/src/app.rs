@@ -4,11 +4,10 @@ mod editor;
 mod watch;
 
 use std::{
-    fs,
+    fs, io,
     path::{Path, PathBuf},
     process::ExitCode,
     sync::{Arc, mpsc},
-    thread,
     time::{Duration, Instant},
 };
 
@@ -17,12 +16,12 @@ use dalembert_core::{Entry, Language, registry};
 
 use self::watch::Watched;
 use crate::{
-    files::{self, Autosave},
+    files::{self, Autosave, Memory},
     glyphs::{Capabilities, Colors, Environment, Glyphs, PlotMarker},
     look::Look,
     model::{EditError, Editing, Effect, Model, Msg},
     settings::{self, Settings},
-    solver::{Solver, judge},
+    solver::{Solver, judges},
     terminal::{self, Fault, Input, Session, TerminalError, fault},
     update::{start, update},
     view::{tempo, view},
@@ -80,7 +79,9 @@ struct World {
     /// What is asked beside the results never holds them up.
     asker: Solver,
     autosave: Arc<Autosave>,
-    messages: mpsc::Sender<Msg>,
+    judges: io::Result<mpsc::Sender<&'static Entry>>,
+    /// `None`: nothing is remembered for later sessions.
+    memory: Option<Memory>,
     /// When work was remembered that is not written aside yet.
     noted: Option<Instant>,
     /// When unsaved work was written aside last.
@@ -137,12 +138,19 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     model.playing &= !basic;
     model.readonly = readonly;
     model.faults = Fault::allowed();
+    let (judged, waker) = (sender.clone(), session.waker());
+    let judges = judges(move |id, cases| {
+        let _ = judged.send(Msg::Judged(id, cases));
+        waker.wake();
+    });
+    let (memory, forgetful) = recall(&mut model, &session, sender);
     let mut world = World {
         session,
         solver,
         asker,
         autosave,
-        messages: sender,
+        judges,
+        memory,
         noted: None,
         kept: Instant::now(),
         awaited: None,
@@ -160,6 +168,9 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         update(&mut model, Msg::Trouble(error));
     }
     let sessions = world.autosave.crashed();
+    for error in forgetful {
+        update(&mut model, Msg::Trouble(error));
+    }
     if !sessions.is_empty() {
         update(&mut model, Msg::Crashed(sessions));
     }
@@ -259,13 +270,12 @@ impl World {
                     continue;
                 }
                 Effect::Judge(entry) => {
-                    let (messages, waker) = (self.messages.clone(), self.session.waker());
-                    let judging = move || {
-                        let _ = messages.send(Msg::Judged(entry.about.id, judge(entry)));
-                        waker.wake();
-                    };
-                    match thread::Builder::new().name("cases".into()).spawn(judging) {
-                        Ok(_) => continue,
+                    match &self.judges {
+                        // A thread that has ended wants no more wishes.
+                        Ok(judges) => {
+                            let _ = judges.send(entry);
+                            continue;
+                        }
                         Err(error) => Msg::Notice(error.to_string()),
                     }
                 }
@@ -295,6 +305,12 @@ impl World {
                 }
                 Effect::Forget(problem) => {
                     self.autosave.forget(problem);
+                    continue;
+                }
+                Effect::Remember(change) => {
+                    if let Some(memory) = &self.memory {
+                        memory.note(change);
+                    }
                     continue;
                 }
                 Effect::Discard(crashed) => {
@@ -394,6 +410,39 @@ impl World {
 /// selection.
 fn is_remote() -> bool {
     ["SSH_CONNECTION", "SSH_TTY"].iter().any(|name| std::env::var_os(name).is_some())
+}
+
+/// What earlier sessions remembered, and the person's own lists of exercises; what remembers for later sessions, and
+/// what could not be read.
+fn recall(
+    model: &mut Model,
+    session: &Session,
+    sender: mpsc::Sender<Msg>,
+) -> (Option<Memory>, Vec<files::FileError>) {
+    let mut trouble = Vec::new();
+    if let Some(folder) = files::sets_path() {
+        let (sets, error) = files::sets(&folder);
+        model.sets.extend(sets);
+        trouble.extend(error);
+    }
+    let Some(path) = files::remembered_path() else { return (None, trouble) };
+    match files::recall(&path) {
+        Ok(remembered) => model.remembered = remembered,
+        Err(error) => {
+            trouble.push(error);
+            return (None, trouble);
+        }
+    }
+    if model.readonly {
+        return (None, trouble);
+    }
+    let waker = session.waker();
+    let told = move |error| {
+        let _ = sender.send(Msg::Trouble(error));
+        waker.wake();
+    };
+    // Without a thread nothing is remembered, which does no harm now.
+    (Memory::of(path, told).ok(), trouble)
 }
 
 /// `~/` at the beginning of a path is the person's home.

@@ -5,6 +5,7 @@
 //! unsaved work where the next start finds it. Every message names the file and says what to do.
 
 mod autosave;
+mod memory;
 mod process;
 mod save;
 #[cfg(test)]
@@ -19,6 +20,7 @@ use std::{
 };
 
 pub use autosave::{Autosave, Crashed};
+pub use memory::{Memory, recall, remember, remembered_path, sets, sets_path};
 pub use save::{Before, remove_strays, save, save_all};
 
 use dalembert_core::{Field, Text, uff};
@@ -78,6 +80,14 @@ pub enum FileError {
     /// The system has no place for a program's state.
     #[error("unsaved work is not kept against a crash: {0}; save often")]
     NoAutosave(String),
+    /// It is ours, and cannot be understood.
+    #[error("`{}` cannot be understood and is left as it is: {why}", shown(.path))]
+    Broken {
+        /// Its path.
+        path: PathBuf,
+        /// Why.
+        why: String,
+    },
     /// It is read, and gives no table.
     #[error("`{}`: {}", shown(.path), .why.english())]
     NoTable {
@@ -135,6 +145,11 @@ impl FileError {
             FileError::Exists(path) => Text::new("{file} exists already.").with("file", shown(path)),
             FileError::NoAutosave(why) => {
                 Text::new("unsaved work is not kept against a crash: {why}; save often").with("why", why)
+            }
+            FileError::Broken { path, why } => {
+                Text::new("{file} cannot be understood and is left as it is: {why}")
+                    .with("file", shown(path))
+                    .with("why", filter_untrusted(why))
             }
             FileError::NoTable { path, why } => {
                 Text::new("{file}: {why}").with("file", shown(path)).with_text("why", why.clone())

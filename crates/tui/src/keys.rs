@@ -114,6 +114,8 @@ pub enum Action {
     NextProblem,
     /// Closes the problem.
     CloseProblem,
+    /// Puts the analysis at the head of the list, or no more.
+    PinAnalysis,
     /// Types into the filter.
     Filter,
     /// The other language.

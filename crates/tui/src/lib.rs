@@ -18,6 +18,7 @@ pub mod model;
 pub mod panes;
 pub mod picker;
 pub mod plot;
+pub mod remembered;
 pub mod settings;
 pub mod solver;
 pub mod terminal;
@@ -26,7 +27,7 @@ mod view;
 
 pub use app::{Options, run};
 pub use model::{Effect, Model, Msg};
-pub use update::{start, update};
+pub use update::{remember_done, start, update};
 pub use view::{tempo, view};
 
 dalembert_core::messages!("../locales/pt-BR.ftl");

@@ -43,6 +43,8 @@ pub enum Glyph {
     Good,
     /// Wrong: `✗`.
     Bad,
+    /// Not as it was printed, and we say why: `≠`.
+    Unequal,
     /// Doubtful: `!`.
     Warning,
     /// An entry of a list: `•`.
@@ -156,6 +158,7 @@ impl Look {
             Glyph::Hollow => ("○", "o"),
             Glyph::Good => ("✓", "+"),
             Glyph::Bad => ("✗", "x"),
+            Glyph::Unequal => ("≠", "#"),
             Glyph::Warning => ("!", "!"),
             Glyph::Bullet => ("•", "*"),
             Glyph::Ellipsis => ("…", "~"),

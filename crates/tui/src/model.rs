@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use dalembert_core::{Entry, Field, Language, Locale, Text};
+use dalembert_core::{
+    Entry, Field, Language, Locale, Text,
+    exercises::{self, Exercises},
+};
 use dalembert_units::Decimal;
 use ratatui::crossterm::event::{KeyEvent, MouseEvent};
 
@@ -13,8 +16,9 @@ use crate::{
     keys::{KeyMap, Place},
     look::Look,
     panes::sources::Judged,
-    picker::{Listing, Picker},
+    picker::{Contents, Listing, Picker},
     plot::Marker,
+    remembered::{Change, Remembered},
     settings::{Fault as SettingFault, Settings},
     solver::{Job, Outcome},
     terminal::Fault,
@@ -25,6 +29,10 @@ use crate::{
 pub struct Model {
     /// What can be picked.
     pub listings: Vec<Listing>,
+    /// The lists of exercises.
+    pub sets: Vec<Exercises>,
+    /// What is remembered from earlier sessions.
+    pub remembered: Remembered,
     /// The screen that is shown.
     pub screen: Screen,
     /// The list of analyses.
@@ -251,6 +259,8 @@ pub enum Effect {
     Forget(u64),
     /// Remove what a crashed session left.
     Discard(Crashed),
+    /// Remember this for later sessions.
+    Remember(Change),
     /// Put a text on the clipboard.
     Copy(String),
     /// Edit a file in the person's editor; [`Msg::Edited`].
@@ -274,6 +284,8 @@ impl Model {
     pub fn new(entries: &[&'static Entry], language: Language, look: Look, marker: Marker) -> Self {
         let mut model = Self {
             listings: entries.iter().map(|entry| Listing::of(entry)).collect(),
+            sets: exercises::shipped().into_iter().flatten().collect(),
+            remembered: Remembered::default(),
             screen: Screen::Picker,
             picker: Picker::default(),
             bench: None,
@@ -338,6 +350,12 @@ impl Model {
     /// The problem, while it is on the screen.
     pub fn shown_bench(&self) -> Option<&Bench> {
         self.bench.as_ref().filter(|_| self.screen == Screen::Bench)
+    }
+
+    /// What the list is made of.
+    pub fn contents(&self) -> Contents<'_> {
+        let Self { listings, sets, remembered, locale, .. } = self;
+        Contents { listings, sets, remembered, locale }
     }
 
     /// Every open problem, in the order of opening.

@@ -1,14 +1,24 @@
-//! The list of analyses: what can be picked, and what a filter leaves of it.
+//! The list of analyses: what can be picked, as a tree of families and topics, or as what a filter leaves of it.
+
+mod filter;
+
+use std::{cell::OnceCell, collections::BTreeSet};
 
 use dalembert_core::{
-    Entry, Language, Locale, Solution, Text,
+    Entry, Locale, Solution, Text,
     cases::{self, Case},
-};
-use nucleo_matcher::{
-    Config, Matcher, Utf32Str,
-    pattern::{AtomKind, CaseMatching, Normalization, Pattern},
+    exercises::Exercises,
 };
 use tui_input::Input;
+
+use self::filter::Index;
+use crate::{
+    panes::sources::Judged,
+    remembered::{Progress, Remembered},
+};
+
+/// Topics are open from the start in a list of so few analyses.
+const FEW: usize = 12;
 
 /// An analysis that can be picked.
 #[derive(Debug)]
@@ -17,10 +27,10 @@ pub struct Listing {
     pub entry: &'static Entry,
     /// Its published cases.
     pub cases: Vec<Case>,
-    /// Everything that the filter looks in beside the name, in both languages.
-    words: String,
-    /// The same in lower case: a phrase is looked for at each key, in every analysis.
-    lowered: String,
+    /// They compared with what was printed, once that is done.
+    pub judged: Option<Vec<Judged>>,
+    /// Everything that the filter looks in; made when somebody types the first filter.
+    index: OnceCell<Index>,
 }
 
 /// What is chosen in the list.
@@ -30,12 +40,64 @@ pub struct Picker {
     pub filter: Input,
     /// Whether keys go to the filter.
     pub typing: bool,
-    /// The chosen line, among those that the filter leaves.
+    /// The chosen row.
     pub chosen: usize,
     /// The chosen case, while the cases have the focus.
     pub case: Option<usize>,
-    /// The first case of the chosen analysis, solved.
+    /// The case that is shown of the chosen analysis, solved.
     pub preview: Option<Preview>,
+    /// The headings that were opened, or folded, by hand.
+    pub turned: BTreeSet<Heading>,
+}
+
+/// A row of the list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Row {
+    /// A heading.
+    Heading(Heading),
+    /// Something that can be opened.
+    Leaf(Leaf),
+}
+
+/// Something that can be opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Leaf {
+    /// The heading it stands under; `None` of what a filter found.
+    pub under: Option<Heading>,
+    /// The place of its analysis among the listings.
+    pub listing: usize,
+    /// The case that it means; `None` is the first, and whatever is open already.
+    pub case: Option<usize>,
+}
+
+/// What rows stand under.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Heading {
+    /// Pinned analyses.
+    Pinned,
+    /// Analyses that were opened last.
+    Recent,
+    /// Lists of exercises.
+    Exercises,
+    /// One of them.
+    Set(usize),
+    /// A family.
+    Family(&'static str),
+    /// A topic of a family.
+    Topic(&'static str, &'static str),
+}
+
+/// What the rows of the list are made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Contents<'m> {
+    /// The analyses.
+    pub listings: &'m [Listing],
+    /// The lists of exercises.
+    pub sets: &'m [Exercises],
+    /// Pinned and recent analyses, and how far the exercises are done.
+    pub remembered: &'m Remembered,
+    /// In the order of this language.
+    pub locale: &'m Locale,
 }
 
 /// A solved case beside the list.
@@ -55,35 +117,208 @@ impl Listing {
     /// The listing of an analysis.
     pub fn of(entry: &'static Entry) -> Self {
         let cases = cases::cases(entry).unwrap_or_default();
-        let about = entry.about;
-        let in_portuguese = |text: &'static str| Text::from(text).render(&Locale::portuguese());
-        let mut words = vec![
-            about.id.to_owned(),
-            about.keywords.to_owned(),
-            about.summary.to_owned(),
-            in_portuguese(about.summary),
-        ];
-        words.extend(about.sources.iter().map(|source| format!("{} {}", source.short, source.full)));
-        words.extend(cases.iter().map(|case| format!("{} {}", case.name, case.source)));
-        let words = words.join("\n");
-        Self { entry, cases, lowered: words.to_lowercase(), words }
+        Self { entry, cases, judged: None, index: OnceCell::new() }
     }
 
     /// Its title.
     pub fn title(&self, locale: &Locale) -> String {
         Text::from(self.entry.about.title).render(locale)
     }
+
+    fn topic(&self) -> Heading {
+        Heading::Topic(self.entry.family(), self.entry.about.topic)
+    }
 }
 
 impl Picker {
-    /// The places of the analyses that the filter leaves, the best first.
-    pub fn visible(&self, listings: &[Listing]) -> Vec<usize> {
-        visible(listings, self.filter.value())
+    /// The rows that are shown.
+    pub fn rows(&self, of: Contents<'_>) -> Vec<Row> {
+        let filter = self.filter.value();
+        if filter.trim().is_empty() {
+            return self.tree(of);
+        }
+        let found = filter::find(of.listings, filter).into_iter();
+        found.map(|(listing, case)| Row::Leaf(Leaf { under: None, listing, case })).collect()
     }
 
-    /// The chosen analysis.
-    pub fn chosen<'l>(&self, listings: &'l [Listing]) -> Option<&'l Listing> {
-        self.visible(listings).get(self.chosen).map(|at| &listings[*at])
+    /// The chosen row.
+    pub fn chosen(&self, of: Contents<'_>) -> Option<Row> {
+        let rows = self.rows(of);
+        rows.get(self.chosen).or(rows.last()).copied()
+    }
+
+    /// Whether what stands under a heading is shown.
+    pub fn is_open(&self, heading: Heading, listings: &[Listing]) -> bool {
+        let from_the_start = match heading {
+            Heading::Pinned | Heading::Recent | Heading::Family(_) => true,
+            Heading::Exercises | Heading::Set(_) => false,
+            Heading::Topic(..) => listings.len() <= FEW,
+        };
+        from_the_start != self.turned.contains(&heading)
+    }
+
+    /// Opens a heading, or folds it.
+    pub fn turn(&mut self, heading: Heading) {
+        if !self.turned.remove(&heading) {
+            self.turned.insert(heading);
+        }
+    }
+
+    /// Chooses an analysis in its topic, which is opened for it.
+    pub fn show(&mut self, listing: usize, of: Contents<'_>) {
+        let Some(entry) = of.listings.get(listing).map(|listing| listing.entry) else { return };
+        let topic = of.listings[listing].topic();
+        for heading in [Heading::Family(entry.family()), topic] {
+            if !self.is_open(heading, of.listings) {
+                self.turn(heading);
+            }
+        }
+        let wanted = Row::Leaf(Leaf { under: Some(topic), listing, case: None });
+        self.chosen = self.tree(of).iter().position(|row| *row == wanted).unwrap_or(0);
+    }
+
+    fn tree(&self, of: Contents<'_>) -> Vec<Row> {
+        let mut rows = Vec::new();
+        for heading in of.headings() {
+            self.grow(heading, of, &mut rows);
+        }
+        rows
+    }
+
+    fn grow(&self, heading: Heading, of: Contents<'_>, rows: &mut Vec<Row>) {
+        rows.push(Row::Heading(heading));
+        if self.is_open(heading, of.listings) {
+            of.below(heading).into_iter().for_each(|inner| self.grow(inner, of, rows));
+            rows.extend(of.leaves(heading).into_iter().map(Row::Leaf));
+        }
+    }
+}
+
+impl Contents<'_> {
+    /// The headings of the first level that have something under them.
+    pub fn headings(self) -> Vec<Heading> {
+        let mut headings = vec![Heading::Pinned, Heading::Recent, Heading::Exercises];
+        headings.retain(|heading| !self.below(*heading).is_empty() || !self.leaves(*heading).is_empty());
+        for listing in self.listings {
+            let family = Heading::Family(listing.entry.family());
+            if !headings.contains(&family) {
+                headings.push(family);
+            }
+        }
+        headings
+    }
+
+    /// The headings under a heading.
+    pub fn below(self, heading: Heading) -> Vec<Heading> {
+        match heading {
+            Heading::Exercises => {
+                (0..self.sets.len()).map(Heading::Set).filter(|set| !self.leaves(*set).is_empty()).collect()
+            }
+            Heading::Family(family) => {
+                let of_family = self.listings.iter().filter(|listing| listing.entry.family() == family);
+                let topics: BTreeSet<(String, Heading)> = of_family
+                    .map(|listing| {
+                        (Text::from(listing.entry.about.topic).render(self.locale), listing.topic())
+                    })
+                    .collect();
+                topics.into_iter().map(|(_, topic)| topic).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// What stands under a heading itself.
+    pub fn leaves(self, heading: Heading) -> Vec<Leaf> {
+        let leaf = |listing, case| Leaf { under: Some(heading), listing, case };
+        let by_id = |id: &String| Some(leaf(self.place(id)?, None));
+        match heading {
+            Heading::Pinned => self.remembered.pinned.iter().filter_map(by_id).collect(),
+            Heading::Recent => {
+                let pinned = &self.remembered.pinned;
+                let recent = self.remembered.recent.iter().filter(|id| !pinned.contains(id));
+                recent.filter_map(by_id).collect()
+            }
+            Heading::Set(set) => {
+                let exercises = self.sets.get(set).into_iter().flat_map(|set| &set.list);
+                exercises
+                    .filter_map(|exercise| {
+                        let listing = self.place(&exercise.analysis)?;
+                        let cases = &self.listings[listing].cases;
+                        let case = match exercise.case.as_str() {
+                            "" => 0,
+                            name => cases.iter().position(|case| case.name == name)?,
+                        };
+                        Some(leaf(listing, Some(case)))
+                    })
+                    .collect()
+            }
+            Heading::Topic(..) => {
+                let places = 0..self.listings.len();
+                places.filter(|at| self.listings[*at].topic() == heading).map(|at| leaf(at, None)).collect()
+            }
+            Heading::Exercises | Heading::Family(_) => Vec::new(),
+        }
+    }
+
+    /// How many analyses or exercises stand under a heading, and how many of these are done.
+    pub fn count(self, heading: Heading) -> (usize, usize) {
+        let leaves = self.leaves(heading);
+        let done = leaves.iter().filter(|leaf| self.progress(**leaf).is_done()).count();
+        self.below(heading)
+            .into_iter()
+            .map(|inner| self.count(inner))
+            .fold((leaves.len(), done), |(all, done), (more, more_done)| (all + more, done + more_done))
+    }
+
+    /// How far an exercise is done.
+    pub fn progress(self, leaf: Leaf) -> Progress {
+        let Some(listing) = self.listings.get(leaf.listing) else { return Progress::NotBegun };
+        let case = leaf.case.and_then(|case| listing.cases.get(case));
+        case.map_or(Progress::NotBegun, |case| self.remembered.progress(listing.entry.about.id, &case.name))
+    }
+
+    /// What a heading is called.
+    pub fn name(self, heading: Heading) -> String {
+        match heading {
+            Heading::Pinned => Text::from("Pinned").render(self.locale),
+            Heading::Recent => Text::from("Recent").render(self.locale),
+            Heading::Exercises => Text::from("Exercise lists").render(self.locale),
+            Heading::Set(set) => {
+                self.sets.get(set).map_or_else(String::new, |set| set.title(self.locale.language).to_owned())
+            }
+            Heading::Family(family) => self::family(family).render(self.locale),
+            Heading::Topic(_, topic) => Text::from(topic).render(self.locale),
+        }
+    }
+
+    fn place(self, id: &str) -> Option<usize> {
+        self.listings.iter().position(|listing| listing.entry.about.id == id)
+    }
+}
+
+impl Heading {
+    /// The heading it stands under.
+    pub fn under(self) -> Option<Heading> {
+        match self {
+            Heading::Set(_) => Some(Heading::Exercises),
+            Heading::Topic(family, _) => Some(Heading::Family(family)),
+            _ => None,
+        }
+    }
+}
+
+impl Row {
+    /// The heading it stands under.
+    pub fn under(self) -> Option<Heading> {
+        match self {
+            Row::Heading(heading) => heading.under(),
+            Row::Leaf(leaf) => leaf.under,
+        }
+    }
+
+    /// How many headings it stands under.
+    pub fn depth(self) -> usize {
+        std::iter::successors(self.under(), |heading| heading.under()).count()
     }
 }
 
@@ -96,36 +331,4 @@ pub fn family(id: &str) -> Text {
         "virtual-work" => "Virtual work",
         _ => return Text::new(id.to_owned()),
     })
-}
-
-/// Whole words of the title come first, then whole words of anything else (those that stand together as they were
-/// typed before those that are scattered), then titles that match with gaps; other words do not match with gaps, or
-/// nearly everything would.
-fn visible(listings: &[Listing], filter: &str) -> Vec<usize> {
-    if filter.trim().is_empty() {
-        return (0..listings.len()).collect();
-    }
-    let mut matcher = Matcher::new(Config::DEFAULT);
-    let pattern = |kind| Pattern::new(filter, CaseMatching::Ignore, Normalization::Smart, kind);
-    let (with_gaps, as_is) = (pattern(AtomKind::Fuzzy), pattern(AtomKind::Substring));
-    let phrase = filter.trim().to_lowercase();
-    let mut of =
-        |pattern: &Pattern, text: &str| pattern.score(Utf32Str::new(text, &mut Vec::new()), &mut matcher);
-    let mut rank = |listing: &Listing| {
-        let titles = [Language::English, Language::Portuguese]
-            .map(|language| listing.title(&Locale { language, ..Locale::default() }));
-        let names = [titles[0].as_str(), titles[1].as_str(), listing.entry.about.id];
-        let best = |pattern: &Pattern, of: &mut dyn FnMut(&Pattern, &str) -> Option<u32>| {
-            names.iter().filter_map(|name| of(pattern, name)).max()
-        };
-        let together = || u8::from(listing.lowered.contains(&phrase));
-        let exact = best(&as_is, &mut of).map(|score| (3, score));
-        exact
-            .or_else(|| of(&as_is, &listing.words).map(|score| (1 + together(), score)))
-            .or_else(|| best(&with_gaps, &mut of).map(|score| (0, score)))
-    };
-    let mut found: Vec<((u8, u32), usize)> =
-        listings.iter().enumerate().filter_map(|(at, listing)| Some((rank(listing)?, at))).collect();
-    found.sort_by_key(|(rank, at)| (std::cmp::Reverse(*rank), *at));
-    found.into_iter().map(|(_, at)| at).collect()
 }

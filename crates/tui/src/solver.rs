@@ -1,7 +1,8 @@
 //! Solving beside the thread that draws: the newest job wins, older ones are told to stop, panics are contained.
 
 use std::{
-    sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError},
+    io,
+    sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, mpsc},
     thread,
 };
 
@@ -15,6 +16,8 @@ use crate::{
 
 /// Threads beyond the first are started only when all are held by jobs that do not look for their stop.
 const MOST_THREADS: usize = 4;
+/// So many analyses wait for their cases to be compared.
+const MOST_WISHES: usize = 3;
 
 /// Something to be solved. Of two jobs, the one with the larger generation is newer.
 #[derive(Clone, Debug)]
@@ -164,6 +167,27 @@ pub fn judge(entry: &'static Entry) -> Vec<Judged> {
         Judged { case, verdicts }
     };
     cases::cases(entry).unwrap_or_default().into_iter().map(judged).collect()
+}
+
+/// A thread that compares cases with what was printed; `report` is called from it. The newest wish comes first, and of
+/// old ones only a few are kept: the others are wished again when somebody looks.
+pub fn judges(
+    report: impl Fn(&'static str, Vec<Judged>) + Send + 'static,
+) -> io::Result<mpsc::Sender<&'static Entry>> {
+    let (wishes, incoming) = mpsc::channel::<&'static Entry>();
+    thread::Builder::new().name("cases".into()).spawn(move || {
+        while let Ok(wish) = incoming.recv() {
+            let mut waiting = vec![wish];
+            while !waiting.is_empty() {
+                waiting.extend(incoming.try_iter());
+                let Some(newest) = waiting.pop() else { break };
+                waiting.retain(|other| other.about.id != newest.about.id);
+                waiting.drain(..waiting.len().saturating_sub(MOST_WISHES));
+                report(newest.about.id, judge(newest));
+            }
+        }
+    })?;
+    Ok(wishes)
 }
 
 fn work(desk: &Desk, report: &dyn Report) {

@@ -9,6 +9,7 @@ mod files;
 mod mouse;
 mod picker;
 mod problems;
+mod remembering;
 mod settings;
 
 use std::path::PathBuf;
@@ -17,6 +18,8 @@ use dalembert_core::{Entry, Language, Text, cases};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
+use self::remembering::remember;
+pub use self::remembering::remember_done;
 use crate::{
     bench::{Bench, State},
     dialog::{Dialog, Purpose},
@@ -29,6 +32,7 @@ use crate::{
 
 /// The first effects: a file or an analysis to begin with, if there is one.
 pub fn start(model: &mut Model, file: Option<PathBuf>, analysis: Option<&'static Entry>) -> Vec<Effect> {
+    picker::begin(model);
     match (file, analysis) {
         (Some(path), _) => vec![Effect::Open(path)],
         (None, Some(entry)) => open_case(model, entry, 0),
@@ -49,14 +53,18 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
             Vec::new()
         }
         Msg::Solved(outcome) => {
-            solved(model, outcome);
-            ask::renew(model)
+            let mut effects = solved(model, outcome);
+            effects.extend(ask::renew(model));
+            effects
         }
         Msg::Asked(outcome) => {
             ask::take(model, outcome);
             Vec::new()
         }
         Msg::Judged(id, judged) => {
+            if let Some(listing) = model.listings.iter_mut().find(|listing| listing.entry.about.id == id) {
+                listing.judged = Some(judged.clone());
+            }
             for bench in model.problems_mut().filter(|bench| bench.entry.about.id == id) {
                 bench.cases.clone_from(&judged);
             }
@@ -169,15 +177,18 @@ fn open_case(model: &mut Model, entry: &'static Entry, case: usize) -> Vec<Effec
     problems::open(model, bench)
 }
 
-/// The cases of an analysis, not compared yet.
+/// The cases of an analysis, compared with what was printed if they were before.
 fn judged_later(model: &Model, entry: &'static Entry) -> Vec<Judged> {
     let known = model.listings.iter().find(|listing| listing.entry.about.id == entry.about.id);
+    if let Some(judged) = known.and_then(|listing| listing.judged.clone()) {
+        return judged;
+    }
     let cases =
         known.map_or_else(|| cases::cases(entry).unwrap_or_default(), |listing| listing.cases.clone());
     cases.into_iter().map(|case| Judged { case, verdicts: None }).collect()
 }
 
-fn solved(model: &mut Model, outcome: Outcome) {
+fn solved(model: &mut Model, outcome: Outcome) -> Vec<Effect> {
     if let Err(Failure::Fault(panic)) = &outcome.result {
         let text = "this analysis failed (a fault of the program); your inputs are kept".into();
         model.notice = Some(Notice { text, detail: panic.clone(), wrong: true });
@@ -189,7 +200,9 @@ fn solved(model: &mut Model, outcome: Outcome) {
         && preview.generation == outcome.generation
     {
         preview.solution = outcome.result.ok().flatten();
+        return picker::judge(model);
     }
+    Vec::new()
 }
 
 fn paste(model: &mut Model, text: &str) -> Vec<Effect> {

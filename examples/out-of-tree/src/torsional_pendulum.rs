@@ -32,6 +32,7 @@ impl Analysis for TorsionalPendulum {
     const ABOUT: About = About {
         id: "laboratory/torsional-pendulum",
         title: "Torsional pendulum",
+        topic: "Torsion",
         summary: "The moment of inertia of a part from the period of its oscillation on a wire.",
         keywords: "moment of inertia wire torsion",
         sources: &[&RAO],

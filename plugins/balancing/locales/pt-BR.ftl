@@ -919,3 +919,7 @@ force-in-the-pin-of-the-slider = Força no pino do cursor
 force-of-the-guide = Força da guia
 largest-forces-in-the-joints = Maiores forças nas juntas
 joint = Junta
+
+# Topics
+rigid-rotors = Rotores rígidos
+engines-and-linkages = Motores e mecanismos

@@ -128,6 +128,7 @@ impl Analysis for Field {
     const ABOUT: About = About {
         id: "balancing/field",
         title: "Field balancing",
+        topic: "Field balancing",
         summary: "Correction weights from measured vibrations, by influence coefficients: runs with trial weights, any number of planes, sensors and speeds, with error bars.",
         keywords: "balanceamento em campo balanceamento no local coeficientes de influência peso de prova massa de teste \
                    influence coefficients trial weight single plane two plane least squares min-max trim vector fase",

@@ -158,6 +158,7 @@ impl Analysis for KnownMasses {
     const ABOUT: About = About {
         id: "balancing/known-masses",
         title: "Rotor with known masses in many planes",
+        topic: "Rigid rotors",
         summary: "Corrections in any number of planes, complete balance with unknown masses, radii, angles or positions, kind of unbalance and bearing forces of a rigid rotor.",
         keywords: "balanceamento dinâmico rotor rígido vários planos massas giratórias mancal desbalanceamento estático conjugado \
                    quase-estático rotating masses several planes complete balance dynamic static couple bearing force camshaft pulleys",

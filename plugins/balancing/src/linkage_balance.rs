@@ -121,6 +121,7 @@ impl Analysis for LinkageBalance {
     const ABOUT: About = About {
         id: "balancing/linkage-balance",
         title: "Force balance of a linkage",
+        topic: "Engines and linkages",
         summary: "Counterweights that leave a four-bar linkage or a slider-crank without shaking force, and what they do to shaking moment and torque.",
         keywords: "balanceamento de mecanismos quatro barras biela-manivela contrapeso força de trepidação momento torque \
                    berkof lowen four-bar slider-crank shaking force shaking moment counterweight",

@@ -120,6 +120,7 @@ impl Analysis for Locomotive {
     const ABOUT: About = About {
         id: "balancing/locomotive",
         title: "Partial balance of locomotives",
+        topic: "Engines and linkages",
         summary: "Balance masses in the wheels of a locomotive with two cylinders, hammer blow, limit speed, variation of tractive effort and swaying couple.",
         keywords: "locomotiva balanceamento parcial golpe de martelo esforço de tração conjugado de balanço rodas acopladas \
                    locomotive inside outside cylinders hammer blow tractive effort swaying couple limit speed",

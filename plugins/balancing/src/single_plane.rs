@@ -80,6 +80,7 @@ impl Analysis for SinglePlane {
     const ABOUT: About = About {
         id: "balancing/single-plane",
         title: "Balancing in one plane",
+        topic: "Rigid rotors",
         summary: "The mass, or the hole, that balances eccentric masses of a disc: static balancing.",
         keywords: "balanceamento estático um plano disco massa de correção furação static balancing disc counterweight drilling eq. 6 11",
         sources: &[&RIUL, &NORTON, &MABIE],

@@ -109,6 +109,7 @@ impl Analysis for Splitting {
     const ABOUT: About = About {
         id: "balancing/splitting",
         title: "Splitting and combining balance weights",
+        topic: "Rigid rotors",
         summary: "A correction split between two holes or blades, made of available weights, several combined into one, or the depth to drill.",
         keywords: "divisão de massas furos palhetas combinar pesos furação profundidade split weights holes blades combine drilling depth",
         sources: &[&RIUL],

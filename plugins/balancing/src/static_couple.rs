@@ -89,6 +89,7 @@ impl Analysis for StaticCouple {
     const ABOUT: About = About {
         id: "balancing/static-couple",
         title: "Static and couple parts of two readings",
+        topic: "Rigid rotors",
         summary: "The part that two bearings or planes have in common and the part that is opposite in them, from two vectors.",
         keywords: "decomposição estático-conjugado parcela estática parcela de conjugado static couple derived in phase out of phase modal",
         sources: &[&RIUL],

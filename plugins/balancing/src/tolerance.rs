@@ -232,6 +232,7 @@ impl Analysis for Tolerance {
     const ABOUT: About = About {
         id: "balancing/tolerance",
         title: "Balance tolerances",
+        topic: "Rigid rotors",
         summary: "The unbalance that may remain by the quality grades of ISO 21940-11, its shares in two planes, and the verdict on what was measured.",
         keywords: "iso 1940 21940 grau de qualidade de balanceamento G 2.5 G 6.3 desbalanceamento residual admissível tolerância \
                    permissible residual unbalance quality grade oz in 4W/N mil-std-167 api trial mass massa de teste",

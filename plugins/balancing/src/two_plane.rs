@@ -87,6 +87,7 @@ impl Analysis for TwoPlane {
     const ABOUT: About = About {
         id: "balancing/two-plane",
         title: "Balancing in two planes",
+        topic: "Rigid rotors",
         summary: "The corrections in two planes that leave a rigid rotor with neither a rotating force nor a rotating couple.",
         keywords: "balanceamento dinâmico dois planos rotor correção dynamic balancing correction planes example 2",
         sources: &[&RIUL, &MABIE],

@@ -132,6 +132,7 @@ impl Analysis for WithoutPhase {
     const ABOUT: About = About {
         id: "balancing/without-phase",
         title: "Balancing without phase: four and seven runs",
+        topic: "Field balancing",
         summary: "Correction weights from amplitudes alone, with a trial weight at three angles or more in each plane, and how well the amplitudes agree.",
         keywords: "balanceamento sem fase quatro corridas quatro medições sete corridas método dos círculos four run method \
                    three circles seven run amplitude only no phase",

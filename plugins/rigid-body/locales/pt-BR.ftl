@@ -1850,3 +1850,11 @@ angular-velocity-of-name-about-its-fixed-axis = Velocidade angular de { $name },
 speed-at-which-name-carries-nothing-its-force-is-a-part-at-rest-and-one-that-grows-with = Velocidade em que { $name } nada suporta: sua força tem uma parte em repouso e outra que cresce com ω²
 speed-at-which-the-support-carries-nothing = Velocidade em que o apoio nada suporta
 the-force-of-name-at-the-speed-at-which-it-carries-nothing = a força de { $name } na velocidade em que nada suporta
+
+# Topics
+inertia-and-momentum = Inércia e quantidade de movimento
+motion-in-space = Movimento no espaço
+bodies-on-turning-shafts = Corpos em eixos que giram
+gyroscopes-and-vehicles = Giroscópios e veículos
+free-bodies-and-tops = Corpos livres e piões
+rolling-bodies = Corpos que rolam

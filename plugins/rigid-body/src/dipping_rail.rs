@@ -74,6 +74,7 @@ impl Analysis for DippingRail {
     const ABOUT: About = About {
         id: "rigid-body/dipping-rail",
         title: "Pair of wheels on a dipping rail",
+        topic: "Gyroscopes and vehicles",
         summary: "Gyroscopic couple of a locomotive's pair of wheels when one rail dips, and the forces that it puts between wheels and rails.",
         keywords: "locomotive wheel axle rail dip gyroscopic locomotiva rodeiro trilho rebaixo desnível giroscópico",
         sources: &[&KHURMI],

@@ -88,6 +88,7 @@ impl Analysis for DynamicEquilibrium {
     const ABOUT: About = About {
         id: "rigid-body/dynamic-equilibrium",
         title: "Hinged body on a turning shaft",
+        topic: "Bodies on turning shafts",
         summary: "The angle at which a rod, plate or particle hinged to a turning shaft stands out by itself, or the speed for an angle; its stability and the forces of the hinge.",
         keywords: "dynamic equilibrium conical pendulum hinged rod governor rotating frame equilíbrio dinâmico relativo pêndulo cônico haste \
                    articulada eixo vertical regulador velocidade crítica ângulo",

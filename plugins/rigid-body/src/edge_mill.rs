@@ -90,6 +90,7 @@ impl Analysis for EdgeMill {
     const ABOUT: About = About {
         id: "rigid-body/edge-mill",
         title: "Edge mill",
+        topic: "Bodies on turning shafts",
         summary: "Crushing force of a roller that is driven round on a pan, with its gyroscopic share, the pull of the arm, and the speed for a wanted force.",
         keywords: "edge runner mill Chile mill pan roller crushing grinding gyroscopic moinho moenda galga rolo moagem giroscópico",
         sources: &[&BEER],

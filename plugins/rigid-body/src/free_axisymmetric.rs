@@ -121,6 +121,7 @@ impl Analysis for FreeAxisymmetric {
     const ABOUT: About = About {
         id: "rigid-body/free-axisymmetric",
         title: "Body of revolution in free motion",
+        topic: "Free bodies and tops",
         summary: "Torque-free motion of a body of revolution: precession and spin, direct or retrograde, body and space cones, angular velocity and attitude at an instant.",
         keywords: "torque-free satellite wobble precession body cone space cone Chandler Euler satélite corpo livre cone precessão retrógrada",
         sources: &[&BEER, &GOLDSTEIN],

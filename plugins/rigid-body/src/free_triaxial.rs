@@ -90,6 +90,7 @@ impl Analysis for FreeTriaxial {
     const ABOUT: About = About {
         id: "rigid-body/free-triaxial",
         title: "Free motion of any body",
+        topic: "Free bodies and tops",
         summary: "Torque-free motion of a body with three different moments of inertia by Jacobi's elliptic functions: polhode, periods, flips about the middle axis, angular velocity and attitude at an instant.",
         keywords: "torque-free Euler Jacobi Dzhanibekov tennis racket intermediate axis polhode herpolhode Poinsot eixo intermediário polódia herpolódia raquete",
         sources: &[&LANDAU, &GOLDSTEIN],

@@ -228,6 +228,7 @@ impl Analysis for GyroscopicCouple {
     const ABOUT: About = About {
         id: "rigid-body/gyroscopic-couple",
         title: "Gyroscopic couple on a ship, an aircraft or a vehicle",
+        topic: "Gyroscopes and vehicles",
         summary: "Couple of a spinning rotor whose carrier turns, pitches or rolls, its reaction on the carrier with the effect in words, and the bearing reactions.",
         keywords: "gyroscope gyroscopic ship aeroplane turbine propeller precession pitching rolling giroscópio giroscópico navio avião precessão arfagem balanço proa popa mancais",
         sources: &[&KHURMI, &BEER, &MERIAM, &IRODOV],

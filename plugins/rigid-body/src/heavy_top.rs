@@ -67,6 +67,7 @@ impl Analysis for HeavyTop {
     const ABOUT: About = About {
         id: "rigid-body/heavy-top",
         title: "Heavy top: steady precession",
+        topic: "Free bodies and tops",
         summary: "Slow and fast precession of a top under its weight, the spin it needs, the threshold of sleeping, and the formula for fast tops beside the exact one.",
         keywords: "gyroscope spinning top precession sleeping pião giroscópio precessão rotação própria",
         sources: &[&BEER, &GOLDSTEIN],

@@ -134,6 +134,7 @@ impl Analysis for Impulse {
     const ABOUT: About = About {
         id: "rigid-body/impulse",
         title: "Impulse on a body in space",
+        topic: "Inertia and momentum",
         summary: "Motion of a body just after a blow, a projectile that sticks or a constraint that takes hold; impulsive reactions and energy.",
         keywords: "impulse impact blow sudden constraint projectile meteorite impulsive reaction instantaneous axis screw torque-free precession \
                    impulso impacto choque percussão projétil reação impulsiva eixo instantâneo precessão",

@@ -42,6 +42,7 @@ impl Analysis for MassProperties {
     const ABOUT: About = About {
         id: "rigid-body/mass-properties",
         title: "Mass, mass centre and inertia of a body",
+        topic: "Inertia and momentum",
         summary: "Mass centre, moments and products of inertia, principal axes of a body put together from parts, about any point and line.",
         keywords: "moment of inertia product of inertia tensor matrix principal axes centroid centre of mass composite steiner parallel axis \
                    radius of gyration momento de inércia produto de inércia centro de massa eixos principais raio de giração teorema dos eixos paralelos corpo composto",

@@ -34,6 +34,7 @@ impl Analysis for Momentum {
     const ABOUT: About = About {
         id: "rigid-body/momentum",
         title: "Momentum and kinetic energy of a body",
+        topic: "Inertia and momentum",
         summary: "Linear and angular momentum of a body in space about its mass centre, a point and a line, and its kinetic energy.",
         keywords: "angular momentum linear momentum kinetic energy inertia matrix major axis rule energy sink rolling disc \
                    momento angular quantidade de movimento energia cinética corpo rígido regra do eixo maior",

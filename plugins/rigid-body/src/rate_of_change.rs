@@ -59,6 +59,7 @@ impl Analysis for RateOfChange {
     const ABOUT: About = About {
         id: "rigid-body/rate-of-change",
         title: "Rate of change of angular momentum",
+        topic: "Inertia and momentum",
         summary: "dH/dt = (dH/dt) relative + Ω × H of a body on a chain of joints, in a chosen moving frame, and the force and couple of its inertia at any point.",
         keywords: "angular momentum rate Euler equations inertia couple d'Alembert momento angular taxa de variação equações de Euler \
                    força e binário de inércia referencial móvel haltere dumbbell",

@@ -97,6 +97,7 @@ impl Analysis for Reactions {
     const ABOUT: About = About {
         id: "rigid-body/reactions",
         title: "Reactions on a turning body",
+        topic: "Bodies on turning shafts",
         summary: "Forces and couples of bearings, hinges, welds, wires and contacts on a body that turns about a shaft or on a chain of joints, by d'Alembert.",
         keywords: "dynamic reactions bearings unbalance shaft plate rod reações dinâmicas mancais mancal rótula pino engaste cabo fio contato \
                    d'Alembert binário motor giroscópico desbalanceamento estática isostático hiperestático",

@@ -62,6 +62,7 @@ impl Analysis for RodOnShaft {
     const ABOUT: About = About {
         id: "rigid-body/rod-on-shaft",
         title: "Slender rod welded to a turning shaft",
+        topic: "Bodies on turning shafts",
         summary: "Angular momentum of an inclined rod that turns with a shaft, its rate of change, and the couple that the shaft exerts.",
         keywords: "rod shaft couple weld haste eixo binário soldada inclinada momento angular exemplo 4",
         sources: &[&RIUL, &BEER, &IRODOV],

@@ -78,6 +78,7 @@ impl Analysis for RollingCone {
     const ABOUT: About = About {
         id: "rigid-body/rolling-cone",
         title: "Cone rolling on a plane about its apex",
+        topic: "Rolling bodies",
         summary: "Angular velocity, angular momentum and kinetic energy of a cone that rolls about its apex, where the normal force acts, the friction it needs, and the precession at which it tips.",
         keywords: "cone rolling apex precession tipping cone rolamento vértice geratriz precessão tombamento landau",
         sources: &[&LANDAU, &BEER],

@@ -73,6 +73,7 @@ impl Analysis for RollingMotion {
     const ABOUT: About = About {
         id: "rigid-body/rolling-motion",
         title: "Motion of a rolling disc or coin",
+        topic: "Rolling bodies",
         summary: "Path of the contact, angle, normal force and friction over time of a disc, hoop or coin that rolls without slip, until it lies flat, lifts or slips.",
         keywords: "rolling disc coin hoop simulation non-holonomic Euler disk moeda disco aro rolando não holonômico simulação contato atrito",
         sources: &[&ROUTH, &HAIRER],

@@ -55,6 +55,7 @@ impl Analysis for RollingStability {
     const ABOUT: About = About {
         id: "rigid-body/rolling-stability",
         title: "Stability of an upright rolling or spinning disc",
+        topic: "Rolling bodies",
         summary: "Least speed at which an upright disc or hoop rolls on, or least spin with which it stays on the spot; growth or wobble at a given speed.",
         keywords: "rolling spinning stability critical speed disc hoop wheel coin estabilidade velocidade crítica disco aro roda moeda rolamento giro",
         sources: &[&ROUTH],

@@ -81,6 +81,7 @@ impl Analysis for RotationChain {
     const ABOUT: About = About {
         id: "rigid-body/rotation-chain",
         title: "Chain of rotations",
+        topic: "Motion in space",
         summary: "Angular velocity and acceleration of every frame of a chain of joints, and velocity and acceleration of points, in any axes.",
         keywords: "angular velocity acceleration precession nutation spin Euler angles precessão nutação rotação própria velocidade aceleração angular \
                    composição de rotações addition theorem arm disc braço disco ship pitch roll arfagem balanço vehicle turn",

@@ -53,6 +53,7 @@ impl Analysis for SpinningDiscOnArm {
     const ABOUT: About = About {
         id: "rigid-body/spinning-disc-on-arm",
         title: "Disc spinning on a turning arm",
+        topic: "Bodies on turning shafts",
         summary: "Angular momentum of a thin disc that spins on a turning arm, its rate of change, and the couple that the arm exerts.",
         keywords: "gyroscope gyroscopic couple disc arm giroscópio giroscópico disco braço momento angular exemplo 3",
         sources: &[&RIUL, &BEER],

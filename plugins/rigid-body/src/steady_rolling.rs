@@ -87,6 +87,7 @@ impl Analysis for SteadyRolling {
     const ABOUT: About = About {
         id: "rigid-body/steady-rolling",
         title: "Disc or hoop rolling steadily on a circle",
+        topic: "Rolling bodies",
         summary: "Precession, angle or circle of a disc or hoop that rolls without slip, inclined to the floor: spin, normal force, the friction it needs, and whether the motion is stable.",
         keywords: "rolling disc hoop coin wheel circle precession lean rolamento disco aro moeda roda circunferência precessão inclinação sem deslizamento hibbeler 21-69",
         sources: &[&ROUTH, &HIBBELER],

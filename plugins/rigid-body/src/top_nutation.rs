@@ -69,6 +69,7 @@ impl Analysis for TopNutation {
     const ABOUT: About = About {
         id: "rigid-body/top-nutation",
         title: "Heavy top: nutation",
+        topic: "Free bodies and tops",
         summary: "A heavy top let go with any motion: the limits of its nutation, its period, the precession on average, cusps, loops or waves, and the attitude at an instant.",
         keywords: "gyroscope spinning top nutation cusp loop pião giroscópio nutação cúspide laço potencial efetivo",
         sources: &[&GOLDSTEIN, &BEER],

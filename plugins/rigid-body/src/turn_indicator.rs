@@ -92,6 +92,7 @@ impl Analysis for TurnIndicator {
     const ABOUT: About = About {
         id: "rigid-body/turn-indicator",
         title: "Turn indicator of an aircraft",
+        topic: "Gyroscopes and vehicles",
         summary: "Angle of a yoke with a spinning rotor and two springs in a level turn, or the rate of turn that an angle shows.",
         keywords: "turn indicator rate gyro yoke springs aircraft giroscópio indicador de curva molas garfo aeronave",
         sources: &[&BEER, &KHURMI],

@@ -94,6 +94,7 @@ impl Analysis for TwoBladedRotor {
     const ABOUT: About = About {
         id: "rigid-body/two-bladed-rotor",
         title: "Gyroscopic couple of a two-bladed propeller",
+        topic: "Bodies on turning shafts",
         summary: "Couple of a rotor with two blades whose carrier turns: its parts about spin, precession and their normal, how they pulse with the angle of the blades, and the mean.",
         keywords: "propeller airscrew two blades gyroscopic pulsating hélice duas pás giroscópico pulsante wind turbine aerogerador",
         sources: &[&BEVAN, &BEER],

@@ -109,6 +109,7 @@ impl Analysis for TwoWheelerLean {
     const ABOUT: About = About {
         id: "rigid-body/two-wheeler-lean",
         title: "Lean of a two-wheeler in a turn",
+        topic: "Gyroscopes and vehicles",
         summary: "Angle at which a motorcycle leans into a turn, with the gyroscopic couples of wheels and engine, the friction it needs, and the speed for a given lean.",
         keywords: "motorcycle bicycle lean heel gyroscopic motocicleta bicicleta inclinação curva giroscópico duas rodas",
         sources: &[&KHURMI, &BEER],

@@ -168,6 +168,7 @@ impl Analysis for WheelLoads {
     const ABOUT: About = About {
         id: "rigid-body/wheel-loads",
         title: "Wheel loads in a turn",
+        topic: "Gyroscopes and vehicles",
         summary: "Loads on the wheels of a car, a trolley or a rail axle in a level or banked curve, with the gyroscopic couples of wheels and engine, and the speeds at which a wheel lifts or the vehicle slides.",
         keywords: "vehicle car automobile trolley wheels gyroscopic overturning limiting speed superelevation bank veículo automóvel rodas carga tombamento velocidade limite superelevação curva giroscópico",
         sources: &[&KHURMI, &BEER],

@@ -3913,3 +3913,14 @@ the-journal-on-the-inclined-rail = O munhão no trilho inclinado
 # Words that several analyses use
 density = Massa específica
 modes = Modos
+
+# Topics
+stiffness-and-inertia = Rigidez e inércia
+harmonic-excitation = Excitação harmônica
+isolation-absorbers-and-instruments = Isolamento, absorvedores e instrumentos
+shock-and-impact = Choque e impacto
+random-vibration-and-earthquakes = Vibração aleatória e sismos
+nonlinear-vibration = Vibração não linear
+several-degrees-of-freedom = Vários graus de liberdade
+strings-beams-and-plates = Cordas, vigas e placas
+shafts-and-rotors = Eixos e rotores

@@ -88,6 +88,7 @@ impl Analysis for BarOnTwoSprings {
     const ABOUT: About = About {
         id: "vibration/bar-on-two-springs",
         title: "Bar on two springs",
+        topic: "Free vibration",
         summary: "Natural frequencies of bounce and pitch of a rigid body on two springs, and the nodes about which it swings.",
         keywords: "bounce pitch vehicle car body two degrees coupling node oscillation centre veículo arfagem \
                    quique barra duas molas centro de oscilação dois graus de liberdade",

@@ -87,6 +87,7 @@ impl Analysis for BaseExcitation {
     const ABOUT: About = About {
         id: "vibration/base-excitation",
         title: "Shaking base",
+        topic: "Harmonic excitation",
         summary: "Absolute and relative motion, acceleration and force of a mass on a base that shakes harmonically, a wavy road included.",
         keywords: "support motion transmissibility vehicle road ground seismic excitação de base movimento do suporte \
                    transmissibilidade veículo estrada velocidade crítica",

@@ -51,6 +51,7 @@ impl Analysis for BeamAndSprings {
     const ABOUT: About = About {
         id: "vibration/beam-and-springs",
         title: "Mass on beams and springs",
+        topic: "Stiffness and inertia",
         summary: "Mass, damping and transmitted force of a mass on a network of beams and springs, from its free decay.",
         keywords: "series parallel equivalent stiffness decrement transmissibility viga molas rigidez equivalente \
                    decremento transmissibilidade massa 08/4",

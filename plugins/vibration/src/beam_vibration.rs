@@ -148,6 +148,7 @@ impl Analysis for BeamVibration {
     const ABOUT: About = About {
         id: "vibration/beam-vibration",
         title: "Bending vibration of beams",
+        topic: "Strings, beams and plates",
         summary: "Frequencies, shapes, nodes and buckling load of a uniform beam (Euler–Bernoulli or Timoshenko) on any supports, with masses, springs, axial force and elastic foundation.",
         keywords: "continuous beam natural frequencies mode shapes cantilever tip mass buckling viga frequências \
                    naturais modos engastada biapoiada flambagem contínuo fundação elástica",

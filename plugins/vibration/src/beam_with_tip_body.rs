@@ -100,6 +100,7 @@ impl Analysis for BeamWithTipBody {
     const ABOUT: About = About {
         id: "vibration/beam-with-tip-body",
         title: "Cantilever with a rigid body at its tip",
+        topic: "Strings, beams and plates",
         summary: "Frequencies and coupled motions (bending in two planes, stretching, torsion) of a cantilever with masses on rigid arms at its tip.",
         keywords: "continuous coupled bending torsion off-centre mass NAFEMS FV4 viga em balanço massa excêntrica \
                    flexão torção acopladas corpo rígido",

@@ -105,6 +105,7 @@ impl Analysis for CoulombDamping {
     const ABOUT: About = About {
         id: "vibration/coulomb-damping",
         title: "Free vibration with dry friction",
+        topic: "Free vibration",
         summary: "Loss of amplitude, number of cycles, time and place of rest, and exact motion of a mass that rubs; friction from a decay.",
         keywords: "coulomb friction dry damping linear decay rest position stop sliding block atrito seco \
                    amortecimento de coulomb decaimento linear parada",

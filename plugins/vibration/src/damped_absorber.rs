@@ -169,6 +169,7 @@ impl Analysis for DampedAbsorber {
     const ABOUT: About = About {
         id: "vibration/damped-absorber",
         title: "Damped vibration absorber",
+        topic: "Isolation, absorbers and instruments",
         summary: "Best tuning and damping of an absorber by the fixed points and for the least peak, of a viscous absorber without spring, and the response before and after.",
         keywords: "tuned mass damper TMD Den Hartog Houdaille Lanchester optimum fixed points minimax \
                    absorvedor dinâmico amortecido amortecedor de massa sintonizado ótimo pontos fixos",

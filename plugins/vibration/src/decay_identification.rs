@@ -86,6 +86,7 @@ impl Analysis for DecayIdentification {
     const ABOUT: About = About {
         id: "vibration/decay-identification",
         title: "Viscous damping or friction from a decay",
+        topic: "Free vibration",
         summary: "An exponential, a straight line and both together fitted to a decay record: damping, friction, and which of them it is.",
         keywords: "coulomb viscous discriminate envelope exponential linear fit decay record identification \
                    identificação decaimento envoltória atrito viscoso",

@@ -110,6 +110,7 @@ impl Analysis for DoublePendulum {
     const ABOUT: About = About {
         id: "vibration/double-pendulum",
         title: "Double pendulum",
+        topic: "Several degrees of freedom",
         summary: "Natural frequencies and modes of two pendulums, one hanging from the other: small masses, rods or bodies of any form.",
         keywords: "pendulum two degrees compound crane hook load small oscillations pêndulo duplo composto dois \
                    graus de liberdade guindaste pequenas oscilações",

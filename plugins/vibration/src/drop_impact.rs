@@ -65,6 +65,7 @@ impl Analysis for DropImpact {
     const ABOUT: About = About {
         id: "vibration/drop-impact",
         title: "Body dropped on a spring",
+        topic: "Shock and impact",
         summary: "Largest deflection, force and deceleration of a body that falls on a sprung pan or on a cushion.",
         keywords: "drop fall package cushion pan impact deceleration g shock queda pacote embalagem prato impacto \
                    choque amortecida bloco desaceleração",

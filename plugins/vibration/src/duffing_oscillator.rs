@@ -59,6 +59,7 @@ impl Analysis for DuffingOscillator {
     const ABOUT: About = About {
         id: "vibration/duffing-oscillator",
         title: "Duffing oscillator",
+        topic: "Nonlinear vibration",
         summary: "Free period exactly, or forced amplitudes with backbone, jumps and stability, of a mass on a spring with a cubic term.",
         keywords: "nonlinear hardening softening jump backbone harmonic balance oscilador de Duffing não linear salto \
                    balanço harmônico mola cúbica",

@@ -236,6 +236,7 @@ impl Analysis for EngineOrders {
     const ABOUT: About = About {
         id: "vibration/engine-orders",
         title: "Torsional vibration of an engine",
+        topic: "Shafts and rotors",
         summary: "Natural frequencies of crankshaft and driven machine, sums of the phase vectors of each order, critical speeds, amplitudes and torques there.",
         keywords: "torsional vibration crankshaft diesel engine firing order phase vector star harmonic order critical speed \
                    Holzer Carter Ker Wilson vibração torcional virabrequim motor ordem de ignição velocidade crítica harmônico",

@@ -73,6 +73,7 @@ impl Analysis for EquivalentDamping {
     const ABOUT: About = About {
         id: "vibration/equivalent-damping",
         title: "Hysteretic and other equivalent damping",
+        topic: "Harmonic excitation",
         summary: "Equivalent viscous damping, loss factor and steady amplitude of an oscillator whose damping is known by its loop.",
         keywords: "structural damping hysteresis loop area loss factor specific damping capacity quadratic drag \
                    amortecimento histerético estrutural fator de perda laço de histerese arrasto quadrático",

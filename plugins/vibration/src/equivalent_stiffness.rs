@@ -153,6 +153,7 @@ impl Analysis for EquivalentStiffness {
     const ABOUT: About = About {
         id: "vibration/equivalent-stiffness",
         title: "Equivalent stiffness",
+        topic: "Stiffness and inertia",
         summary: "One spring for a network of springs, beams or shafts, what each of them carries, and the natural frequency of the mass on them.",
         keywords: "series parallel spring network natural frequency static deflection effective mass torsional pendulum \
                    rigidez equivalente molas série paralelo frequência natural deflexão estática pêndulo de torção",

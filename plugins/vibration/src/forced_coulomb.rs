@@ -85,6 +85,7 @@ impl Analysis for ForcedCoulomb {
     const ABOUT: About = About {
         id: "vibration/forced-coulomb",
         title: "Harmonic force with dry friction",
+        topic: "Harmonic excitation",
         summary: "Steady amplitude of a mass that rubs, by equivalent viscous damping and exactly, stops included; or the force for an amplitude.",
         keywords: "coulomb friction dry forced equivalent viscous damping den hartog stick slip hysteresis loop atrito \
                    seco forçada amortecimento equivalente",

@@ -140,6 +140,7 @@ impl Analysis for FreeVibration {
     const ABOUT: About = About {
         id: "vibration/free-vibration",
         title: "Free vibration",
+        topic: "Free vibration",
         summary: "Motion of one degree of freedom from its start: regime, frequencies, displacement at any time, envelope, overshoot, settling.",
         keywords: "transient decay underdamped overdamped critically damped undamped initial conditions envelope \
                    overshoot settling phase plane vibração livre subamortecido superamortecido crítico \

@@ -144,6 +144,7 @@ impl Analysis for FrequencyResponseIdentification {
     const ABOUT: About = About {
         id: "vibration/frequency-response-identification",
         title: "Identification from a frequency response",
+        topic: "Harmonic excitation",
         summary: "Stiffness, mass and damping of one degree of freedom from a measured frequency response, real or complex, or from a few points of it.",
         keywords: "frf receptance sweep modal half-power bandwidth peak suspension ensaio resposta em frequência \
                    suspensão identificação ressonância receptância \

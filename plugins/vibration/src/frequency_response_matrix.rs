@@ -124,6 +124,7 @@ impl Analysis for FrequencyResponseMatrix {
     const ABOUT: About = About {
         id: "vibration/frequency-response-matrix",
         title: "Frequency response of many degrees of freedom",
+        topic: "Several degrees of freedom",
         summary: "Receptance, mobility or accelerance of a chain or of given matrices: steady amplitudes and phases under harmonic forces on any masses.",
         keywords: "frf receptance mobility accelerance harmonic forced steady state mdof matrix reciprocity Nyquist \
                    receptância mobilidade acelerância resposta em frequência harmônica regime permanente vários \

@@ -48,6 +48,7 @@ impl Analysis for FrictionDamper {
     const ABOUT: About = About {
         id: "vibration/friction-damper",
         title: "Elastic dry-friction damper",
+        topic: "Isolation, absorbers and instruments",
         summary: "Peak of the response and amplitude at a frequency of an oscillator with a spring-and-slider damper, by one harmonic.",
         keywords: "jenkins element coulomb slip stick harmonic balance underplatform turbine blade hysteresis \
                    amortecedor de atrito elástico elemento de jenkins balanço harmônico palheta",

@@ -52,6 +52,7 @@ impl Analysis for GunRecoil {
     const ABOUT: About = About {
         id: "vibration/gun-recoil",
         title: "Recoil and critically damped return",
+        topic: "Shock and impact",
         summary: "Speed or distance of a recoil on a spring, the dashpot that brings it back without oscillation, and the time of both.",
         keywords: "gun barrel dashpot critical damping return time cannon canhão recuo amortecimento crítico",
         sources: &[&RAO, &GROVER],

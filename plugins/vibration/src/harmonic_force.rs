@@ -74,6 +74,7 @@ impl Analysis for HarmonicForce {
     const ABOUT: About = About {
         id: "vibration/harmonic-force",
         title: "Harmonic force",
+        topic: "Harmonic excitation",
         summary: "Steady amplitude, phase, forces and power of one mass under a harmonic force, and its motion from rest.",
         keywords: "forced resonance magnification power hysteretic build-up phasor força harmônica ressonância \
                    amplificação potência regime permanente transitório",

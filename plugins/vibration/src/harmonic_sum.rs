@@ -81,6 +81,7 @@ impl Analysis for HarmonicSum {
     const ABOUT: About = About {
         id: "vibration/harmonic-sum",
         title: "Harmonic motions added up",
+        topic: "Harmonic excitation",
         summary: "Phasor sum of harmonic motions, beats of two that nearly agree, and the work of a harmonic force on a harmonic motion.",
         keywords: "beat beating phasor rotating vector superposition batimento fasor vetor girante soma harmônica \
                    trabalho",

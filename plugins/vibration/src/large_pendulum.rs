@@ -36,6 +36,7 @@ impl Analysis for LargePendulum {
     const ABOUT: About = About {
         id: "vibration/large-pendulum",
         title: "Pendulum of large amplitude",
+        topic: "Nonlinear vibration",
         summary: "Exact period and motion of a pendulum at any amplitude, beside the small-angle value and the series.",
         keywords: "nonlinear elliptic integral pêndulo grandes amplitudes não linear período",
         sources: &[&NAYFEH, &RAO, &ABRAMOWITZ],

@@ -139,6 +139,7 @@ impl Analysis for LogarithmicDecrement {
     const ABOUT: About = About {
         id: "vibration/logarithmic-decrement",
         title: "Logarithmic decrement",
+        topic: "Free vibration",
         summary: "Decrement, damping ratio and damping of a decay from its amplitudes, and the cycles and time to fall to an amplitude.",
         keywords: "decay damping ratio successive amplitudes peaks torsional pendulum cycles least squares \
                    decremento logarítmico decaimento amplitude picos pêndulo de torção",

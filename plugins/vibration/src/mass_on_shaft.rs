@@ -123,6 +123,7 @@ impl Analysis for MassOnShaft {
     const ABOUT: About = About {
         id: "vibration/mass-on-shaft",
         title: "Mass on a shaft",
+        topic: "Shafts and rotors",
         summary: "Longitudinal, transverse and torsional natural frequencies of a mass or flywheel on a light shaft.",
         keywords: "flywheel longitudinal transverse torsional frequency shaft volante eixo frequência longitudinal \
                    transversal torcional",

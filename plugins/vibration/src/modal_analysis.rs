@@ -57,6 +57,7 @@ impl Analysis for ModalAnalysis {
     const ABOUT: About = About {
         id: "vibration/modal-analysis",
         title: "Modal analysis",
+        topic: "Several degrees of freedom",
         summary: "Natural frequencies, mode shapes, modal masses, participation and damping ratios of a chain, of masses on a string, or of given matrices.",
         keywords: "mdof eigenvalue eigenvector natural frequencies modes chain string matrices complex modes Rayleigh \
                    proportional damping autovalor autovetor frequências naturais modos de vibração cadeia massas \

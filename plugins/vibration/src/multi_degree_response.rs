@@ -158,6 +158,7 @@ impl Analysis for MultiDegreeResponse {
     const ABOUT: About = About {
         id: "vibration/multi-degree-response",
         title: "Motion of many degrees of freedom in time",
+        topic: "Several degrees of freedom",
         summary: "Exact motion of a chain or of given matrices from a start and under steps, pulses, ramps, harmonic forces or tables of force, with damping of any kind.",
         keywords: "transient time response mdof pulse step initial conditions modal superposition state space \
                    transitório resposta no tempo condições iniciais pulso degrau superposição modal vários graus \

@@ -81,6 +81,7 @@ impl Analysis for MultiSpanBeam {
     const ABOUT: About = About {
         id: "vibration/multi-span-beam",
         title: "Beam over several supports",
+        topic: "Strings, beams and plates",
         summary: "Exact frequencies, shapes and nodes of a continuous beam of several spans, each with its section, axial force and foundation, on pins, clamps and springs, with masses at the joints; finite elements beside them.",
         keywords: "continuous beam multi span stepped supports bridge pipe shaft foundation finite elements viga \
                    contínua vários vãos apoios escalonada ponte tubulação fundação elástica elementos finitos",

@@ -118,6 +118,7 @@ impl Analysis for OverhungDisc {
     const ABOUT: About = About {
         id: "vibration/overhung-disc",
         title: "Overhung disc with gyroscopic action",
+        topic: "Shafts and rotors",
         summary: "Natural frequencies at rest, forward and backward whirl at a speed, and synchronous critical speeds of a disc on a light shaft.",
         keywords: "overhung disc cantilever gyroscopic whirl critical speed forward backward Campbell disco em balanço \
                    efeito giroscópico precessão direta retrógrada velocidade crítica",

@@ -178,6 +178,7 @@ impl Analysis for PendulumAbsorber {
     const ABOUT: About = About {
         id: "vibration/pendulum-absorber",
         title: "Pendulum absorber",
+        topic: "Isolation, absorbers and instruments",
         summary: "Order, arm and mass of centrifugal pendulums and rollers on a rotor, their swing and effective inertia, and pendulums under an oscillating mass.",
         keywords: "centrifugal pendulum CPVA bifilar Salomon roller order tuning torsional absorber antiresonance \
                    absorvedor pendular pêndulo centrífugo bifilar rolete ordem sintonia antirressonância",

@@ -71,6 +71,7 @@ impl Analysis for PeriodicExcitation {
     const ABOUT: About = About {
         id: "vibration/periodic-excitation",
         title: "Periodic force or base",
+        topic: "Harmonic excitation",
         summary: "Fourier coefficients of a periodic force or motion of the base, the steady response to each harmonic and to all of them.",
         keywords: "fourier series square triangle sawtooth rectified cam harmonics spectrum série de fourier onda \
                    quadrada triangular dente de serra retificada came espectro",

@@ -65,6 +65,7 @@ impl Analysis for PiecewiseSpring {
     const ABOUT: About = About {
         id: "vibration/piecewise-spring",
         title: "Spring of two slopes",
+        topic: "Nonlinear vibration",
         summary: "Exact free vibration of a mass on a spring with a gap, a stop or a limit of its force: largest displacement and period.",
         keywords: "nonlinear gap clearance bilinear stop elastoplastic folga batente mola bilinear não linear",
         sources: &[&THOMSON, &NAYFEH],

@@ -148,6 +148,7 @@ impl Analysis for PlateAndMembrane {
     const ABOUT: About = About {
         id: "vibration/plate-and-membrane",
         title: "Vibration of plates and membranes",
+        topic: "Strings, beams and plates",
         summary: "Exact frequencies and nodal lines of rectangular and circular membranes, circular plates, and rectangular plates with two opposite edges simply supported.",
         keywords: "membrane drum plate circular rectangular Navier Levy Bessel Chladni nodal lines membrana tambor \
                    placa circular retangular linhas nodais chapa",

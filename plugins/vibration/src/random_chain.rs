@@ -37,6 +37,7 @@ impl Analysis for RandomChain {
     const ABOUT: About = About {
         id: "vibration/random-chain",
         title: "Chain of masses on a randomly shaken base",
+        topic: "Random vibration and earthquakes",
         summary: "Root mean square of displacement and acceleration of each mass of a chain whose base moves with a spectral density, with modal damping.",
         keywords: "psd random vibration rms one sigma modal damping multi degree chain vibração aleatória densidade \
                    espectral vários graus de liberdade cadeia de massas amortecimento modal um sigma",

@@ -53,6 +53,7 @@ impl Analysis for RandomResponse {
     const ABOUT: About = About {
         id: "vibration/random-response",
         title: "Random response",
+        topic: "Random vibration and earthquakes",
         summary: "Root mean square of displacement and acceleration, crossing rate and three-sigma values of one degree of freedom under a spectral density.",
         keywords: "psd random vibration rms grms white noise Miles three sigma spectral density crossing rate vibração \
                    aleatória densidade espectral ruído branco valor eficaz três sigma cruzamentos",

@@ -38,6 +38,7 @@ impl Analysis for RayleighDamping {
     const ABOUT: About = About {
         id: "vibration/rayleigh-damping",
         title: "Rayleigh damping",
+        topic: "Several degrees of freedom",
         summary: "Coefficients of damping proportional to mass and stiffness from the damping ratios of two modes, and the damping ratio at any frequency.",
         keywords: "proportional damping alpha beta amortecimento proporcional de Rayleigh",
         sources: &[&CLOUGH, &RAO],

@@ -132,6 +132,7 @@ impl Analysis for ResponseSpectrum {
     const ABOUT: About = About {
         id: "vibration/response-spectrum",
         title: "Response spectrum analysis",
+        topic: "Random vibration and earthquakes",
         summary: "Largest displacement, acceleration or stress of a chain, of given modes or of a beam on a shaking base, by ABS, SRSS and CQC.",
         keywords: "earthquake seismic response spectrum modal combination srss cqc abs participation effective mass \
                    terremoto sismo espectro de resposta combinação modal participação massa efetiva",

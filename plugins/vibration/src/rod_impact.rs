@@ -40,6 +40,7 @@ impl Analysis for RodImpact {
     const ABOUT: About = About {
         id: "vibration/rod-impact",
         title: "Rod that strikes a wall",
+        topic: "Shock and impact",
         summary: "Largest stress, largest shortening and time of contact of a rod that strikes a rigid wall with its end, by waves.",
         keywords: "longitudinal impact wave stress collision bar choque impacto longitudinal barra onda tensão",
         sources: &[&TIMOSHENKO, &RAO],

@@ -73,6 +73,7 @@ impl Analysis for RotatingBeam {
     const ABOUT: About = About {
         id: "vibration/rotating-beam",
         title: "Rotating blade",
+        topic: "Strings, beams and plates",
         summary: "Frequencies of a uniform blade on a turning hub, flapwise or lagwise, with the stiffening by the centrifugal tension, Southwell's coefficients and the diagram over speed.",
         keywords: "turbine blade propeller helicopter rotor centrifugal stiffening Southwell Campbell flap lag pá \
                    palheta turbina hélice enrijecimento centrífugo",

@@ -78,6 +78,7 @@ impl Analysis for RotatingUnbalance {
     const ABOUT: About = About {
         id: "vibration/rotating-unbalance",
         title: "Rotating unbalance",
+        topic: "Harmonic excitation",
         summary: "Steady amplitude, phase and transmitted force of an unbalanced machine on an elastic, damped support.",
         keywords: "fan ventilador desbalanceamento desbalanceado cantilever amplitude resonance 07/2",
         sources: &[&RAO, &KELLY, &LISTS],

@@ -89,6 +89,7 @@ impl Analysis for RotorDynamics {
     const ABOUT: About = About {
         id: "vibration/rotor-dynamics",
         title: "Rotor on bearings by finite elements",
+        topic: "Shafts and rotors",
         summary: "Natural frequencies with direction of whirl and damping, critical speeds, unbalance response and threshold of stability of a stepped shaft with discs on bearings.",
         keywords: "rotor rotordynamics whirl campbell critical speed gyroscopic bearing unbalance finite element log \
                    decrement instability dinâmica de rotores velocidade crítica mancal giroscópico desbalanceamento \

@@ -155,6 +155,7 @@ impl Analysis for ShaftClearance {
     const ABOUT: About = About {
         id: "vibration/shaft-clearance",
         title: "Shaft for a rotor with clearance",
+        topic: "Shafts and rotors",
         summary: "All diameters or stiffnesses of the shaft, eccentricities or speeds with which an unbalanced rotor stays clear of its stator.",
         keywords: "whirl critical speed Francis turbine rotor stator jeffcott eccentricity stiffness turbina eixo \
                    diâmetro rigidez excentricidade folga velocidade crítica 08/3",

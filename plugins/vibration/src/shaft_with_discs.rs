@@ -95,6 +95,7 @@ impl Analysis for ShaftWithDiscs {
     const ABOUT: About = About {
         id: "vibration/shaft-with-discs",
         title: "Shaft with several discs",
+        topic: "Shafts and rotors",
         summary: "Lowest frequency and critical speed of a shaft with several discs by Dunkerley, Rayleigh and matrix iteration, beside the exact value and the bound that each gives.",
         keywords: "critical speed whirling stodola influence coefficients eixo discos velocidade crítica dunkerley \
                    rayleigh iteração matricial coeficientes de influência",

@@ -103,6 +103,7 @@ impl Analysis for ShockResponseSpectrum {
     const ABOUT: About = About {
         id: "vibration/shock-response-spectrum",
         title: "Shock response spectrum",
+        topic: "Shock and impact",
         summary: "Primary, residual and maximax spectrum of a pulse or a recorded shock, at asked frequencies and over a range.",
         keywords: "srs shock spectrum primary residual maximax half sine sawtooth pulse drop test espectro de resposta \
                    ao choque meio seno dente de serra pulso primário residual",

@@ -96,6 +96,7 @@ impl Analysis for SpringNetwork {
     const ABOUT: About = About {
         id: "vibration/spring-network",
         title: "Network of springs and dampers",
+        topic: "Stiffness and inertia",
         summary: "Stiffness at a node of any network of springs and dampers, at rest or shaken, what each element carries, and how masses on it vibrate.",
         keywords: "graph node series parallel Kelvin-Voigt Maxwell dynamic stiffness bridge rubber felt pad rede de molas \
                    amortecedores nós rigidez dinâmica",

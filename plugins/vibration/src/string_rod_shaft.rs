@@ -251,6 +251,7 @@ impl Analysis for StringRodShaft {
     const ABOUT: About = About {
         id: "vibration/string-rod-shaft",
         title: "Strings, rods, shafts and shear beams",
+        topic: "Strings, beams and plates",
         summary: "Frequencies, shapes and nodes of a string under tension, a rod along its axis, a shaft in torsion or a beam that shears, with fixed, free, sprung or loaded ends.",
         keywords: "continuous wave equation cable guitar drill pipe longitudinal axial torsional corda cabo barra \
                    eixo torção onda contínuo cisalhamento",

@@ -206,6 +206,7 @@ impl Analysis for SwingTest {
     const ABOUT: About = About {
         id: "vibration/swing-test",
         title: "Moment of inertia from a swing test",
+        topic: "Stiffness and inertia",
         summary: "Moment of inertia from the period on a knife edge, about two points, on wires, on a torsion wire, or rolling on rails.",
         keywords: "compound pendulum bifilar trifilar suspension torsion pendulum connecting rod radius of gyration \
                    momento de inércia ensaio de oscilação pêndulo composto bifilar trifilar pêndulo de torção biela",

@@ -95,6 +95,7 @@ impl Analysis for TaperedBeam {
     const ABOUT: About = About {
         id: "vibration/tapered-beam",
         title: "Bending vibration of tapered beams",
+        topic: "Strings, beams and plates",
         summary: "Frequencies and shapes of a beam whose breadth, height or diameter changes linearly along it, wedges and cones among them, by Rayleigh–Ritz with its convergence.",
         keywords: "variable section wedge cone triangular plate spring blade rayleigh ritz viga afilada variável \
                    cunha cone triangular pá lâmina",

@@ -163,6 +163,7 @@ impl Analysis for TorsionalTrain {
     const ABOUT: About = About {
         id: "vibration/torsional-train",
         title: "Torsional train",
+        topic: "Shafts and rotors",
         summary: "Natural frequencies, shapes and nodes of discs on shafts, geared or branched, the Holzer table, and the motion under harmonic torques.",
         keywords: "torsional vibration Holzer rotor gear branched flywheel node crankshaft vibração torcional \
                    engrenagens volante nó eixo discos",

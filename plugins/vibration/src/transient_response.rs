@@ -147,6 +147,7 @@ impl Analysis for TransientResponse {
     const ABOUT: About = About {
         id: "vibration/transient-response",
         title: "Transient response",
+        topic: "Shock and impact",
         summary: "Displacement in time, its maximum and what remains, of one degree of freedom under a step, ramp, pulse, table, impulse or base acceleration.",
         keywords: "step ramp pulse impulse half-sine triangular rectangular shock Duhamel convolution dynamic load \
                    factor overshoot degrau rampa pulso impulso choque transitório resposta transiente convolução \

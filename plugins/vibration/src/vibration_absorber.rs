@@ -261,6 +261,7 @@ impl Analysis for VibrationAbsorber {
     const ABOUT: About = About {
         id: "vibration/vibration-absorber",
         title: "Undamped vibration absorber",
+        topic: "Isolation, absorbers and instruments",
         summary: "Mass and spring of an absorber for a limited stroke or for resonances kept away, its two resonances and amplitudes, and a main system from a trial absorber.",
         keywords: "dynamic vibration absorber Frahm tuned mass neutraliser splitting resonance torsional \
                    absorvedor dinâmico de vibrações neutralizador sintonizado ressonância torcional",

@@ -114,6 +114,7 @@ impl Analysis for VibrationInstrument {
     const ABOUT: About = About {
         id: "vibration/vibration-instrument",
         title: "Vibrometer and accelerometer",
+        topic: "Isolation, absorbers and instruments",
         summary: "Usable frequencies of a seismic instrument for an allowed error, its amplitude and phase error at a frequency, and the true motion behind a reading.",
         keywords: "seismometer seismograph pickup transducer usable range phase distortion vibrômetro acelerômetro \
                    sismógrafo sensor faixa de uso erro de fase",

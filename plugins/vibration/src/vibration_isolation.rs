@@ -165,6 +165,7 @@ impl Analysis for VibrationIsolation {
     const ABOUT: About = About {
         id: "vibration/vibration-isolation",
         title: "Vibration and shock isolation",
+        topic: "Isolation, absorbers and instruments",
         summary: "Stiffness and static deflection of mounts for a required isolation over a band of speeds, the isolation of given mounts, and mounts for a shock.",
         keywords: "isolator mount transmissibility inertia block static deflection drop packaging isolamento isolador \
                    coxim calço transmissibilidade bloco de inércia deflexão estática choque",

@@ -1736,3 +1736,10 @@ velocity-of-the-piston-in-the-cylinder = Velocidade do pistão no cilindro
 virtual-change-of-the-length-for-2-1-s-r-a = Variação virtual do comprimento para δθ_2 = 1: δs = ê · δr_A
 virtual-turn-of-the-cylinder-for-2-1 = Giro virtual do cilindro para δθ_2 = 1
 virtual-work-of-the-force-of-the-cylinder = Trabalho virtual da força do cilindro
+
+# Topics
+bars-and-levers = Barras e alavancas
+presses-and-lifts = Prensas e elevadores
+plane-linkages = Mecanismos planos de barras
+any-mechanism = Mecanismos quaisquer
+engines-gears-and-wheels = Motores, engrenagens e rodas

@@ -70,6 +70,7 @@ impl Analysis for AFrame {
     const ABOUT: About = About {
         id: "virtual-work/a-frame",
         title: "Step ladder",
+        topic: "Bars and levers",
         summary: "Force at the feet or tension of the rope that holds two ladders against each other, or the angle that a force holds.",
         keywords: "A-frame trestle step ladder rope tie escada dupla cavalete corda tirante força nos pés",
         sources: &[&BEER, &HIBBELER, &RIUL],

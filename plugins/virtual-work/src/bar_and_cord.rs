@@ -49,6 +49,7 @@ impl Analysis for BarAndCord {
     const ABOUT: About = About {
         id: "virtual-work/bar-and-cord",
         title: "Bar held by a cord over a pulley",
+        topic: "Bars and levers",
         summary: "The hanging mass that holds a hinged bar at an angle, or all angles at which a mass holds it, and whether they are stable.",
         keywords: "drawbridge counterweight pulley cord potential energy stability ponte levadiça contrapeso polia corda \
                    barra energia potencial estabilidade",

@@ -102,6 +102,7 @@ impl Analysis for CompoundLever {
     const ABOUT: About = About {
         id: "virtual-work/compound-lever",
         title: "Chain of levers",
+        topic: "Bars and levers",
         summary: "Force or couple that balances the loads on levers driving one another, by the ratios of their virtual displacements.",
         keywords: "pliers bolt cutter compound lever chain mechanical advantage alicate corta-vergalhão tesoura alavancas \
                    compostas vantagem mecânica",

@@ -163,6 +163,7 @@ impl Analysis for Engine {
     const ABOUT: About = About {
         id: "virtual-work/engine",
         title: "Reciprocating engine",
+        topic: "Engines, gears and wheels",
         summary: "Motion of the piston, forces in piston, rod, guide, crank pin and bearings, and the turning moment of an engine with one cylinder, at one angle and over its cycle.",
         keywords: "motor alternativo pistão biela manivela slider-crank piston effort crank effort turning moment diagram gudgeon pin \
                    connecting rod thrust guide crosshead steam engine indicator diagram cut-off expansion inertia force torque motor \

@@ -124,6 +124,7 @@ impl Analysis for EpicyclicTrain {
     const ABOUT: About = About {
         id: "virtual-work/epicyclic-train",
         title: "Epicyclic gear train",
+        topic: "Engines, gears and wheels",
         summary: "Speeds of all members of an epicyclic train by Willis's formula, and driving, load and holding torques by virtual power.",
         keywords: "trem epicicloidal planetário engrenagem sol coroa braço satélite Willis redutor torque de reação \
                    planetary gear epicyclic sun ring annulus arm carrier ratio",

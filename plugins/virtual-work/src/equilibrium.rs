@@ -71,6 +71,7 @@ impl Analysis for Equilibrium {
     const ABOUT: About = About {
         id: "virtual-work/equilibrium",
         title: "Equilibrium of a mechanism",
+        topic: "Any mechanism",
         summary: "All positions in which a plane mechanism of any shape stays by itself, by the least of the potential energy, with their stability.",
         keywords: "equilíbrio estabilidade energia potencial virtual work trabalho virtual stable unstable neutral mola peso potential energy springs hessian",
         sources: &[&BEER, &HAUG],

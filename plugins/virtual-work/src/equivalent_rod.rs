@@ -80,6 +80,7 @@ impl Analysis for EquivalentRod {
     const ABOUT: About = About {
         id: "virtual-work/equivalent-rod",
         title: "Equivalent masses of a connecting rod",
+        topic: "Engines, gears and wheels",
         summary: "Two masses that move like a connecting rod, the masses in its two pins, and the couple that corrects them.",
         keywords: "biela massas equivalentes sistema dinamicamente equivalente conjugado de correção raio de giração pêndulo \
                    dynamically equivalent two-mass system correction couple connecting rod radius of gyration swing period",

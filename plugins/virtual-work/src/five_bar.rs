@@ -127,6 +127,7 @@ impl Analysis for FiveBar {
     const ABOUT: About = About {
         id: "virtual-work/five-bar",
         title: "Five-bar linkage",
+        topic: "Plane linkages",
         summary: "Holding torques of a five-bar linkage with two driven cranks, or geared to one freedom, for a force where its rods meet, by virtual work; or the force from the torques.",
         keywords: "mecanismo de cinco barras dois graus de liberdade engrenado robô paralelo jacobiano five-bar geared \
                    parallel robot Jacobian two degrees of freedom",

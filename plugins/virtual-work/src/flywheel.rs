@@ -129,6 +129,7 @@ impl Analysis for Flywheel {
     const ABOUT: About = About {
         id: "virtual-work/flywheel",
         title: "Flywheel",
+        topic: "Engines, gears and wheels",
         summary: "Fluctuation of energy of a turning moment, and the inertia of a flywheel against the fluctuation of speed, either from the other.",
         keywords: "volante de inércia flutuação de energia coeficiente de flutuação de velocidade diagrama de torque \
                    flywheel fluctuation of energy coefficient of fluctuation of speed turning moment diagram steadiness",

@@ -129,6 +129,7 @@ impl Analysis for FourBar {
     const ABOUT: About = About {
         id: "virtual-work/four-bar",
         title: "Four-bar linkage",
+        topic: "Plane linkages",
         summary: "Torque on crank or rocker of a four-bar linkage, at rest or in motion with masses, by virtual work; coupler curve, instant centres, transmission angle, reactions.",
         keywords: "quadrilátero articulado quatro barras mecanismo manivela balancim acoplador curva do acoplador grashof \
                    ângulo de transmissão centro instantâneo vantagem mecânica torque four bar linkage crank rocker coupler curve",

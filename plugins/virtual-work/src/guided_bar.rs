@@ -93,6 +93,7 @@ impl Analysis for GuidedBar {
     const ABOUT: About = About {
         id: "virtual-work/guided-bar",
         title: "Bar in two guides",
+        topic: "Bars and levers",
         summary: "Equilibria and stability of a bar whose ends slide in guides at right angles, or the force or stiffness for a given angle.",
         keywords: "ladder sliding rod collars spring potential energy stability escada barra guias cursores mola energia \
                    potencial estabilidade",

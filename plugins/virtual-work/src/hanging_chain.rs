@@ -67,6 +67,7 @@ impl Analysis for HangingChain {
     const ABOUT: About = About {
         id: "virtual-work/hanging-chain",
         title: "Hanging chain of bars",
+        topic: "Bars and levers",
         summary: "Angles of a chain of hinged bars that is pulled at its free end, with the stability of every freedom, or the force for an angle.",
         keywords: "several degrees of freedom Hessian linked bars cadeia de barras articuladas vários graus de liberdade Hessiana \
                    estabilidade",

@@ -63,6 +63,7 @@ impl Analysis for LazyTongs {
     const ABOUT: About = About {
         id: "virtual-work/lazy-tongs",
         title: "Lazy tongs",
+        topic: "Presses and lifts",
         summary: "Reactions at the two supports of a row of crossed bars under vertical loads, each by letting its support go.",
         keywords: "pantograph crossed bars support reaction virtual displacement tesoura articulada pantógrafo barras cruzadas \
                    reação de apoio",

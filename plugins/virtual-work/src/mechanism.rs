@@ -82,6 +82,7 @@ impl Analysis for Mechanism {
     const ABOUT: About = About {
         id: "virtual-work/mechanism",
         title: "Plane mechanism",
+        topic: "Any mechanism",
         summary: "Motion, driving efforts by virtual power, and reactions of a plane mechanism of any shape: bodies, joints, drivers and loads.",
         keywords: "mecanismo plano barras manivela articulação virtual power potência virtual newton euler multibody linkage joints reactions \
                    six-bar gears cord slot spring geral build your own",

@@ -147,6 +147,7 @@ impl Analysis for Motion {
     const ABOUT: About = About {
         id: "virtual-work/motion",
         title: "Motion of a plane mechanism under its loads",
+        topic: "Any mechanism",
         summary: "Free motion of a plane mechanism of any shape from a start: accelerations by virtual power, joint forces, energy, a film.",
         keywords: "movimento mecanismo plano dinâmica direta forward dynamics simulation multibody pendulum pêndulo linkage free motion \
                    energy andrews squeezer livre",

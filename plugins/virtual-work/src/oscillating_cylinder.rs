@@ -136,6 +136,7 @@ impl Analysis for OscillatingCylinder {
     const ABOUT: About = About {
         id: "virtual-work/oscillating-cylinder",
         title: "Inverted slider-crank",
+        topic: "Plane linkages",
         summary: "Torque of a crank or lever moved by a swinging cylinder, or the force of the cylinder, at rest or in motion with masses, by virtual work; reactions.",
         keywords: "cilindro oscilante cilindro hidráulico atuador cursor-manivela invertido pistão alavanca caçamba \
                    oscillating cylinder hydraulic actuator inverted slider-crank lever dump boom",

@@ -138,6 +138,7 @@ impl Analysis for QuickReturn {
     const ABOUT: About = About {
         id: "virtual-work/quick-return",
         title: "Quick-return mechanism",
+        topic: "Plane linkages",
         summary: "Torque or force, motion with Coriolis acceleration, time ratio and reactions of crank and slotted lever, Whitworth and shaper.",
         keywords: "retorno rápido plaina limadora manivela balancim ranhurado Whitworth Coriolis razão de tempos torno \
                    crank and slotted lever shaper quick return time ratio",

@@ -73,6 +73,7 @@ impl Analysis for RackPress {
     const ABOUT: About = About {
         id: "virtual-work/rack-press",
         title: "Rack press",
+        topic: "Presses and lifts",
         summary: "Force of the ram of a rack press from the force on its handle, or the other way round, with the stroke for each turn.",
         keywords: "arbor press rack and pinion handle mechanical advantage prensa de cremalheira pinhão alavanca manual vantagem \
                    mecânica",

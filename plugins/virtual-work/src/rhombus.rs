@@ -61,6 +61,7 @@ impl Analysis for Rhombus {
     const ABOUT: About = About {
         id: "virtual-work/rhombus",
         title: "Rhombus with a spring",
+        topic: "Bars and levers",
         summary: "Equilibria and stability of a hanging rhombus of four bars with a spring across, or the load or stiffness for a given angle.",
         keywords: "four bars diamond pantograph hanging frame spring losango pantógrafo quatro barras mola estabilidade",
         sources: &[&BEER, &HIBBELER, &RIUL],

@@ -50,6 +50,7 @@ impl Analysis for RobervalBalance {
     const ABOUT: About = About {
         id: "virtual-work/roberval-balance",
         title: "Roberval balance",
+        topic: "Bars and levers",
         summary: "Couple that holds a Roberval balance, or the mass that balances it, and what the offsets of the masses do to its beams.",
         keywords: "parallelogram scale pans shop balance balança de Roberval paralelogramo pratos",
         sources: &[&BEER, &RIUL],

@@ -124,6 +124,7 @@ impl Analysis for RollingDisc {
     const ABOUT: About = About {
         id: "virtual-work/rolling-disc",
         title: "Disc rolled by a crank",
+        topic: "Engines, gears and wheels",
         summary: "Torque on a crank that rolls a disc without slip against spring and damper, by virtual work; friction at the floor and the coefficient it takes.",
         keywords: "disco rolamento sem escorregamento manivela mola amortecedor atrito cilindro roda rolling without slip \
                    wheel cylinder friction slider-crank",

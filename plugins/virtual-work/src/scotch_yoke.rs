@@ -84,6 +84,7 @@ impl Analysis for ScotchYoke {
     const ABOUT: About = About {
         id: "virtual-work/scotch-yoke",
         title: "Scotch yoke",
+        topic: "Plane linkages",
         summary: "Torque on the crank or force on the yoke of a Scotch yoke, at rest or in motion, by virtual work; harmonic motion and reactions.",
         keywords: "garfo escocês jugo escocês senoidal movimento harmônico manivela cursor ranhurado bomba compressor \
                    scotch yoke donkey crosshead harmonic motion",

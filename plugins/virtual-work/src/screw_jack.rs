@@ -127,6 +127,7 @@ impl Analysis for ScrewJack {
     const ABOUT: About = About {
         id: "virtual-work/screw-jack",
         title: "Screw jack",
+        topic: "Presses and lifts",
         summary: "Axial force and torque of a screw jack, a rhombus jack or a scissor jack, with friction, efficiency and self-locking.",
         keywords: "car jack scissor rhombus power screw lead thread friction self-locking efficiency macaco sanfona parafuso de \
                    potência passo rosca atrito autotravante rendimento",

@@ -106,8 +106,9 @@ impl Analysis for SliderCrank {
     const ABOUT: About = About {
         id: "virtual-work/slider-crank",
         title: "Slider-crank",
+        topic: "Plane linkages",
         summary: "Torque on the crank or force on the slider of a slider-crank, at rest or in motion with masses, by virtual work; motion and reactions.",
-        keywords: "biela manivela cursor pistão compressor motor prensa trabalho virtual torque força reações engine piston \
+        keywords: "cursor manivela biela pistão compressor motor prensa trabalho virtual torque força reações engine piston \
                    connecting rod crank pump compressor virtual work static dynamic offset",
         sources: &[&RIUL, &BEER, &SHIGLEY],
         cases: include_str!("../cases/slider_crank.toml"),

@@ -170,6 +170,7 @@ impl Analysis for SpringLever {
     const ABOUT: About = About {
         id: "virtual-work/spring-lever",
         title: "Arm with a spring",
+        topic: "Bars and levers",
         summary: "All equilibria of a loaded arm held by a spring, and whether they are stable; or the load or stiffness for a given angle.",
         keywords: "lever torsion spring drum disc weight inverted pendulum potential energy stability equilibrium critical \
                    alavanca mola de torção tambor disco pêndulo invertido energia potencial estabilidade equilíbrio",

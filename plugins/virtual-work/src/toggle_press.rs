@@ -52,6 +52,7 @@ impl Analysis for TogglePress {
     const ABOUT: About = About {
         id: "virtual-work/toggle-press",
         title: "Toggle press",
+        topic: "Presses and lifts",
         summary: "Thrust of a toggle press from the force on its knee, or the other way round, with the forces in its links.",
         keywords: "knuckle joint press clamp mechanical advantage prensa de joelho alavanca articulada vantagem mecânica grampo",
         sources: &[&BEER, &HIBBELER, &RIUL],

@@ -75,6 +75,7 @@ impl Analysis for TwoBarLinkage {
     const ABOUT: About = About {
         id: "virtual-work/two-bar-linkage",
         title: "Two bars with a sliding end",
+        topic: "Bars and levers",
         summary: "Equilibria and stability of two equal hinged bars with a sliding end, or the force or stiffness for a given angle.",
         keywords: "two-member linkage hinged bars roller spring virtual displacement angle barras articuladas rolete mola \
                    deslocamento virtual ângulo",

@@ -145,6 +145,7 @@ impl Analysis for VirtualPower {
     const ABOUT: About = About {
         id: "virtual-work/virtual-power",
         title: "Virtual power",
+        topic: "Any mechanism",
         summary: "Driving torque or force of a plane mechanism with known motion, from the powers of forces, couples, weights and inertia loads.",
         keywords: "virtual work trabalho virtual potência d'Alembert slider-crank biela manivela cursor torque linkage lever exemplo 1",
         sources: &[&RIUL, &SHIGLEY, &BEER],

@@ -37,6 +37,7 @@ impl Analysis for AnalysisName {
     const ABOUT: About = About {
         id: "family/analysis-name",
         title: "Analysis name",
+        topic: "Free vibration",
         summary: "Natural frequency, period and greatest speed of a mass on a spring that is let go.",
         keywords: "mass spring free vibration natural frequency massa mola",
         sources: &[&TEXTBOOK],

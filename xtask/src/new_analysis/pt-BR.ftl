@@ -1,4 +1,5 @@
 analysis-name = Analysis name
+free-vibration = Vibração livre
 natural-frequency-period-and-greatest-speed-of-a-mass-on-a-spring-that-is-let-go = Frequência natural, período e maior velocidade de uma massa numa mola que é solta.
 mass = Massa
 stiffness-of-the-spring = Rigidez da mola

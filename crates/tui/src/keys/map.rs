@@ -177,7 +177,9 @@ impl Change {
             }
             // There a digit begins a text.
             let typed = [Place::Form, Place::Cells].into_iter().filter(does);
-            let place = typed.filter(|_| key.begins_a_number()).find(|place| self.place.is_none_or(|at| at == *place));
+            let place = typed
+                .filter(|_| key.begins_a_number())
+                .find(|place| self.place.is_none_or(|at| at == *place));
             place.map(|place| {
                 Text::new("`{key}` begins a number in [keys.{place}]: take another key")
                     .with("key", key.id())

@@ -6,22 +6,16 @@ use super::{Action, Binding, Key};
 
 /// Keys of the list of analyses.
 pub(super) const PICKER: &[Binding] = &[
-    bind(Action::Enter, ENTER, "open", "open"),
+    bind(Action::Enter, ENTER, "open; fold a heading", "open"),
     bind(Action::Filter, &[typed('/')], "type a filter", "filter"),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
-    bind(
-        Action::NextPane,
-        &[plain(KeyCode::Tab), plain(KeyCode::Right), typed('l')],
-        "to the published cases",
-        "see cases",
-    ),
-    bind(
-        Action::PreviousPane,
-        &[plain(KeyCode::BackTab), plain(KeyCode::Left), typed('h')],
-        "to the list",
-        "",
-    ),
+    bind(Action::Right, RIGHT, "open the heading, or to the published cases", ""),
+    bind(Action::Left, LEFT, "fold the heading, or back to it", ""),
+    bind(Action::NextPane, TAB, "to the published cases and back", "see cases"),
+    bind(Action::PreviousPane, BACK_TAB, "to the list", ""),
+    bind(Action::PinAnalysis, &[typed('*')], "pin at the head of the list, or no more", "pin"),
+    bind(Action::Toggle, &[typed(' ')], "mark an exercise as done, or as not done", ""),
     bind(Action::PageUp, PAGE_UP, "page up", ""),
     bind(Action::PageDown, PAGE_DOWN, "page down", ""),
     bind(Action::First, FIRST, "to the first line", ""),

@@ -9,7 +9,7 @@ use dalembert_units as units;
 use ratatui::{crossterm::event::KeyEvent, layout::Rect};
 use tui_input::InputRequest;
 
-use super::{ask, export, files, request, too_long, type_in};
+use super::{ask, export, files, remembering, request, too_long, type_in};
 use crate::{
     bench::{Bench, Focus, State, Tab},
     dialog::{Choice, Chosen, Dialog, Purpose, Sheet},
@@ -512,7 +512,9 @@ pub(super) fn load_case(model: &mut Model) -> Vec<Effect> {
         bench.mark_saved();
     }
     model.say(said);
-    changed(model)
+    let mut effects = changed(model);
+    effects.extend(remembering::opened(model));
+    effects
 }
 
 /// The area of the shown tab.

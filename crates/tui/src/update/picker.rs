@@ -1,11 +1,12 @@
 //! Keys of the list of analyses.
 
-use super::{open_case, problems};
+use super::{open_case, problems, remember};
 use crate::{
     bench::Bench,
     keys::Action,
     model::{Effect, Model},
-    picker::Preview,
+    picker::{Heading, Leaf, Preview, Row},
+    remembered::{Change, Progress},
     solver::{Job, Work},
 };
 
@@ -27,15 +28,13 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
             model.picker.typing = false;
             Vec::new()
         }
-        Action::NextPane => {
-            let cases = model.picker.chosen(&model.listings).map_or(0, |listing| listing.cases.len());
-            model.picker.case = if model.picker.case.is_none() && cases > 0 { Some(0) } else { None };
-            preview(model)
-        }
-        Action::PreviousPane => {
-            model.picker.case = None;
-            preview(model)
-        }
+        Action::NextPane if model.picker.case.is_some() => to_list(model),
+        Action::NextPane => to_cases(model),
+        Action::PreviousPane => to_list(model),
+        Action::Right => right(model),
+        Action::Left => left(model),
+        Action::PinAnalysis => pin(model),
+        Action::Toggle => mark(model),
         Action::Back => back(model),
         Action::Enter => enter(model),
         _ => Vec::new(),
@@ -44,11 +43,12 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
 
 /// Solves the case that is to be seen beside the list.
 pub(super) fn preview(model: &mut Model) -> Vec<Effect> {
-    let case = model.picker.case.unwrap_or(0);
-    let Some(listing) = model.picker.chosen(&model.listings) else {
+    let Some(leaf) = chosen_leaf(model) else {
         model.picker.preview = None;
         return Vec::new();
     };
+    let listing = &model.listings[leaf.listing];
+    let case = model.picker.case.or(leaf.case).unwrap_or(0);
     let (entry, id) = (listing.entry, listing.entry.about.id);
     if model.picker.preview.as_ref().is_some_and(|preview| preview.id == id && preview.case == case) {
         return Vec::new();
@@ -62,37 +62,163 @@ pub(super) fn preview(model: &mut Model) -> Vec<Effect> {
         .collect()
 }
 
+/// What is chosen is solved, so the person rests on it: its cases are compared with what was printed.
+pub(super) fn judge(model: &Model) -> Vec<Effect> {
+    let listing = chosen_leaf(model).and_then(|leaf| model.listings.get(leaf.listing));
+    let unjudged = listing.filter(|listing| listing.judged.is_none() && !listing.cases.is_empty());
+    unjudged.map(|listing| Effect::Judge(listing.entry)).into_iter().collect()
+}
+
+/// Does something that may move rows, with the same one chosen after it.
+pub(super) fn holding<T>(model: &mut Model, change: impl FnOnce(&mut Model) -> T) -> T {
+    let chosen = model.picker.chosen(model.contents());
+    let done = change(model);
+    let rows = model.picker.rows(model.contents());
+    let same = |row: &Row| match (row, chosen) {
+        (Row::Leaf(leaf), Some(Row::Leaf(chosen))) => leaf.listing == chosen.listing,
+        _ => false,
+    };
+    let at = rows.iter().position(|row| Some(*row) == chosen).or_else(|| rows.iter().position(same));
+    model.picker.chosen = at.unwrap_or_else(|| model.picker.chosen.min(rows.len().saturating_sub(1)));
+    done
+}
+
+/// Puts the cursor where the list begins: on what can be opened, where some of it is shown.
+pub(super) fn begin(model: &mut Model) {
+    let rows = model.picker.rows(model.contents());
+    let family = |row: &Row| matches!(row, Row::Heading(Heading::Family(_)));
+    let leaf = rows.iter().position(|row| matches!(row, Row::Leaf(_)));
+    model.picker.chosen = leaf.or_else(|| rows.iter().position(family)).unwrap_or(0);
+}
+
+fn chosen_leaf(model: &Model) -> Option<Leaf> {
+    match model.picker.chosen(model.contents())? {
+        Row::Leaf(leaf) => Some(leaf),
+        Row::Heading(_) => None,
+    }
+}
+
 fn step(model: &mut Model, by: isize) -> Vec<Effect> {
-    let visible = model.picker.visible(&model.listings);
-    match &mut model.picker.case {
-        Some(case) => {
-            let cases = visible.get(model.picker.chosen).map_or(0, |at| model.listings[*at].cases.len());
-            *case = case.saturating_add_signed(by).min(cases.saturating_sub(1));
+    match (model.picker.case, chosen_leaf(model)) {
+        (Some(case), Some(leaf)) => {
+            let last = model.listings[leaf.listing].cases.len().saturating_sub(1);
+            model.picker.case = Some(case.saturating_add_signed(by).min(last));
         }
-        None => {
-            let last = visible.len().saturating_sub(1);
+        _ => {
+            let last = model.picker.rows(model.contents()).len().saturating_sub(1);
             model.picker.chosen = model.picker.chosen.min(last).saturating_add_signed(by).min(last);
         }
     }
     preview(model)
 }
 
-fn back(model: &mut Model) -> Vec<Effect> {
-    let picker = &mut model.picker;
-    if picker.case.take().is_none() {
-        let kept = picker.chosen(&model.listings).map(|listing| listing.entry.about.id);
-        picker.typing = false;
-        picker.filter.reset();
-        // The line that was chosen stays chosen in the whole list.
-        picker.chosen =
-            model.listings.iter().position(|listing| Some(listing.entry.about.id) == kept).unwrap_or(0);
+fn to_cases(model: &mut Model) -> Vec<Effect> {
+    if let Some(leaf) = chosen_leaf(model)
+        && !model.listings[leaf.listing].cases.is_empty()
+    {
+        model.picker.case = Some(leaf.case.unwrap_or(0));
     }
     preview(model)
 }
 
+fn to_list(model: &mut Model) -> Vec<Effect> {
+    model.picker.case = None;
+    preview(model)
+}
+
+/// Opens a heading, or goes on to the cases.
+fn right(model: &mut Model) -> Vec<Effect> {
+    match model.picker.chosen(model.contents()) {
+        Some(Row::Heading(heading)) if !model.picker.is_open(heading, &model.listings) => {
+            turn(model, heading)
+        }
+        Some(Row::Heading(_)) => step(model, 1),
+        _ => to_cases(model),
+    }
+}
+
+/// Back from the cases; from the list to the heading, which is folded next.
+fn left(model: &mut Model) -> Vec<Effect> {
+    if model.picker.case.is_some() {
+        return to_list(model);
+    }
+    let Some(row) = model.picker.chosen(model.contents()) else { return Vec::new() };
+    match row {
+        Row::Heading(heading) if model.picker.is_open(heading, &model.listings) => turn(model, heading),
+        _ => {
+            let above = row.under().map(Row::Heading);
+            let rows = model.picker.rows(model.contents());
+            if let Some(at) = rows.iter().position(|row| Some(*row) == above) {
+                model.picker.chosen = at;
+            }
+            preview(model)
+        }
+    }
+}
+
+fn turn(model: &mut Model, heading: Heading) -> Vec<Effect> {
+    holding(model, |model| model.picker.turn(heading));
+    preview(model)
+}
+
+/// Pins the chosen analysis, or no more.
+fn pin(model: &mut Model) -> Vec<Effect> {
+    let Some(leaf) = chosen_leaf(model) else {
+        model.say("choose an analysis to pin it");
+        return Vec::new();
+    };
+    let id = model.listings[leaf.listing].entry.about.id;
+    let pinned = !model.remembered.pinned.iter().any(|other| other == id);
+    let effects = remember(model, Change::Pin(id.to_owned(), pinned));
+    model.say(if pinned { "pinned: it stands at the head of the list" } else { "pinned no more" });
+    let mut all = preview(model);
+    all.extend(effects);
+    all
+}
+
+/// Marks the chosen exercise as done, or as not done.
+fn mark(model: &mut Model) -> Vec<Effect> {
+    let row = model.picker.chosen(model.contents());
+    let Some(Row::Leaf(leaf @ Leaf { under: Some(Heading::Set(_)), case: Some(case), .. })) = row else {
+        model.say("Space marks an exercise of a list as done");
+        return Vec::new();
+    };
+    let listing = &model.listings[leaf.listing];
+    let progress = if model.contents().progress(leaf).is_done() { Progress::Opened } else { Progress::Done };
+    let (analysis, case) = (listing.entry.about.id.to_owned(), listing.cases[case].name.clone());
+    remember(model, Change::Reach { analysis, case, progress })
+}
+
+fn back(model: &mut Model) -> Vec<Effect> {
+    if model.picker.case.take().is_none() && (model.picker.typing || !model.picker.filter.value().is_empty())
+    {
+        let kept = chosen_leaf(model).map(|leaf| leaf.listing);
+        model.picker.typing = false;
+        model.picker.filter.reset();
+        // What was chosen stays chosen in the whole list.
+        match kept {
+            Some(listing) => show(model, listing),
+            None => begin(model),
+        }
+    }
+    preview(model)
+}
+
+/// Chooses an analysis in its topic.
+fn show(model: &mut Model, listing: usize) {
+    let mut picker = std::mem::take(&mut model.picker);
+    picker.show(listing, model.contents());
+    model.picker = picker;
+}
+
 fn enter(model: &mut Model) -> Vec<Effect> {
-    let Some(listing) = model.picker.chosen(&model.listings) else { return Vec::new() };
-    let (entry, case) = (listing.entry, model.picker.case);
+    let leaf = match model.picker.chosen(model.contents()) {
+        Some(Row::Heading(heading)) => return turn(model, heading),
+        Some(Row::Leaf(leaf)) => leaf,
+        None => return Vec::new(),
+    };
+    let listing = &model.listings[leaf.listing];
+    let (entry, case) = (listing.entry, model.picker.case.or(leaf.case));
     model.picker.typing = false;
     let wanted = case.and_then(|case| listing.cases.get(case));
     let is_wanted = |bench: &&Bench| {

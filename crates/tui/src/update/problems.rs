@@ -2,7 +2,7 @@
 
 use dalembert_core::Text;
 
-use super::{bench, files, picker};
+use super::{bench, files, picker, remembering};
 use crate::{
     bench::{Bench, State},
     dialog::{Answer, Dialog},
@@ -29,6 +29,7 @@ pub(super) fn open(model: &mut Model, mut bench: Bench) -> Vec<Effect> {
     model.screen = Screen::Bench;
     model.dialog = None;
     effects.extend(bench::changed(model));
+    effects.extend(remembering::opened(model));
     effects
 }
 
@@ -45,7 +46,9 @@ pub(super) fn replace(model: &mut Model, mut bench: Bench) -> Vec<Effect> {
 /// Shows an open problem, as it was left.
 pub(super) fn bring(model: &mut Model, number: u64) -> Vec<Effect> {
     if let Some(at) = model.others.iter().position(|bench| bench.number == number) {
-        let bench = model.others.swap_remove(at);
+        let mut bench = model.others.swap_remove(at);
+        // What was asked for long ago may have been given up.
+        bench.judging = bench.cases.iter().any(|judged| judged.verdicts.is_some());
         put_aside(model);
         model.bench = Some(bench);
     }

@@ -1,0 +1,294 @@
+//! What is to be known of the chosen row: of an analysis its purpose, what goes in and comes out, its cases with their
+//! verdicts, and its drawing; of a heading what stands under it.
+
+use dalembert_core::{Text, cases::Outcome};
+use ratatui::{
+    buffer::Buffer,
+    layout::Rect,
+    style::Style,
+    text::{Line, Span},
+};
+
+use crate::{
+    drawing,
+    glyphs::filter_untrusted,
+    layout,
+    look::Glyph,
+    model::Model,
+    panes::sources::Judged,
+    picker::{Heading, Leaf, Listing, Row},
+    view::{
+        boxed, draw_lines, scroll_mark,
+        text::{fit, width, wrapped},
+        word,
+    },
+};
+
+/// The fewest lines in which a drawing can be recognised.
+const LEAST_DRAWING: u16 = 7;
+/// From so many lines on there is always room for the drawing; the cases scroll above it.
+const ROOMY: u16 = 24;
+/// Lines of what goes in and comes out.
+const MOST_LISTED: usize = 3;
+/// The most that a drawing is given.
+const MOST_DRAWING: u16 = 14;
+
+/// Draws it.
+pub(super) fn draw(model: &Model, row: Row, area: Rect, buffer: &mut Buffer) {
+    match row {
+        Row::Heading(heading) => of_heading(model, heading, area, buffer),
+        Row::Leaf(leaf) => {
+            if let Some(listing) = model.listings.get(leaf.listing) {
+                of_leaf(model, leaf, listing, area, buffer);
+            }
+        }
+    }
+}
+
+fn of_heading(model: &Model, heading: Heading, area: Rect, buffer: &mut Buffer) {
+    let (look, contents) = (&model.look, model.contents());
+    let name = filter_untrusted(&contents.name(heading)).into_owned();
+    let name = fit(&name, usize::from(area.width).saturating_sub(6), look);
+    boxed(&Line::styled(format!(" {name} "), look.border(false)), false, look, area, buffer);
+    let inner = layout::inside(area);
+    let room = usize::from(inner.width);
+    let mut lines: Vec<Line<'static>> = Vec::new();
+    let (count, done) = contents.count(heading);
+    let said = match heading {
+        Heading::Exercises | Heading::Set(_) => {
+            Text::new("{done} of {count} exercises done; Space marks one").with("done", done)
+        }
+        _ if count == 1 => Text::from("1 analysis"),
+        _ => Text::new("{count} analyses"),
+    };
+    let said = said.with("count", count).render(&model.locale);
+    lines.extend(wrapped(&said, room).into_iter().map(|text| Line::styled(text, look.dim())));
+    lines.push(Line::default());
+    for inner in contents.below(heading) {
+        let (count, done) = contents.count(inner);
+        let count = match inner {
+            Heading::Set(_) => format!("{done}/{count}"),
+            _ => count.to_string(),
+        };
+        let name =
+            fit(&filter_untrusted(&contents.name(inner)), room.saturating_sub(width(&count) + 4), look);
+        lines.push(Line::from(vec![
+            Span::styled(format!("{} ", look.glyph(Glyph::Bullet)), look.dim()),
+            Span::raw(name),
+            Span::styled(format!("  {count}"), look.dim()),
+        ]));
+    }
+    for leaf in contents.leaves(heading) {
+        let Some(listing) = model.listings.get(leaf.listing) else { continue };
+        let case = leaf.case.and_then(|case| listing.cases.get(case));
+        let (name, more) = match (heading, case) {
+            (Heading::Set(_), Some(case)) => {
+                let progress = word(contents.progress(leaf).name(), model);
+                (filter_untrusted(&case.name).into_owned(), progress)
+            }
+            _ => (listing.title(&model.locale), String::new()),
+        };
+        let name = fit(&name, room.saturating_sub(2), look);
+        let left = room.saturating_sub(width(&name) + 4);
+        let mut line = Line::from(vec![
+            Span::styled(format!("{} ", look.glyph(Glyph::Bullet)), look.dim()),
+            Span::raw(name),
+        ]);
+        if !more.is_empty() && left >= width(&more) {
+            line.push_span(Span::styled(format!("  {more}"), look.dim()));
+        }
+        lines.push(line);
+    }
+    draw_lines(&lines, 0, inner, buffer);
+    scroll_mark(0, inner.height.into(), lines.len(), look, area, buffer);
+}
+
+fn of_leaf(model: &Model, leaf: Leaf, listing: &Listing, area: Rect, buffer: &mut Buffer) {
+    let look = &model.look;
+    let about = listing.entry.about;
+    let focused = model.picker.case.is_some();
+    let name = fit(about.id, usize::from(area.width).saturating_sub(6), look);
+    boxed(&Line::styled(format!(" {name} "), look.border(focused)), focused, look, area, buffer);
+    let inner = layout::inside(area);
+    let room = usize::from(inner.width);
+    let solution = model
+        .picker
+        .preview
+        .as_ref()
+        .filter(|preview| preview.id == about.id)
+        .and_then(|preview| preview.solution.as_ref());
+    let mut lines: Vec<Line<'static>> = Vec::new();
+    let summary = Text::from(about.summary).render(&model.locale);
+    lines.extend(wrapped(&summary, room).into_iter().map(Line::from));
+    let fields = listing.entry.fields().iter().map(|field| field.label);
+    listed(model, "In", fields.map(|label| lower(&word(label, model))).collect(), room, &mut lines);
+    let answers = solution.iter().flat_map(|solution| &solution.answers);
+    let answers = answers.map(|answer| lower(&Text::from(answer.label).render(&model.locale)));
+    listed(model, "Out", answers.collect(), room, &mut lines);
+    lines.push(Line::default());
+    let chosen = model.picker.case.or(leaf.case);
+    let shown = cases(model, listing, chosen, room, &mut lines);
+    let drawing =
+        solution.and_then(|solution| solution.exhibits.iter().find_map(|exhibit| exhibit.sketch(0)));
+    let wanted = u16::try_from(lines.len()).unwrap_or(u16::MAX).min(inner.height);
+    let left = inner.height.saturating_sub(wanted + 1);
+    let height = match drawing {
+        Some(_) if left >= LEAST_DRAWING => left.min(MOST_DRAWING),
+        Some(_) if inner.height >= ROOMY => LEAST_DRAWING + 1,
+        _ => 0,
+    };
+    let text = Rect { height: inner.height - height, ..inner };
+    let rows = usize::from(text.height);
+    let first = chosen.map_or(0, |_| (shown + 1).saturating_sub(rows));
+    draw_lines(&lines, first, text, buffer);
+    if let Some(drawing) = drawing.filter(|_| height > 0) {
+        let area = Rect { y: inner.bottom() - height, height, ..inner };
+        drawing::render(&drawing, look, &model.locale, area, buffer);
+    }
+    scroll_mark(first, rows, lines.len(), look, area, buffer);
+}
+
+/// The published cases with their verdicts; answers the line of the chosen one.
+fn cases(
+    model: &Model,
+    listing: &Listing,
+    chosen: Option<usize>,
+    room: usize,
+    lines: &mut Vec<Line<'static>>,
+) -> usize {
+    let look = &model.look;
+    if listing.cases.is_empty() {
+        lines.push(Line::styled(word("no published case", model), look.dim()));
+        return 0;
+    }
+    let mut head = vec![
+        Span::styled(word("Cases", model), look.title()),
+        Span::styled(format!(": {}", listing.cases.len()), look.dim()),
+    ];
+    let sums = sums(model, listing);
+    if !sums.is_empty() {
+        head.push(Span::styled(format!("  {}", word("answers", model)), look.dim()));
+    }
+    for (mark, style, count) in sums {
+        head.push(Span::styled(format!(" {mark} {count}"), style));
+    }
+    lines.push(Line::from(head));
+    let mut shown = lines.len();
+    for (n, case) in listing.cases.iter().enumerate() {
+        let is_chosen = chosen == Some(n);
+        if is_chosen {
+            shown = lines.len();
+        }
+        let pointer = if is_chosen { look.glyph(Glyph::Pointer) } else { " " };
+        let judged = listing.judged.as_ref().and_then(|judged| judged.get(n));
+        let (mark, style) =
+            judged.map_or((look.glyph(Glyph::Bullet), look.dim()), |judged| verdict(model, judged));
+        let name_style = match (is_chosen, model.picker.case) {
+            (true, Some(_)) => look.focus(),
+            (true, None) => look.title(),
+            (false, _) => Style::new(),
+        };
+        let name = fit(&filter_untrusted(&case.name), room.saturating_sub(4), look);
+        let left = room.saturating_sub(width(&name) + 6);
+        let source = filter_untrusted(&case.source).into_owned();
+        let mut line = Line::from(vec![
+            Span::styled(format!("{pointer} "), look.key()),
+            Span::styled(format!("{mark} "), style),
+            Span::styled(name, name_style),
+        ]);
+        if left >= width(&source).min(12) {
+            line.push_span(Span::styled(format!("  {}", fit(&source, left, look)), look.dim()));
+        }
+        lines.push(line);
+    }
+    shown
+}
+
+/// How many printed answers agree with ours, are disputed, differ.
+fn sums(model: &Model, listing: &Listing) -> Vec<(&'static str, Style, usize)> {
+    let all: Vec<Outcome> = listing
+        .judged
+        .iter()
+        .flatten()
+        .filter_map(|judged| judged.verdicts.as_ref()?.as_ref().ok())
+        .flatten()
+        .map(|verdict| verdict.outcome)
+        .collect();
+    [Outcome::Agreed, Outcome::Disputed, Outcome::Differing]
+        .into_iter()
+        .map(|outcome| {
+            let (mark, style) = marked(model, outcome);
+            (mark, style, all.iter().filter(|other| **other == outcome).count())
+        })
+        .filter(|(_, _, count)| *count > 0)
+        .collect()
+}
+
+/// The mark of a case: that of its worst answer.
+fn verdict(model: &Model, judged: &Judged) -> (&'static str, Style) {
+    let look = &model.look;
+    match &judged.verdicts {
+        None => (look.glyph(Glyph::Bullet), look.dim()),
+        Some(Err(_)) => marked(model, Outcome::Differing),
+        Some(Ok(verdicts)) => {
+            let any = |outcome| verdicts.iter().any(|verdict| verdict.outcome == outcome);
+            match (any(Outcome::Differing), any(Outcome::Disputed)) {
+                (true, _) => marked(model, Outcome::Differing),
+                (false, true) => marked(model, Outcome::Disputed),
+                _ if verdicts.is_empty() => (look.glyph(Glyph::Bullet), look.dim()),
+                (false, false) => marked(model, Outcome::Agreed),
+            }
+        }
+    }
+}
+
+fn marked(model: &Model, outcome: Outcome) -> (&'static str, Style) {
+    let look = &model.look;
+    match outcome {
+        Outcome::Agreed => (look.glyph(Glyph::Good), look.good()),
+        Outcome::Disputed => (look.glyph(Glyph::Unequal), look.warning()),
+        Outcome::Differing => (look.glyph(Glyph::Bad), look.error()),
+    }
+}
+
+/// `In: mass, stiffness, …` in few lines.
+fn listed(
+    model: &Model,
+    heading: &'static str,
+    all: Vec<String>,
+    room: usize,
+    lines: &mut Vec<Line<'static>>,
+) {
+    if all.is_empty() {
+        return;
+    }
+    let look = &model.look;
+    let heading = word(heading, model);
+    let mut wrapped = wrapped(&format!("{heading}: {}", all.join(", ")), room);
+    if wrapped.len() > MOST_LISTED {
+        wrapped.truncate(MOST_LISTED);
+        if let Some(last) = wrapped.last_mut() {
+            *last = fit(&format!("{last} {}", look.glyph(Glyph::Ellipsis)), room, look);
+        }
+    }
+    for (n, text) in wrapped.into_iter().enumerate() {
+        lines.push(match text.strip_prefix(&heading).filter(|_| n == 0) {
+            Some(rest) => Line::from(vec![
+                Span::styled(heading.clone(), look.title()),
+                Span::styled(rest.to_owned(), look.dim()),
+            ]),
+            None => Line::styled(text, look.dim()),
+        });
+    }
+}
+
+/// A label inside a sentence: `Young's modulus` keeps its capital, `Mass` does not, nor does an abbreviation change.
+fn lower(label: &str) -> String {
+    let mut characters = label.chars();
+    match (characters.next(), characters.clone().next()) {
+        (Some(first), Some(second)) if second.is_lowercase() && !label.contains("'s ") => {
+            first.to_lowercase().chain(characters).collect()
+        }
+        _ => label.to_owned(),
+    }
+}
