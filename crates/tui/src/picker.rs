@@ -216,12 +216,14 @@ impl Contents<'_> {
             }
             Heading::Family(family) => {
                 let of_family = self.listings.iter().filter(|listing| listing.entry.family() == family);
-                let topics: BTreeSet<(String, Heading)> = of_family
-                    .map(|listing| {
-                        (Text::from(listing.entry.about.topic).render(self.locale), listing.topic())
-                    })
-                    .collect();
-                topics.into_iter().map(|(_, topic)| topic).collect()
+                let mut topics: Vec<Heading> = Vec::new();
+                for topic in of_family.map(Listing::topic) {
+                    if !topics.contains(&topic) {
+                        topics.push(topic);
+                    }
+                }
+                topics.sort_by_cached_key(|topic| self.name(*topic));
+                topics
             }
             _ => Vec::new(),
         }

@@ -4,7 +4,7 @@ use dalembert_core::{Refusal, SolveError, check::Verdict};
 use ratatui::crossterm::event::{KeyCode, KeyEvent};
 use tui_input::{Input, InputRequest};
 
-use super::{bench::bring_in, request, type_in};
+use super::{bench::bring_in, remember_done, request, type_in};
 use crate::{
     ask::{self, Cell, Question, Reply},
     bench::{Bench, Focus, State, Tab},
@@ -52,16 +52,16 @@ pub(super) fn act_in_cell(model: &mut Model, action: Action) -> Vec<Effect> {
     match action {
         Action::Enter | Action::Back => {
             bench.ask.edit = None;
-            praise(model);
+            praise(model)
         }
         Action::Down | Action::Up => {
             bench.ask.edit = None;
-            praise(model);
+            let effects = praise(model);
             step(model, if action == Action::Down { 1 } else { -1 });
+            effects
         }
-        _ => {}
+        _ => Vec::new(),
     }
-    Vec::new()
 }
 
 /// A digit on a cell begins a new text.
@@ -276,10 +276,14 @@ fn show_ours(model: &mut Model) {
     }
 }
 
-/// Says once that everything is right.
-fn praise(model: &mut Model) {
-    let Some(bench) = model.bench.as_mut().filter(|bench| bench.tab == Tab::Check) else { return };
-    let Some(solution) = bench.found.solution.as_ref().filter(|_| !bench.is_stale()) else { return };
+/// Says once that everything is right, which is remembered of a published case.
+fn praise(model: &mut Model) -> Vec<Effect> {
+    let Some(bench) = model.bench.as_mut().filter(|bench| bench.tab == Tab::Check) else {
+        return Vec::new();
+    };
+    let Some(solution) = bench.found.solution.as_ref().filter(|_| !bench.is_stale()) else {
+        return Vec::new();
+    };
     let names: Vec<String> = solution.answers.iter().map(|answer| answer.name.to_string()).collect();
     // Of a published case, what it asks for; of other problems, everything.
     let asked = bench.origin.as_ref().filter(|case| case.draft == bench.form.draft);
@@ -289,9 +293,11 @@ fn praise(model: &mut Model) {
         None => names.iter().map(String::as_str).collect(),
     };
     if wanted.is_empty() || !bench.ask.check.is_right(solution, wanted.into_iter()) {
-        return;
+        return Vec::new();
     }
-    if !std::mem::replace(&mut bench.ask.check.praised, true) {
-        model.say("every answer is right: well done");
+    if std::mem::replace(&mut bench.ask.check.praised, true) {
+        return Vec::new();
     }
+    model.say("every answer is right: well done");
+    remember_done(model)
 }
