@@ -282,8 +282,8 @@ impl Contents<'_> {
     /// What a heading is called.
     pub fn name(self, heading: Heading) -> String {
         match heading {
-            Heading::Pinned => Text::from("Pinned").render(self.locale),
-            Heading::Recent => Text::from("Recent").render(self.locale),
+            Heading::Pinned => Text::from("Pinned analyses").render(self.locale),
+            Heading::Recent => Text::from("Recent analyses").render(self.locale),
             Heading::Exercises => Text::from("Exercise lists").render(self.locale),
             Heading::Set(set) => {
                 self.sets.get(set).map_or_else(String::new, |set| set.title(self.locale.language).to_owned())

@@ -14,7 +14,7 @@ pub(super) const PICKER: &[Binding] = &[
     bind(Action::Left, LEFT, "fold the heading, or back to it", ""),
     bind(Action::NextPane, TAB, "to the published cases and back", "see cases"),
     bind(Action::PreviousPane, BACK_TAB, "to the list", ""),
-    bind(Action::PinAnalysis, &[typed('*')], "pin at the head of the list, or no more", "pin"),
+    bind(Action::PinAnalysis, &[typed('*')], "pin at the head of the list, or no more", "pin it"),
     bind(Action::Toggle, &[typed(' ')], "mark an exercise as done, or as not done", ""),
     bind(Action::PageUp, PAGE_UP, "page up", ""),
     bind(Action::PageDown, PAGE_DOWN, "page down", ""),

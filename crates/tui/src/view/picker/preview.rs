@@ -167,7 +167,7 @@ fn cases(
     ];
     let sums = sums(model, listing);
     if !sums.is_empty() {
-        head.push(Span::styled(format!("  {}", word("answers", model)), look.dim()));
+        head.push(Span::styled(format!("  {}", word("Answers", model)), look.dim()));
     }
     for (mark, style, count) in sums {
         head.push(Span::styled(format!(" {mark} {count}"), style));
