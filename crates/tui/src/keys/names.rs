@@ -39,6 +39,7 @@ impl Action {
             Action::TryByHand => "try-by-hand",
             Action::Reveal => "reveal",
             Action::Pin => "pin",
+            Action::PinAnalysis => "pin-analysis",
             Action::Expand => "expand",
             Action::Nudge(..=-100) => "nudge-down-ten",
             Action::Nudge(-99..=-10) => "nudge-down",

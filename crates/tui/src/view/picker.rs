@@ -34,10 +34,13 @@ pub(super) fn draw(model: &Model, body: Rect, buffer: &mut Buffer) -> Option<Pos
 }
 
 /// What lies at a place of the screen.
-pub(super) fn spot(_model: &Model, body: Rect, at: Position) -> Option<Spot> {
+pub(super) fn spot(model: &Model, body: Rect, at: Position) -> Option<Spot> {
     let (list, preview) = layout::picker(body);
     if list.contains(at) {
-        return Some(Spot::Listing(None));
+        let rows = model.picker.rows(model.contents()).len();
+        let area = area_of_rows(model, list);
+        let row = first_row(model, rows, area) + usize::from(at.y.saturating_sub(area.y));
+        return Some(Spot::Listing(area.contains(at).then_some(row).filter(|row| *row < rows)));
     }
     preview.filter(|preview| preview.contains(at)).map(|_| Spot::Case(None))
 }
@@ -45,14 +48,14 @@ pub(super) fn spot(_model: &Model, body: Rect, at: Position) -> Option<Spot> {
 fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position> {
     let (look, picker) = (&model.look, &model.picker);
     let visible = picker.rows(model.contents());
-    let filtered = picker.typing || !picker.filter.value().is_empty();
+    let filtered = is_filtered(model);
     let focused = picker.case.is_none();
     let mut title = format!(" {} ", word("List of analyses", model));
     if filtered {
         title += &format!("{}/{} ", visible.len(), model.listings.len());
     }
     boxed(&Line::styled(title, look.border(focused).patch(look.title())), focused, look, area, buffer);
-    let mut inner = layout::inside(area);
+    let inner = layout::inside(area);
     let mut cursor = None;
     if filtered && inner.height > 1 {
         let room = usize::from(inner.width).saturating_sub(3);
@@ -67,9 +70,8 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
                 inner.y,
             ));
         }
-        inner.y += 1;
-        inner.height -= 1;
     }
+    let inner = area_of_rows(model, area);
     if visible.is_empty() {
         let text = if model.listings.is_empty() {
             "no analysis is linked"
@@ -92,11 +94,32 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
         })
         .collect();
     let height = usize::from(inner.height);
-    let last = rows.len().saturating_sub(height);
-    let first = chosen.saturating_sub(height / 2).min(last);
+    let first = first_row(model, rows.len(), inner);
     draw_lines(&rows, first, inner, buffer);
     scroll_mark(first, height, rows.len(), look, area, buffer);
     cursor
+}
+
+/// Where the rows stand: below the line of the filter, where there is one.
+fn area_of_rows(model: &Model, list: Rect) -> Rect {
+    let inner = layout::inside(list);
+    let above = u16::from(is_filtered(model) && inner.height > 1);
+    Rect { y: inner.y + above, height: inner.height - above, ..inner }
+}
+
+/// The first row that is shown: the chosen one stands in the middle, where that can be.
+fn first_row(model: &Model, rows: usize, area: Rect) -> usize {
+    let height = usize::from(area.height);
+    model
+        .picker
+        .chosen
+        .min(rows.saturating_sub(1))
+        .saturating_sub(height / 2)
+        .min(rows.saturating_sub(height))
+}
+
+fn is_filtered(model: &Model) -> bool {
+    model.picker.typing || !model.picker.filter.value().is_empty()
 }
 
 /// A heading: whether it is open, what it is called, how much stands under it.
