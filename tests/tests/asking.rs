@@ -4,7 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
 use dalembert_core::{
-    AnswerValue, Draft, Entry, Number, Record, Scale, Solution, Stop, cases,
+    AnswerValue, Display, Draft, Entry, Number, Record, Scale, Solution, Stop, cases,
     check::{self, Verdict},
     find, registry, sensitivity,
     study::{self, Distribution, Plan},
@@ -513,4 +513,29 @@ fn a_study_is_typed_and_its_curve_is_seen() {
     let mut wrong = at(Person::at(110, 36).opens(FAN), Tab::Study);
     wrong.types("<down><down><down>3 s<enter>");
     assert!(wrong.sees().contains("is a time"), "{}", wrong.sees());
+}
+
+#[test]
+fn an_answer_is_shown_in_another_unit_and_with_other_digits() {
+    let mut person = Person::at(110, 40).opens(FAN);
+    person.types("<tab>v<down>vDD");
+    let screen = person.sees();
+    assert!(screen.contains("1014.418"), "{screen}");
+    // It stays so with other inputs, in copies and in the file.
+    person.types("y");
+    assert!(person.clipboard.contains("1014.418"), "{}", person.clipboard);
+    person.types("<esc><tab><del>50 kg<enter>");
+    assert!(person.sees().contains("907.3228"), "{}", person.sees());
+    let kept = person.kept.values().next().cloned().unwrap();
+    assert!(kept.contains("natural_frequency = \"rpm; 7 digits\""), "{kept}");
+    // The first key only chooses an answer.
+    person.types("<tab>v<down>v");
+    assert!(person.sees().contains(" Hz"), "{}", person.sees());
+}
+
+#[test]
+fn a_display_is_read_as_it_is_written() {
+    for text in ["mm", "mm; 6 digits", "6 digits", "kg*m", ""] {
+        assert_eq!(Display::of(text).to_string(), text);
+    }
 }

@@ -28,7 +28,7 @@ pub struct Problem {
     pub title: String,
     /// What is typed in its inputs.
     pub draft: Draft,
-    /// How answers are shown: `(answer, unit)`.
+    /// How answers are shown: `(answer, unit and digits)`, see [`Display`](crate::Display).
     pub show: Vec<(String, String)>,
 }
 
@@ -108,7 +108,11 @@ pub fn write(problem: &Problem, over: &str) -> String {
         let show = root.entry("show").or_insert_with(|| Item::Table(Table::new()));
         if let Some(table) = show.as_table_like_mut() {
             for (answer, unit) in &problem.show {
-                set_text(table, answer, unit);
+                if unit.is_empty() {
+                    table.remove(answer);
+                } else {
+                    set_text(table, answer, unit);
+                }
             }
         }
     }

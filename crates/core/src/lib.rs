@@ -50,7 +50,7 @@ pub use crate::{
     path::nearest,
     record::{Record, Table, Value},
     sheet::{Sheet, Term, Vect},
-    solution::{Answer, AnswerValue, Check, Name, Solution, Step},
+    solution::{Answer, AnswerValue, Check, Display, Name, Solution, Step},
     source::{Cite, Source},
     text::{Arg, Language, Locale, Messages, Text},
     trace::{Number, Symbol, Trace},

@@ -67,6 +67,7 @@ pub fn formula(solution: &Solution, id: Id, locale: &Locale) -> String {
 impl Answer {
     /// The answer in words and numbers.
     pub fn shown(&self, locale: &Locale) -> String {
+        let locale = &self.digits.map_or(*locale, |digits| locale.digits(digits));
         match &self.value {
             AnswerValue::Number(value, _) => number(value.cleaned(self.noise), &self.unit, locale.style),
             AnswerValue::Set(set, _) => set_text(set, &self.unit, locale),

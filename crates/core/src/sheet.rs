@@ -218,7 +218,7 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         let Some(unit) = self.named(name, id) else { return };
         let value = AnswerValue::Number(self.node(id).0, id);
         let noise = ROUNDING * self.solution.borrow().trace.node(id).scale;
-        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise });
+        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise, digits: None });
     }
 
     fn answer_vector(self, name: impl Into<Name>, label: &'static str, value: Vect<'s>) {
@@ -226,7 +226,7 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         let Some(unit) = self.named(name, id) else { return };
         let value = AnswerValue::Number(self.node(id).0, id);
         let noise = ROUNDING * self.solution.borrow().trace.node(id).scale;
-        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise });
+        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise, digits: None });
     }
 
     fn answer_list(self, name: impl Into<Name>, label: &'static str, unit: &'static str, numbers: &[f64]) {
@@ -239,6 +239,7 @@ impl<'s> Worksheet for &'s Sheet<'s> {
             value,
             unit,
             noise: ROUNDING * largest,
+            digits: None,
         });
     }
 
@@ -252,7 +253,14 @@ impl<'s> Worksheet for &'s Sheet<'s> {
     ) {
         let (name, unit) = (name.into(), self.unit(unit));
         let value = AnswerValue::Set(set.clone(), limits);
-        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise: 0.0 });
+        self.solution.borrow_mut().answers.push(Answer {
+            name,
+            label,
+            value,
+            unit,
+            noise: 0.0,
+            digits: None,
+        });
     }
 
     fn show(self, exhibit: impl FnOnce() -> Exhibit) {

@@ -42,6 +42,8 @@ pub struct Answer {
     pub unit: Unit,
     /// What of it is rounding alone, in SI: smaller numbers are shown as zero.
     pub noise: f64,
+    /// The digits it is shown with, where the person chose them.
+    pub digits: Option<u8>,
 }
 
 /// The key of an answer: a name and, for one of several, its place, counted from 1: `frequency[2]`, `mode[1][3]`.
@@ -118,6 +120,39 @@ impl Answer {
     /// Its dimension.
     pub fn dim(&self) -> Dim {
         self.unit.dim
+    }
+}
+
+/// How an answer is to be shown, as it stands in a problem file: `mm`, `mm; 6 digits`, `6 digits`.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Display {
+    /// Its unit; empty for that of the analysis.
+    pub unit: String,
+    /// Its significant digits; `None` for as many as everything has.
+    pub digits: Option<u8>,
+}
+
+impl Display {
+    /// What a text asks for.
+    pub fn of(text: &str) -> Self {
+        let digits = |part: &str| part.trim().strip_suffix("digits")?.trim().parse().ok();
+        match text.rsplit_once(';') {
+            Some((unit, rest)) if digits(rest).is_some() => {
+                Self { unit: unit.trim().to_owned(), digits: digits(rest) }
+            }
+            None if digits(text).is_some() => Self { unit: String::new(), digits: digits(text) },
+            _ => Self { unit: text.trim().to_owned(), digits: None },
+        }
+    }
+}
+
+impl fmt::Display for Display {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.unit.as_str(), self.digits) {
+            (unit, None) => f.write_str(unit),
+            ("", Some(digits)) => write!(f, "{digits} digits"),
+            (unit, Some(digits)) => write!(f, "{unit}; {digits} digits"),
+        }
     }
 }
 

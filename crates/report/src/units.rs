@@ -1,9 +1,10 @@
 //! The units that answers are shown in.
 
-use dalembert_core::{AnswerValue, Solution, Text, nearest, trace::Op};
+use dalembert_core::{AnswerValue, Display, Solution, Text, nearest, trace::Op};
 use dalembert_units as units;
 
-/// Shows an answer, and the step that found it, in another unit. The numbers stay what they are.
+/// Shows an answer, and the step that found it, in another unit, and with other digits where they are asked for, as in
+/// `mm; 6 digits`. The numbers stay what they are.
 ///
 /// # Errors
 /// There is no such answer, the unit cannot be read, or it measures something else.
@@ -18,6 +19,12 @@ pub fn show_answer_in(solution: &mut Solution, name: &str, unit: &str) -> Result
         };
         return Err(why.with("name", name));
     };
+    let display = Display::of(unit);
+    solution.answers[at].digits = display.digits;
+    if display.unit.is_empty() {
+        return Ok(());
+    }
+    let unit = display.unit.as_str();
     let wanted = units::unit(unit).map_err(|err| Text::new(err.to_string()))?;
     let answer = &mut solution.answers[at];
     if !wanted.dim.agrees(answer.unit.dim) {

@@ -27,8 +27,10 @@ pub struct Bench {
     pub title: String,
     /// The published case that its inputs began as.
     pub origin: Option<Case>,
-    /// How answers are shown: `(answer, unit)`.
+    /// How answers are shown: `(answer, unit and digits)`.
     pub show: Vec<(String, String)>,
+    /// Whether that is otherwise than in the file.
+    pub show_changed: bool,
     /// Its inputs.
     pub form: Form,
     /// What is wrong with them.
@@ -194,6 +196,7 @@ impl Bench {
             title,
             origin: None,
             show: Vec::new(),
+            show_changed: false,
             form: Form::new(entry, draft),
             errors: Vec::new(),
             found: Found::default(),
@@ -254,11 +257,12 @@ impl Bench {
 
     /// Whether there is something to save.
     pub fn is_unsaved(&self) -> bool {
-        (&self.title, &self.form.draft) != (&self.saved.0, &self.saved.1)
+        self.show_changed || (&self.title, &self.form.draft) != (&self.saved.0, &self.saved.1)
     }
 
     /// What is on the screen is in the file now.
     pub fn mark_saved(&mut self) {
+        self.show_changed = false;
         self.saved = (self.title.clone(), self.form.draft.clone());
     }
 

@@ -98,6 +98,10 @@ pub enum Action {
     Undo,
     /// Makes it again.
     Redo,
+    /// The answer in its next unit.
+    NextDisplayUnit,
+    /// The answer with another number of digits.
+    NextDigits,
     /// Copies what the pane shows.
     Copy,
     /// Saves the problem.

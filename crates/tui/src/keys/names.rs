@@ -55,6 +55,8 @@ impl Action {
             Action::MoveRowDown => "move-row-down",
             Action::Undo => "undo",
             Action::Redo => "redo",
+            Action::NextDisplayUnit => "unit-of-answer",
+            Action::NextDigits => "digits-of-answer",
             Action::Copy => "copy",
             Action::Save => "save",
             Action::SaveAs => "save-as",

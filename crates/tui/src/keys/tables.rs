@@ -89,6 +89,8 @@ pub(super) const EDIT: &[Binding] = &[
 /// Keys of answers, tables and sources.
 pub(super) const RESULTS: &[Binding] = &[
     bind(Action::Enter, ENTER, "load the case", ""),
+    bind(Action::NextDisplayUnit, &[typed('v')], "another unit of an answer", ""),
+    bind(Action::NextDigits, &[typed('D')], "another number of digits of an answer", ""),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
     bind(Action::PageUp, PAGE_UP, "page up", ""),

@@ -11,6 +11,7 @@ use ratatui::{
 use unicode_width::UnicodeWidthStr;
 
 use super::{
+    Page,
     columns::{Aligned, number, padded, widths},
     label_of,
     working::Reading,
@@ -33,6 +34,18 @@ pub fn read(
     locale: &Locale,
     width: u16,
 ) -> Vec<Line<'static>> {
+    page(solution, reading, pinned, look, locale, width).lines
+}
+
+/// The same; the page starts at each answer.
+pub fn page(
+    solution: &Solution,
+    reading: &Reading,
+    pinned: Option<&Solution>,
+    look: &Look,
+    locale: &Locale,
+    width: u16,
+) -> Page {
     let width = usize::from(width).max(1);
     let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
     let mut lines = Vec::new();
@@ -48,7 +61,10 @@ pub fn read(
         let note = Text::new("with the difference to the pinned result, where there is one").render(locale);
         lines.extend(wrap::words(&note, width).into_iter().map(|line| Line::styled(line, look.dim())));
     }
-    lines.extend(answers(solution, reading, pinned, look, locale, width));
+    let before = lines.len();
+    let answers = answers(solution, reading, pinned, look, locale, width);
+    let starts = answers.starts.into_iter().map(|start| start + before).collect();
+    lines.extend(answers.lines);
     if !solution.warnings.is_empty() {
         lines.push(Line::default());
         for warning in &solution.warnings {
@@ -64,7 +80,7 @@ pub fn read(
             lines.extend(check(one, look, locale, width));
         }
     }
-    lines
+    Page { lines, starts }
 }
 
 /// Why there is no solution. Fields are named by their labels in `shape`, the inputs of the analysis, where it holds
@@ -132,7 +148,7 @@ fn answers(
     look: &Look,
     locale: &Locale,
     width: usize,
-) -> Vec<Line<'static>> {
+) -> Page {
     let answers = &solution.answers;
     let covered: Vec<bool> = answers.iter().map(|answer| reading.covers(solution, answer)).collect();
     let shown: Vec<String> = answers
@@ -160,10 +176,12 @@ fn answers(
     let room = width.saturating_sub(2 + values.max(16));
     let columns = room >= longest.min(NARROWEST_LABELS);
     let label_width = longest.min(room).min(WIDEST_LABELS);
-    let mut lines = Vec::new();
-    for (((answer, label), aligned), (shown, covered)) in
-        answers.iter().zip(&labels).zip(aligned).zip(shown.into_iter().zip(covered))
+    let (mut lines, mut starts): (Vec<Line<'static>>, _) = (Vec::new(), Vec::new());
+    for (n, (((answer, label), aligned), (shown, covered))) in
+        answers.iter().zip(&labels).zip(aligned).zip(shown.into_iter().zip(covered)).enumerate()
     {
+        let first = lines.len();
+        starts.push(first);
         match aligned {
             Some(aligned) if columns => {
                 let number = number(&aligned, number_widths);
@@ -200,6 +218,11 @@ fn answers(
                 lines.extend(wrap::hanging(vec![Span::raw("  ")], &shown, look.answer(), width));
             }
         }
+        if reading.answer == Some(n) {
+            for line in lines.iter_mut().skip(first) {
+                line.style = look.focus();
+            }
+        }
         if covered {
             continue;
         }
@@ -214,7 +237,7 @@ fn answers(
             }
         }
     }
-    lines
+    Page { lines, starts }
 }
 
 /// The unit with the space before it that every unit of a column has, `°` too.

@@ -1,11 +1,12 @@
 //! Keys of a problem.
 
+mod display;
 mod working;
 
 use std::path::PathBuf;
 
 use dalembert_core::{Draft, Shape, Text, file};
-use dalembert_units as units;
+use dalembert_report::show_answer_in;
 use ratatui::{crossterm::event::KeyEvent, layout::Rect};
 use tui_input::InputRequest;
 
@@ -151,13 +152,9 @@ pub(super) fn take(bench: &mut Bench, outcome: Outcome) {
     (bench.reading.symbol, bench.reading.trail) = (None, Vec::new());
     match outcome.result {
         Ok(mut solution) => {
-            for answer in solution.iter_mut().flat_map(|solution| &mut solution.answers) {
-                let wanted = bench.show.iter().find(|(name, _)| answer.name.is(name));
-                if let Some(unit) = wanted.and_then(|(_, unit)| units::unit(unit).ok())
-                    && unit.dim.agrees(answer.unit.dim)
-                {
-                    answer.unit = unit;
-                }
+            for (answer, display) in &bench.show {
+                // What a file asks for and cannot be is shown as it would be without.
+                let _ = solution.as_mut().map(|solution| show_answer_in(solution, answer, display));
             }
             bench.found.solution = solution.or(bench.found.solution.take());
             bench.found.failure = None;
@@ -356,6 +353,13 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let in_plot = bench.tab == Tab::Plot;
     match action {
+        Action::NextDisplayUnit | Action::NextDigits => return display::change(model, action),
+        Action::Up | Action::Down if bench.tab == Tab::Results && bench.reading.answer.is_some() => {
+            display::step(model, if action == Action::Up { -1 } else { 1 });
+        }
+        Action::Back if bench.tab == Tab::Results && bench.reading.answer.is_some() => {
+            bench.reading.answer = None;
+        }
         Action::Back => {
             if has_cursor(bench) {
                 bench.plot_state = bench.plot_state.without_cursor();

@@ -276,7 +276,11 @@ fn about_pane(model: &Model, bench: &Bench) -> String {
         Tab::Check => &["a number and a unit; what is said of it follows at once"],
         Tab::Sensitivity => &["← → another answer; type the tolerance of the input, such as 2 %"],
         Tab::Study => &["the plot is also among those of the tab of plots, with cursor and zoom"],
-        Tab::Results | Tab::Working | Tab::Drawing | Tab::Table => &[],
+        Tab::Results if bench.reading.answer.is_some() => {
+            &["↑ ↓ choose the answer; v its unit, D its digits"]
+        }
+        Tab::Results => &["v another unit of an answer, D its digits"],
+        Tab::Working | Tab::Drawing | Tab::Table => &[],
     };
     hints.iter().map(|hint| word(hint, model)).collect::<Vec<_>>().join("; ")
 }

@@ -114,20 +114,20 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
     match tab {
         Tab::Results => {
             let mut lines = why_not(model, bench, width);
+            let mut starts = Vec::new();
             if let Some(solution) = solution {
                 if !lines.is_empty() {
                     lines.push(Line::default());
                 }
-                lines.extend(stale(results::read(
-                    solution,
-                    &bench.reading,
-                    bench.pinned.as_ref(),
-                    look,
-                    locale,
-                    width,
-                )));
+                let found =
+                    results::page(solution, &bench.reading, bench.pinned.as_ref(), look, locale, width);
+                let answers = found.lines.len();
+                let shown = stale(found.lines);
+                let before = lines.len() + shown.len() - answers;
+                starts = found.starts.into_iter().map(|start| start + before).collect();
+                lines.extend(shown);
             }
-            Page { lines, starts: Vec::new() }
+            Page { lines, starts }
         }
         Tab::Working => match solution {
             Some(solution) => {

@@ -17,6 +17,8 @@ pub struct Reading {
     pub revealed: Option<usize>,
     /// The symbol that the cursor is at.
     pub symbol: Option<Place>,
+    /// The answer whose unit and digits are chosen, by its place.
+    pub answer: Option<usize>,
     /// The symbols that were followed to where it is.
     pub trail: Vec<Place>,
 }
