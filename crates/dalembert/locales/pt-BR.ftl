@@ -105,5 +105,6 @@ files-and-folders = Arquivos e pastas
 settings = configuração
 is-there = existe
 is-not-there = não existe
+own-lists-of-exercises = listas de exercícios próprias
 what-is-remembered = o que é lembrado
 not-taken-of-the-settings = não aceito da configuração

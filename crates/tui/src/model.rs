@@ -71,8 +71,8 @@ pub struct Model {
     pub faults: bool,
     /// What waits for a save to be done.
     pub after_save: After,
-    /// The file that is read next takes the place of the changes to it.
-    pub reloading: bool,
+    /// The file that is read again: it takes the place of the changes to it.
+    pub reloading: Option<PathBuf>,
     /// The number of the newest job.
     pub generation: u64,
 }
@@ -305,7 +305,7 @@ impl Model {
             readonly: false,
             faults: false,
             after_save: After::Stay,
-            reloading: false,
+            reloading: None,
             generation: 0,
         };
         model.speak(language);

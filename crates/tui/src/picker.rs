@@ -2,7 +2,10 @@
 
 mod filter;
 
-use std::{cell::OnceCell, collections::BTreeSet};
+use std::{
+    cell::{OnceCell, RefCell},
+    collections::BTreeSet,
+};
 
 use dalembert_core::{
     Entry, Locale, Solution, Text,
@@ -48,6 +51,8 @@ pub struct Picker {
     pub preview: Option<Preview>,
     /// The headings that were opened, or folded, by hand.
     pub turned: BTreeSet<Heading>,
+    /// The filter that was looked for last, and what it found: the rows are asked for several times at each key.
+    found: RefCell<(String, Vec<(usize, Option<usize>)>)>,
 }
 
 /// A row of the list.
@@ -137,8 +142,11 @@ impl Picker {
         if filter.trim().is_empty() {
             return self.tree(of);
         }
-        let found = filter::find(of.listings, filter).into_iter();
-        found.map(|(listing, case)| Row::Leaf(Leaf { under: None, listing, case })).collect()
+        let mut found = self.found.borrow_mut();
+        if found.0 != filter {
+            *found = (filter.to_owned(), filter::find(of.listings, filter));
+        }
+        found.1.iter().map(|&(listing, case)| Row::Leaf(Leaf { under: None, listing, case })).collect()
     }
 
     /// The chosen row.

@@ -4,7 +4,10 @@ use std::{path::Path, process::ExitCode};
 
 use dalembert_core::{Language, Text, cases, registry};
 use dalembert_report::{Block, Document, Line};
-use dalembert_tui::glyphs::{Colors, Glyphs, PlotMarker};
+use dalembert_tui::{
+    files,
+    glyphs::{Colors, Glyphs, PlotMarker},
+};
 use etcetera::BaseStrategy;
 
 use crate::{Set, console::Console, failure::Failure};
@@ -26,7 +29,8 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
     };
     let mut files = vec![
         place("settings", set.path.as_deref()),
-        place("what is remembered", state.as_deref()),
+        place("what is remembered", files::remembered_path().as_deref()),
+        place("own lists of exercises", files::sets_path().as_deref()),
         place("unsaved work is kept in", state.as_deref().map(|folder| folder.join("autosave")).as_deref()),
     ];
     files.extend(set.faults.iter().map(|fault| {

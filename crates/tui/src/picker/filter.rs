@@ -74,9 +74,8 @@ impl Index {
 
     /// How well the words fit, and the case that they speak of; `None` where one of them is nowhere.
     fn rank(&self, words: &[&str], phrase: &str) -> Option<(u32, Option<usize>)> {
-        let together = |text: &str, weight: u32| match words.len() > 1 && place(text, phrase) > 0 {
-            true => TOGETHER * weight,
-            false => 0,
+        let together = |text: &str, weight: u32| {
+            if words.len() > 1 && place(text, phrase) > 0 { TOGETHER * weight } else { 0 }
         };
         let of_analysis: Vec<u32> = words
             .iter()

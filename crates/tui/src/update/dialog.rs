@@ -80,7 +80,7 @@ fn answer(model: &mut Model, answer: Answer) -> Vec<Effect> {
         Answer::ExportOver(path) => export::write(model, path, Before::Whatever),
         Answer::Reload(path) => {
             model.after_save = After::Stay;
-            model.reloading = true;
+            model.reloading = Some(path.clone());
             vec![Effect::Open(path)]
         }
         Answer::Restore(crashed) => files::restore(model, crashed),

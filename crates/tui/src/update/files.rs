@@ -114,7 +114,7 @@ pub(super) fn saved(
 }
 
 pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, FileError>) -> Vec<Effect> {
-    let reloading = std::mem::take(&mut model.reloading);
+    let reloading = model.reloading.take().is_some_and(|reloaded| reloaded == path);
     let opened = match result {
         Ok(opened) => opened,
         Err(error) => {

@@ -121,10 +121,12 @@ fn of_leaf(model: &Model, leaf: Leaf, listing: &Listing, area: Rect, buffer: &mu
     let summary = Text::from(about.summary).render(&model.locale);
     lines.extend(wrapped(&summary, room).into_iter().map(Line::from));
     let fields = listing.entry.fields().iter().map(|field| field.label);
-    listed(model, "In", fields.map(|label| lower(&word(label, model))).collect(), room, &mut lines);
+    let fields: Vec<String> = fields.map(|label| lower(&word(label, model))).collect();
+    listed(model, "In", &fields, room, &mut lines);
     let answers = solution.iter().flat_map(|solution| &solution.answers);
-    let answers = answers.map(|answer| lower(&Text::from(answer.label).render(&model.locale)));
-    listed(model, "Out", answers.collect(), room, &mut lines);
+    let answers: Vec<String> =
+        answers.map(|answer| lower(&Text::from(answer.label).render(&model.locale))).collect();
+    listed(model, "Out", &answers, room, &mut lines);
     lines.push(Line::default());
     let chosen = model.picker.case.or(leaf.case);
     let shown = cases(model, listing, chosen, room, &mut lines);
@@ -252,13 +254,7 @@ fn marked(model: &Model, outcome: Outcome) -> (&'static str, Style) {
 }
 
 /// `In: mass, stiffness, …` in few lines.
-fn listed(
-    model: &Model,
-    heading: &'static str,
-    all: Vec<String>,
-    room: usize,
-    lines: &mut Vec<Line<'static>>,
-) {
+fn listed(model: &Model, heading: &'static str, all: &[String], room: usize, lines: &mut Vec<Line<'static>>) {
     if all.is_empty() {
         return;
     }
