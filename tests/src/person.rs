@@ -319,8 +319,9 @@ fn named(name: &str) -> KeyEvent {
         "pgdn" => KeyCode::PageDown,
         "space" => KeyCode::Char(' '),
         "lt" => KeyCode::Char('<'),
-        "f1" => KeyCode::F(1),
-        "f2" => KeyCode::F(2),
+        _ if base.len() > 1 && base.strip_prefix('f').is_some_and(|n| n.parse::<u8>().is_ok()) => {
+            KeyCode::F(base[1..].parse().expect("a number was found"))
+        }
         _ => match base.chars().next().filter(|_| base.chars().count() == 1) {
             Some(character) => KeyCode::Char(character),
             None => panic!("no key is called <{name}>"),

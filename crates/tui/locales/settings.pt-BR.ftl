@@ -72,3 +72,12 @@ this-terminal-shows-no-colours-or-was-asked-to-show-none = este terminal não mo
 mouse-take-it-or-leave-it-to-the-terminal = mouse: usá-lo, ou deixá-lo com o terminal
 the-mouse-is-taken-the-terminal-s-own-selection-needs-shift-now = o mouse está em uso: a seleção do próprio terminal agora pede Shift
 the-mouse-is-the-terminal-s-own-again = o mouse é do próprio terminal de novo
+
+# Teclas que aqui não fazem nada, e o que não está na tela
+there-is-no-text-here-to-be-typed-over = aqui não há texto para substituir
+there-are-no-alternatives-here = aqui não há alternativas
+this-is-no-yes-or-no-and-cannot-be-left-out = isto não é um sim ou não, nem pode ser omitido
+there-is-no-other-plot = não há outro gráfico
+there-is-no-other-drawing = não há outro desenho
+there-is-nothing-to-open-here-enter-loads-a-case-in-the-sources = não há nada para abrir aqui: Enter carrega um caso nas fontes
+the-results-warn-now-warning = os resultados agora advertem: { $warning }

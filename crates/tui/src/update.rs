@@ -194,9 +194,15 @@ fn solved(model: &mut Model, outcome: Outcome) -> Vec<Effect> {
         model.notice = Some(Notice { text, detail: panic.clone(), wrong: true });
     }
     let awaited = State::Solving(outcome.generation);
-    if let Some(bench) = model.problems_mut().find(|bench| bench.found.state == awaited) {
+    let mut solved = model.problems_mut().find(|bench| bench.found.state == awaited);
+    if let Some(bench) = &mut solved {
+        let before = bench.found.solution.as_ref().map(|solution| solution.warnings.clone());
         bench::take(bench, outcome);
-    } else if let Some(preview) = &mut model.picker.preview
+        let number = bench.number;
+        bench::tell_hidden(model, number, before.as_deref());
+        return;
+    }
+    if let Some(preview) = &mut model.picker.preview
         && preview.generation == outcome.generation
     {
         preview.solution = outcome.result.ok().flatten();

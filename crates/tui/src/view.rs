@@ -26,6 +26,7 @@ pub(crate) use self::{
     spot::{Spot, spot},
 };
 use crate::{
+    bench::Tab,
     layout,
     look::{Glyph, Look},
     model::Model,
@@ -47,7 +48,7 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
     }
     let mut cursor = match model.shown_bench() {
         Some(bench) => {
-            let areas = layout::bench(area, bench.focus, bench.expanded);
+            let areas = layout::bench(area, bench.focus, bench.expanded || model.look.basic);
             bars::title(model, areas.title, buffer);
             let cursor = areas.form.and_then(|area| form::draw(model, bench, area, buffer));
             pane::draw(model, bench, &areas, buffer);
@@ -76,6 +77,15 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
     }
 }
 
+/// Whether a tab of the problem is on the screen.
+pub(crate) fn shows(model: &Model, tab: Tab) -> bool {
+    let screen = Rect::new(0, 0, model.size.0, model.size.1);
+    model.shown_bench().is_some_and(|bench| {
+        let areas = layout::bench(screen, bench.focus, bench.expanded || model.look.basic);
+        pane::panes(model, bench, &areas).iter().any(|(shown, _, _)| *shown == tab)
+    })
+}
+
 /// How long each frame of a film stands; `None` while none moves on the screen.
 pub fn tempo(model: &Model) -> Option<Duration> {
     let film = film(model).filter(|_| model.playing && model.dialog.is_none())?;
@@ -87,7 +97,7 @@ pub(crate) fn film(model: &Model) -> Option<&Film> {
     let bench = model.shown_bench().filter(|bench| !bench.is_stale())?;
     let Exhibit::Film(film) = bench.sketch()? else { return None };
     let area = Rect::new(0, 0, model.size.0, model.size.1);
-    let areas = layout::bench(area, bench.focus, bench.expanded);
+    let areas = layout::bench(area, bench.focus, bench.expanded || model.look.basic);
     (film.frames.len() > 1 && pane::shows_drawing(bench, &areas)).then_some(film)
 }
 

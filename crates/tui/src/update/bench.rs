@@ -35,6 +35,8 @@ const ALL_SHOWN: &str = "all of the axis is shown";
 const ZOOM: f64 = 0.5;
 /// The share of what is shown that a key moves it by.
 const PAN: f64 = 0.25;
+/// What is said of a key that chooses where there is nothing to choose.
+const NO_ALTERNATIVE: &str = "there are no alternatives here";
 /// What is said of a key that does nothing on a field with a list.
 const OPENS: &str = "Enter opens the choices";
 
@@ -166,6 +168,22 @@ pub(super) fn take(bench: &mut Bench, outcome: Outcome) {
     }
 }
 
+/// Tells a warning that a change brought, where the results are not on the screen.
+pub(super) fn tell_hidden(model: &mut Model, problem: u64, before: Option<&[Text]>) {
+    let Some(bench) = model.shown_bench().filter(|bench| bench.number == problem) else { return };
+    if view::shows(model, Tab::Results) {
+        return;
+    }
+    let Some(found) = bench.found.solution.as_ref().filter(|_| bench.reading.revealed.is_none()) else {
+        return;
+    };
+    let is_new = |warning: &&Text| before.is_some_and(|before| !before.contains(warning));
+    if let Some(warning) = found.warnings.iter().find(is_new) {
+        let said = Text::new("the results warn now: {warning}").with_text("warning", warning.clone());
+        model.complain(said);
+    }
+}
+
 /// A digit on a field of numbers begins a new text.
 pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
@@ -255,9 +273,12 @@ fn form(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::Last => form.step(isize::MAX),
         Action::Enter => return enter(model),
         Action::Clear if form.begin(Some(String::new())) => return changed(model),
-        Action::Left => return after(model, |bench| bench.form.cycle(-1), ""),
-        Action::Right => return after(model, |bench| bench.form.cycle(1), ""),
-        Action::Toggle => return after(model, |bench| bench.form.toggle(), ""),
+        Action::Clear => model.say("there is no text here to be typed over"),
+        Action::Left => return after(model, |bench| bench.form.cycle(-1), NO_ALTERNATIVE),
+        Action::Right => return after(model, |bench| bench.form.cycle(1), NO_ALTERNATIVE),
+        Action::Toggle => {
+            return after(model, |bench| bench.form.toggle(), "this is no yes or no, and cannot be left out");
+        }
         Action::Nudge(tenths) => {
             return after(model, |bench| bench.form.nudge(tenths), "this is no number with a last digit");
         }
@@ -383,6 +404,9 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
             bench.plot_state = bench.plot_state.next_marker();
             model.marker = bench.plot_state.marker;
         }
+        Action::NextExhibit if bench.exhibits_of(bench.tab) < 2 => {
+            model.say(if in_plot { "there is no other plot" } else { "there is no other drawing" });
+        }
         Action::NextExhibit => match bench.tab {
             Tab::Plot => {
                 bench.plot = next(bench.plot, bench.plots().count());
@@ -394,6 +418,9 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
             _ => {}
         },
         Action::Enter if bench.tab == Tab::Sources => return load_case(model),
+        Action::Enter if bench.place() == Place::Pane => {
+            model.say("there is nothing to open here: Enter loads a case in the sources");
+        }
         Action::Up | Action::Down if bench.tab == Tab::Sources => {
             let last = bench.cases.len().saturating_sub(1);
             bench.case =
@@ -446,7 +473,9 @@ fn pin(model: &mut Model) {
         model.say("these inputs have no result to compare with");
     } else {
         bench.pinned.clone_from(&bench.found.solution);
-        model.say("from now on every answer says how it differs from this result; c ends it");
+        let key = model.keys.key(Place::Form, Action::Pin);
+        let said = "from now on every answer says how it differs from this result; {key} ends it";
+        model.say(Text::new(said).with("key", key));
     }
 }
 
@@ -493,7 +522,10 @@ pub(super) fn show_tab(model: &mut Model, tab: Tab) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     bench.tab = tab;
     let (columns, rows) = model.size;
-    if layout::bench(Rect::new(0, 0, columns, rows), bench.focus, bench.expanded).pane.is_none() {
+    if layout::bench(Rect::new(0, 0, columns, rows), bench.focus, bench.expanded || model.look.basic)
+        .pane
+        .is_none()
+    {
         bench.focus = Focus::Pane;
     }
     if bench.tab == Tab::Sources && !bench.judging {
@@ -507,8 +539,9 @@ pub(super) fn load_case(model: &mut Model) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let Some(case) = bench.cases.get(bench.case).map(|judged| judged.case.clone()) else { return Vec::new() };
     let untouched = !bench.is_unsaved() && bench.file.is_none();
-    let said =
-        Text::new("{case} is loaded; z brings the inputs back").with("case", filter_untrusted(&case.name));
+    let said = Text::new("{case} is loaded; {key} brings the inputs back")
+        .with("case", filter_untrusted(&case.name));
+    let said = said.with("key", model.keys.key(Place::Form, Action::Undo));
     bench.form.replace(case.draft.clone());
     bench.title.clear();
     bench.origin = Some(case);
@@ -525,7 +558,8 @@ pub(super) fn load_case(model: &mut Model) -> Vec<Effect> {
 fn area(model: &Model) -> Option<Rect> {
     let bench = model.bench.as_ref()?;
     let (columns, rows) = model.size;
-    let areas = layout::bench(Rect::new(0, 0, columns, rows), Focus::Pane, bench.expanded);
+    let areas =
+        layout::bench(Rect::new(0, 0, columns, rows), Focus::Pane, bench.expanded || model.look.basic);
     view::area_of_tab(model, bench, &areas)
 }
 

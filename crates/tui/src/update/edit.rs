@@ -9,6 +9,7 @@ use dalembert_core::{
 
 use super::{bench as problem, files, problems};
 use crate::{
+    bench::OpenFile,
     dialog::{Answer, Dialog},
     files::{FileError, Opened, shown},
     model::{EditError, Editing, Effect, Model},
@@ -123,22 +124,22 @@ pub(super) fn changed_on_disk(
 
 /// The file says something else now; what is looked at stays where it is.
 fn reload(model: &mut Model, path: &Path, read: Problem, opened: Opened, said: &'static str) -> Vec<Effect> {
-    let Some(bench) = model.bench.as_mut() else { return Vec::new() };
+    let Some(bench) = &model.bench else { return Vec::new() };
     let unchanged = bench.file.as_ref().is_some_and(|file| file.fingerprint == Some(opened.fingerprint));
     if unchanged {
         model.say("nothing was changed");
         return Vec::new();
     }
     let effects = if read.entry.about.id == bench.entry.about.id {
-        bench.form.replace(read.draft);
-        bench.title = read.title;
-        bench.show = read.show;
-        bench.file = Some(crate::bench::OpenFile {
-            path: path.to_owned(),
-            text: opened.text,
-            fingerprint: Some(opened.fingerprint),
-        });
-        bench.mark_saved();
+        take(model, read);
+        if let Some(bench) = &mut model.bench {
+            bench.file = Some(OpenFile {
+                path: path.to_owned(),
+                text: opened.text,
+                fingerprint: Some(opened.fingerprint),
+            });
+            bench.mark_saved();
+        }
         problem::changed(model)
     } else {
         files::opened(model, path.to_owned(), Ok(opened))
@@ -149,20 +150,35 @@ fn reload(model: &mut Model, path: &Path, read: Problem, opened: Opened, said: &
 
 /// What was edited in a copy becomes the problem, not saved yet; it can be taken back.
 fn take_copy(model: &mut Model, read: Problem, text: String) -> Vec<Effect> {
-    let Some(bench) = &mut model.bench else { return Vec::new() };
-    let before = (bench.title.clone(), bench.form.draft.clone());
-    let file = bench.file.clone().map(|file| crate::bench::OpenFile { text: text.clone(), ..file });
-    if read.entry.about.id != bench.entry.about.id {
-        let mut other = files::bench_of(model, read);
-        (other.file, other.commented) = (file, text);
-        other.mark_unsaved();
-        return problems::replace(model, other);
+    let Some(bench) = &model.bench else { return Vec::new() };
+    let before = bench.problem();
+    if (&before.title, &before.draft, &before.show) == (&read.title, &read.draft, &read.show)
+        && before.entry.about.id == read.entry.about.id
+    {
+        model.say("nothing was changed");
+        return Vec::new();
     }
-    bench.form.replace(read.draft);
-    bench.title = read.title;
-    bench.show = read.show;
-    (bench.file, bench.commented) = (file, text);
-    let same = before == (bench.title.clone(), bench.form.draft.clone());
-    model.say(if same { "nothing was changed" } else { "what was edited is here, not saved yet" });
-    problem::changed(model)
+    let file = bench.file.clone().map(|file| OpenFile { text: text.clone(), ..file });
+    let effects = if read.entry.about.id == bench.entry.about.id {
+        take(model, read);
+        problem::changed(model)
+    } else {
+        let mut other = files::bench_of(model, read);
+        other.mark_unsaved();
+        problems::replace(model, other)
+    };
+    if let Some(bench) = &mut model.bench {
+        (bench.file, bench.commented) = (file, text);
+    }
+    model.say("what was edited is here, not saved yet");
+    effects
+}
+
+/// Puts what was read in the place of what is there, as a change that can be taken back.
+fn take(model: &mut Model, read: Problem) {
+    let read = files::bench_of(model, read);
+    if let Some(bench) = &mut model.bench {
+        bench.form.replace(read.form.draft);
+        (bench.title, bench.origin, bench.show) = (read.title, read.origin, read.show);
+    }
 }

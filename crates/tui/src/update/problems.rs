@@ -7,6 +7,7 @@ use crate::{
     bench::{Bench, State},
     dialog::{Answer, Dialog},
     glyphs::filter_untrusted,
+    keys::{Action, Place},
     model::{After, Effect, Model, Screen},
 };
 
@@ -17,8 +18,9 @@ const MOST: usize = 9;
 pub(super) fn open(model: &mut Model, mut bench: Bench) -> Vec<Effect> {
     let Some(mut effects) = make_room(model) else {
         model.complain(
-            Text::new("{count} problems are open already; B closes the one that is shown")
-                .with("count", MOST),
+            Text::new("{count} problems are open already; {key} closes the one that is shown")
+                .with("count", MOST)
+                .with("key", model.keys.key(Place::Form, Action::CloseProblem)),
         );
         return Vec::new();
     };

@@ -222,6 +222,7 @@ fn pair(action: Action, place: Place) -> Option<(Action, Action)> {
 fn about_field(model: &Model, bench: &Bench) -> String {
     let Some(line) = bench.form.line() else { return String::new() };
     let say = |text: &'static str| Text::from(text).render(&model.locale);
+    let key = |action| model.keys.key(Place::Form, action);
     let mut parts = Vec::new();
     let label = say(line.field.label);
     match &line.role {
@@ -231,9 +232,18 @@ fn about_field(model: &Model, bench: &Bench) -> String {
                 .push(format!("{label}: {}", variant.map_or_else(String::new, |variant| say(variant.label))));
             parts.extend(variant.map(|variant| say(variant.help)));
         }
-        Role::Rows { .. } => parts.extend([label, say(line.field.help), word("a adds a row", model)]),
+        Role::Rows { .. } => {
+            let add = Text::new("{key} adds a row").with("key", key(Action::AddRow)).render(&model.locale);
+            parts.extend([label, say(line.field.help), add]);
+        }
         Role::Group { .. } if line.number.is_some() => {
-            parts.extend([label, word("a add, d duplicate, x delete, J K move", model)]);
+            let keys = Text::new("{add} add, {copy} duplicate, {delete} delete, {down} {up} move")
+                .with("add", key(Action::AddRow))
+                .with("copy", key(Action::DuplicateRow))
+                .with("delete", key(Action::DeleteRow))
+                .with("down", key(Action::MoveRowDown))
+                .with("up", key(Action::MoveRowUp));
+            parts.extend([label, keys.render(&model.locale)]);
         }
         Role::Table { .. } => {
             parts.extend([
@@ -265,24 +275,31 @@ fn about_field(model: &Model, bench: &Bench) -> String {
 
 fn about_pane(model: &Model, bench: &Bench) -> String {
     let several = bench.exhibits_of(bench.tab) > 1;
-    let hints: &[&'static str] = match bench.tab {
-        Tab::Plot if bench.plot_state.view.window.is_some() => {
-            &["0 shows all of the axis", "← → move a cursor that reads the curves"]
-        }
-        Tab::Plot if several => &["← → move a cursor that reads the curves", "m other marks", "n next plot"],
-        Tab::Plot => &["← → move a cursor that reads the curves", "m other marks"],
-        Tab::Drawing if several => &["n next drawing"],
-        Tab::Sources => &["↑ ↓ choose a case; Enter loads it"],
-        Tab::Check => &["a number and a unit; what is said of it follows at once"],
-        Tab::Sensitivity => &["← → another answer; type the tolerance of the input, such as 2 %"],
-        Tab::Study => &["the plot is also among those of the tab of plots, with cursor and zoom"],
-        Tab::Results if bench.reading.answer.is_some() => {
-            &["↑ ↓ choose the answer; v its unit, D its digits"]
-        }
-        Tab::Results => &["v another unit of an answer, D its digits"],
-        Tab::Working | Tab::Drawing | Tab::Table => &[],
+    let key = |action| model.keys.key(bench.place(), action);
+    let cursor = || {
+        Text::new("{keys} move a cursor that reads the curves")
+            .with("keys", format!("{} {}", key(Action::Left), key(Action::Right)))
     };
-    hints.iter().map(|hint| word(hint, model)).collect::<Vec<_>>().join("; ")
+    let marks = || Text::new("{key} other marks").with("key", key(Action::NextMarker));
+    let next = |text: Text| text.with("key", key(Action::NextExhibit));
+    let hints: Vec<Text> = match bench.tab {
+        Tab::Plot if bench.plot_state.view.window.is_some() => {
+            vec![Text::new("{key} shows all of the axis").with("key", key(Action::ZoomAll)), cursor()]
+        }
+        Tab::Plot if several => vec![cursor(), marks(), next(Text::new("{key} next plot"))],
+        Tab::Plot => vec![cursor(), marks()],
+        Tab::Drawing if several => vec![next(Text::new("{key} next drawing"))],
+        Tab::Sources => vec!["↑ ↓ choose a case; Enter loads it".into()],
+        Tab::Check => vec!["a number and a unit; what is said of it follows at once".into()],
+        Tab::Sensitivity => vec!["← → another answer; type the tolerance of the input, such as 2 %".into()],
+        Tab::Study => vec!["the plot is also among those of the tab of plots, with cursor and zoom".into()],
+        Tab::Results if bench.reading.answer.is_some() => {
+            vec!["↑ ↓ choose the answer; v its unit, D its digits".into()]
+        }
+        Tab::Results => vec!["v another unit of an answer, D its digits".into()],
+        Tab::Working | Tab::Drawing | Tab::Table => Vec::new(),
+    };
+    hints.iter().map(|hint| hint.render(&model.locale)).collect::<Vec<_>>().join("; ")
 }
 
 fn file_name(model: &Model, bench: &Bench) -> String {

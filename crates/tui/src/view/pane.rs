@@ -17,6 +17,7 @@ use crate::{
     bench::{Bench, Focus, State, Tab},
     drawing,
     glyphs::filter_untrusted,
+    keys::{Action, Place},
     layout::{self, Areas},
     look::{Glyph, Look},
     model::Model,
@@ -42,7 +43,7 @@ pub(super) fn draw(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buf
 }
 
 /// The panes that are seen: what each shows, where, and the tabs that are named above it.
-fn panes(model: &Model, bench: &Bench, areas: &Areas) -> Vec<(Tab, Rect, Option<Vec<Tab>>)> {
+pub(super) fn panes(model: &Model, bench: &Bench, areas: &Areas) -> Vec<(Tab, Rect, Option<Vec<Tab>>)> {
     let Some(pane) = areas.pane else { return Vec::new() };
     let Some(picture) = areas.picture else {
         return vec![(bench.tab, pane, Some(bench.tabs()))];
@@ -359,7 +360,9 @@ fn nothing(model: &Model, bench: &Bench, width: u16) -> Page {
 
 /// What a tab says whose content would give away what is to be found.
 fn covered(model: &Model, width: u16) -> Page {
-    let words = word("covered until every step of the working is revealed; t ends that", model);
+    let words = Text::new("covered until every step of the working is revealed; {key} ends that")
+        .with("key", model.keys.key(Place::Form, Action::TryByHand))
+        .render(&model.locale);
     let lines = wrapped(&words, width.into()).into_iter();
     Page { lines: lines.map(|text| Line::styled(text, model.look.dim())).collect(), starts: Vec::new() }
 }

@@ -41,7 +41,7 @@ pub(crate) fn spot(model: &Model, at: Position) -> Option<Spot> {
     let Some(bench) = model.shown_bench() else {
         return body.contains(at).then(|| picker::spot(model, body, at)).flatten();
     };
-    let areas = layout::bench(screen, bench.focus, bench.expanded);
+    let areas = layout::bench(screen, bench.focus, bench.expanded || model.look.basic);
     if let Some(area) = areas.form.filter(|area| area.contains(at)) {
         return Some(Spot::Form(form::line_at(model, bench, area, at)));
     }

@@ -1,11 +1,11 @@
 //! Keys of the worked solution: steps are revealed, symbols followed.
 
-use dalembert_core::trace::Op;
+use dalembert_core::{Text, trace::Op};
 
 use super::{area, bring_in};
 use crate::{
     bench::{Focus, Tab},
-    keys::Action,
+    keys::{self, Action},
     model::Model,
     panes::working::{Place, step_of, symbols},
     view,
@@ -19,9 +19,14 @@ pub(super) fn try_by_hand(model: &mut Model) {
         Some(_) => None,
     };
     (bench.reading.symbol, bench.reading.trail) = (None, Vec::new());
-    let said = match bench.reading.revealed {
-        Some(_) => "the results are covered: Space in the working reveals the next step, t shows all",
-        None => "the results are shown",
+    let covered = bench.reading.revealed.is_some();
+    let key = |place, action| model.keys.key(place, action);
+    let said = if covered {
+        Text::new("the results are covered: {next} in the working reveals the next step, {all} shows all")
+            .with("next", key(keys::Place::Working, Action::Reveal))
+            .with("all", key(keys::Place::Form, Action::TryByHand))
+    } else {
+        "the results are shown".into()
     };
     model.say(said);
 }
