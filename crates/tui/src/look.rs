@@ -209,7 +209,7 @@ impl Look {
 
     /// The colours of the theme, where it has its own and there are any.
     fn palette(&self) -> Option<Palette> {
-        self.theme.palette().filter(|_| self.colors != Colors::None)
+        self.theme.palette(self.colors)
     }
 
     /// `color` where there are colours, `otherwise` where there are none.

@@ -203,9 +203,11 @@ mod tests {
     }
 
     #[test]
-    fn places_are_found_by_their_number() {
+    fn places_are_found_by_their_number_and_their_name() {
         for (n, place) in Place::ALL.into_iter().enumerate() {
             assert_eq!(place as usize, n);
+            let named = |other: Place| other.bindings().any(|binding| binding.action.id() == place.id());
+            assert!(!Place::ALL.into_iter().any(named), "{} is an action too", place.id());
         }
     }
 
@@ -274,7 +276,7 @@ mod tests {
             [
                 (0, "`esc` always means `back`: take another key".into()),
                 (1, "`ctrl-c` always means `quit`: take another key".into()),
-                (2, "`g` is text in [keys.edit]: take one such as `ctrl-g` or `f5`".into()),
+                (2, "`g` is text in [keys.field]: take one such as `ctrl-g` or `f5`".into()),
                 (3, "`5` begins a number in [keys.inputs]: take another key".into()),
                 (4, "`add-row` does nothing in [keys.plot]".into()),
             ]

@@ -80,13 +80,13 @@ impl Action {
 }
 
 impl Place {
-    /// Its name in the settings: `[keys.plot]`.
+    /// Its name in the settings: `[keys.plot]`. No action has the same: both stand below `[keys]`.
     pub fn id(self) -> &'static str {
         match self {
             Place::Picker => "picker",
-            Place::Filter => "filter",
+            Place::Filter => "filter-line",
             Place::Form => "inputs",
-            Place::Edit => "edit",
+            Place::Edit => "field",
             Place::Pane => "results",
             Place::Working => "working",
             Place::Plot => "plot",
@@ -94,7 +94,7 @@ impl Place {
             Place::List => "choices",
             Place::Prompt => "prompt",
             Place::Sheet => "sheet",
-            Place::Help => "help",
+            Place::Help => "help-page",
             Place::Cells => "cells",
             Place::Cell => "cell",
         }

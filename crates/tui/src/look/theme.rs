@@ -2,6 +2,8 @@
 
 use ratatui::style::Color;
 
+use crate::glyphs::Colors;
+
 /// How things are coloured.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
@@ -68,13 +70,17 @@ impl Theme {
         }
     }
 
-    /// Its colours, where it has its own.
-    pub fn palette(self) -> Option<Palette> {
-        match self {
-            Theme::Terminal | Theme::None => None,
-            Theme::Dark => Some(DARK),
-            Theme::Light => Some(LIGHT),
-            Theme::HighContrast => Some(HIGH_CONTRAST),
+    /// Its colours among those that there are, where it has its own.
+    pub fn palette(self, colors: Colors) -> Option<Palette> {
+        match (self, colors) {
+            (Theme::Terminal | Theme::None, _) | (_, Colors::None) => None,
+            // The nearest of sixteen is often a grey: these are chosen.
+            (Theme::Dark, Colors::Sixteen) => Some(DARK_OF_SIXTEEN),
+            (Theme::Light, Colors::Sixteen) => Some(LIGHT_OF_SIXTEEN),
+            (Theme::HighContrast, Colors::Sixteen) => Some(HIGH_CONTRAST_OF_SIXTEEN),
+            (Theme::Dark, _) => Some(DARK),
+            (Theme::Light, _) => Some(LIGHT),
+            (Theme::HighContrast, _) => Some(HIGH_CONTRAST),
         }
     }
 }
@@ -132,4 +138,42 @@ const HIGH_CONTRAST: Palette = Palette {
     cyan: rgb(0, 255, 255),
     magenta: rgb(255, 165, 255),
     blue: rgb(160, 200, 255),
+};
+
+const DARK_OF_SIXTEEN: Palette = Palette {
+    ground: Color::Black,
+    text: Color::Gray,
+    faint: Color::DarkGray,
+    red: Color::LightRed,
+    yellow: Color::LightYellow,
+    green: Color::LightGreen,
+    cyan: Color::LightCyan,
+    magenta: Color::LightMagenta,
+    blue: Color::Cyan,
+};
+
+/// Greens, yellows and cyans are too bright to be read on white.
+const LIGHT_OF_SIXTEEN: Palette = Palette {
+    ground: Color::White,
+    text: Color::Black,
+    faint: Color::Black,
+    red: Color::Red,
+    yellow: Color::Magenta,
+    green: Color::Blue,
+    cyan: Color::Blue,
+    magenta: Color::Magenta,
+    blue: Color::Black,
+};
+
+/// Reds and blues are too dark to be read well on black.
+const HIGH_CONTRAST_OF_SIXTEEN: Palette = Palette {
+    ground: Color::Black,
+    text: Color::White,
+    faint: Color::Gray,
+    red: Color::LightYellow,
+    yellow: Color::LightYellow,
+    green: Color::LightGreen,
+    cyan: Color::LightCyan,
+    magenta: Color::Yellow,
+    blue: Color::Cyan,
 };

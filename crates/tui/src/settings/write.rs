@@ -98,7 +98,12 @@ pub fn default_file(locale: &Locale) -> String {
     }
     for place in Place::ALL {
         file += &format!("\n[keys.{}]  # {}\n", place.id(), say(Text::new(place.name())));
+        let mut written: Vec<&str> = Vec::new();
         for binding in place.table() {
+            if written.contains(&binding.action.id()) {
+                continue;
+            }
+            written.push(binding.action.id());
             let same = place.bindings().filter(|other| other.action.id() == binding.action.id());
             file += &line(binding, same.flat_map(|other| other.keys).copied(), locale);
         }
