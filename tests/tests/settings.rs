@@ -1,6 +1,6 @@
 //! What a person sets: keys, themes, the mouse, the editor; and files that other programs change.
 
-use std::{fs, os::unix::fs::PermissionsExt, path::Path, time::Duration};
+use std::{fs, os::unix::fs::PermissionsExt, path::Path, process::Command, time::Duration};
 
 use dalembert_core::Locale;
 use dalembert_tests::{
@@ -461,4 +461,75 @@ fn an_action_without_a_key_is_reached_by_its_name() {
     let unkeyed =
         |action| Place::Form.bindings().any(|binding| binding.action == action && binding.keys.is_empty());
     assert!(unkeyed(Action::Mouse) && unkeyed(Action::Theme));
+}
+
+#[test]
+fn the_settings_in_the_readme_are_taken() {
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
+    let readme = fs::read_to_string(readme).expect("the file is there");
+    let part = readme.split("## Settings").nth(1).expect("the part on settings");
+    let block = part.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
+    let (settings, faults) = settings::parse(block);
+    assert_eq!(faults, [], "{block}");
+    assert_eq!(settings.keys.key(Place::Form, Action::Save), "F5");
+}
+
+#[test]
+fn info_names_every_path_and_what_is_not_taken() {
+    let home = home_with("thme = \"dark\"\n");
+    let run = |command: &str| {
+        let output = Command::new(pty::program())
+            .arg(command)
+            .env("XDG_CONFIG_HOME", home.path())
+            .env("XDG_STATE_HOME", home.path().join("state"))
+            .env("LANG", "C.UTF-8")
+            .env_remove("LC_ALL")
+            .env_remove("LC_MESSAGES")
+            .output()
+            .expect("the program runs");
+        String::from_utf8(output.stdout).expect("what is printed is UTF-8")
+    };
+    let info = run("info").split_whitespace().collect::<Vec<_>>().join(" ");
+    let home = home.path().display();
+    assert!(info.contains(&format!("{home}/dalembert/settings.toml (is there)")), "{info}");
+    assert!(info.contains(&format!("{home}/state/dalembert (is not there)")), "{info}");
+    assert!(info.contains("line 1: there is no setting `thme`; did you mean `theme`?"), "{info}");
+    let file = run("settings");
+    assert_eq!(settings::parse(&file), (settings::Settings::default(), Vec::new()), "{file}");
+}
+
+#[test]
+fn a_key_that_does_nothing_here_says_why() {
+    let mut person = fan(90, 30);
+    for (keys, said) in [
+        ("<home><left>", "there are no alternatives here"),
+        ("<space>", "this is no yes or no"),
+        ("a", "there is no list here"),
+        ("<tab><enter>", "there is nothing to open here"),
+        ("p", "no film is on the screen"),
+    ] {
+        assert!(person.types(keys).sees().contains(said), "{keys}: {}", person.sees());
+    }
+}
+
+#[test]
+fn the_keys_in_the_readme_are_keys_of_the_tables() {
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
+    let readme = fs::read_to_string(readme).expect("the file is there");
+    let names: Vec<String> = Place::ALL
+        .into_iter()
+        .flat_map(Place::bindings)
+        .flat_map(|binding| binding.keys)
+        .map(|key| key.name())
+        .collect();
+    let table = readme.split("| key | what it does |").nth(1).expect("the table of keys");
+    let rows = table.lines().skip(2).take_while(|line| line.starts_with('|'));
+    let keys: Vec<&str> = rows
+        .filter_map(|row| row.split('|').nth(1))
+        .flat_map(|keys| keys.split('`').skip(1).step_by(2))
+        .collect();
+    assert!(keys.len() > 25, "{keys:?}");
+    for key in keys {
+        assert!(names.iter().any(|name| name == key), "`{key}` is no key");
+    }
 }
