@@ -492,7 +492,7 @@ fn info_names_every_path_and_what_is_not_taken() {
     let info = run("info").split_whitespace().collect::<Vec<_>>().join(" ");
     let home = home.path().display();
     assert!(info.contains(&format!("{home}/dalembert/settings.toml (is there)")), "{info}");
-    assert!(info.contains(&format!("{home}/state/dalembert (is not there)")), "{info}");
+    assert!(info.contains(&format!("{home}/state/dalembert/autosave (is not there)")), "{info}");
     assert!(info.contains("line 1: there is no setting `thme`; did you mean `theme`?"), "{info}");
     let file = run("settings");
     assert_eq!(settings::parse(&file), (settings::Settings::default(), Vec::new()), "{file}");

@@ -19,7 +19,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-pub use autosave::{Autosave, Crashed};
+pub use autosave::{Autosave, Crashed, autosave_path};
 pub use memory::{Memory, recall, remember, remembered_path, sets, sets_path};
 pub use save::{Before, remove_strays, save, save_all};
 

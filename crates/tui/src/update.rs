@@ -200,7 +200,7 @@ fn solved(model: &mut Model, outcome: Outcome) -> Vec<Effect> {
         bench::take(bench, outcome);
         let number = bench.number;
         bench::tell_hidden(model, number, before.as_deref());
-        return;
+        return Vec::new();
     }
     if let Some(preview) = &mut model.picker.preview
         && preview.generation == outcome.generation

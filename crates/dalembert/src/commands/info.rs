@@ -8,7 +8,6 @@ use dalembert_tui::{
     files,
     glyphs::{Colors, Glyphs, PlotMarker},
 };
-use etcetera::BaseStrategy;
 
 use crate::{Set, console::Console, failure::Failure};
 
@@ -18,22 +17,20 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
     let line = |label: &'static str, value: String| Line { label: say(label), value, ..Line::default() };
     let cases: usize =
         registry().iter().map(|entry| cases::cases(entry).map_or(0, |cases| cases.len())).sum();
-    let state = etcetera::choose_base_strategy()
-        .ok()
-        .map(|base| base.state_dir().unwrap_or_else(|| base.data_dir()).join("dalembert"));
+    let kept = files::autosave_path();
     let there = |path: &Path| if path.exists() { "is there" } else { "is not there" };
     let place = |label: &'static str, path: Option<&Path>| {
         let value =
             path.map_or_else(|| "—".to_owned(), |path| format!("{} ({})", path.display(), say(there(path))));
         line(label, value)
     };
-    let mut files = vec![
+    let mut lines = vec![
         place("settings", set.path.as_deref()),
         place("what is remembered", files::remembered_path().as_deref()),
         place("own lists of exercises", files::sets_path().as_deref()),
-        place("unsaved work is kept in", state.as_deref().map(|folder| folder.join("autosave")).as_deref()),
+        place("unsaved work is kept in", kept.as_deref()),
     ];
-    files.extend(set.faults.iter().map(|fault| {
+    lines.extend(set.faults.iter().map(|fault| {
         let fault =
             Text::new("line {line}: {why}").with("line", fault.line).with_text("why", fault.why.clone());
         line("not taken of the settings", fault.render(&console.locale))
@@ -84,7 +81,7 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
         blocks: vec![
             Block::Lines(program),
             Block::Heading(say("Files and folders")),
-            Block::Lines(files),
+            Block::Lines(lines),
             Block::Heading(say("Terminal")),
             Block::Lines(terminal),
         ],

@@ -45,6 +45,12 @@ struct Work {
     file: Option<PathBuf>,
 }
 
+/// The folder of unsaved work: `$XDG_STATE_HOME/dalembert/autosave`. `None` without a home.
+pub fn autosave_path() -> Option<PathBuf> {
+    let base = choose_base_strategy().ok()?;
+    Some(base.state_dir().unwrap_or_else(|| base.data_dir()).join("dalembert").join("autosave"))
+}
+
 /// What a crashed session left.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Crashed {
@@ -61,11 +67,8 @@ impl Autosave {
     /// The autosave of this session, in the folder of the person's state. Without one (no home, a read-only disk) it
     /// keeps nothing, and the error says so once; the program goes on.
     pub fn open() -> (Self, Option<FileError>) {
-        let folder = choose_base_strategy()
-            .map_err(|_| FileError::NoAutosave("there is no home folder".to_owned()))
-            .map(|base| {
-                base.state_dir().unwrap_or_else(|| base.data_dir()).join("dalembert").join("autosave")
-            });
+        let folder =
+            autosave_path().ok_or_else(|| FileError::NoAutosave("there is no home folder".to_owned()));
         match folder.and_then(Self::in_folder) {
             Ok(autosave) => (autosave, None),
             Err(error) => (Self::default(), Some(error)),
