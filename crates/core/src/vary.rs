@@ -67,8 +67,9 @@ pub fn changed(record: &Record, path: &str, si: f64) -> Option<Record> {
     let mut place = Place::Record(&mut record);
     for segment in segments(path).ok()? {
         place = match (place, segment) {
-            (Place::Record(record), Segment::Name(name)) => Place::Value(record.get_mut(&name)?),
-            (Place::Value(Value::Group(record)), Segment::Name(name)) => Place::Value(record.get_mut(&name)?),
+            (Place::Record(record) | Place::Value(Value::Group(record)), Segment::Name(name)) => {
+                Place::Value(record.get_mut(&name)?)
+            }
             // The name of the alternative that is chosen.
             (Place::Value(Value::OneOf { fields, .. }), Segment::Name(_)) => Place::Record(fields),
             (Place::Value(Value::Rows(rows)), Segment::Row(row)) => Place::Value(rows.get_mut(row)?),
@@ -195,7 +196,10 @@ impl Again {
 
 impl std::fmt::Debug for Again {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Again").field("inputs", &self.inputs).field("answers", &self.answers).finish()
+        f.debug_struct("Again")
+            .field("inputs", &self.inputs)
+            .field("answers", &self.answers)
+            .finish_non_exhaustive()
     }
 }
 

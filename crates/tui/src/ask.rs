@@ -105,7 +105,7 @@ pub enum Reply {
     /// How much each input matters.
     Sensitivity(Result<sensitivity::Sensitivity, SolveError>),
     /// What a study found.
-    Study(Result<Studied, SolveError>),
+    Study(Box<Result<Studied, SolveError>>),
 }
 
 /// The tolerance of an input that none is typed for, as a share.
@@ -128,7 +128,8 @@ impl Question {
                     .map(Reply::Sensitivity)
             }
             Question::Study { entry, record, plan } => {
-                unless_stopped(dalembert_core::study::study(entry, record, plan, stop)).map(Reply::Study)
+                unless_stopped(dalembert_core::study::study(entry, record, plan, stop))
+                    .map(|found| Reply::Study(Box::new(found)))
             }
         }
     }

@@ -23,16 +23,8 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::PageDown => step(model, 10),
         Action::First => step(model, isize::MIN),
         Action::Last => step(model, isize::MAX),
-        Action::Enter => {
-            if !begin(model, None) {
-                return choose(model, 1);
-            }
-        }
-        Action::Clear => {
-            if begin(model, Some(String::new())) {
-                return typed(model);
-            }
-        }
+        Action::Enter if !begin(model, None) => return choose(model, 1),
+        Action::Clear if begin(model, Some(String::new())) => return typed(model),
         Action::Toggle => show_ours(model),
         Action::Left => return choose(model, -1),
         Action::Right => return choose(model, 1),
@@ -111,7 +103,7 @@ pub(super) fn take(model: &mut Model, outcome: Outcome) {
     match outcome.reply {
         Some(Reply::Slips(slips)) => bench.ask.check.slips = Some(slips),
         Some(Reply::Sensitivity(found)) => bench.ask.sensitivity.found = Some(found),
-        Some(Reply::Study(found)) => bench.ask.study.found = Some(found),
+        Some(Reply::Study(found)) => bench.ask.study.found = Some(*found),
         // A fault of the program: what was asked has no answer.
         None => {
             let failed = SolveError::from(Refusal::because("this failed (a fault of the program)"));
@@ -194,7 +186,7 @@ fn under_cursor(bench: &Bench) -> Option<Under> {
             let at = sensitivity.cursor.min(sorted.len().checked_sub(1)?);
             Some(Under::Tolerance(sorted[at].input.path.clone()))
         }
-        Tab::Study => Some(bench.ask.study.cell()).map(Under::Cell),
+        Tab::Study => Some(Under::Cell(bench.ask.study.cell())),
         _ => None,
     }
 }

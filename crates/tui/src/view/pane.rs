@@ -140,7 +140,9 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
             }
             None => nothing(model, bench, width),
         },
-        Tab::Table if bench.reading.revealed.is_some() => covered(model, width),
+        Tab::Table | Tab::Sensitivity | Tab::Study if bench.reading.revealed.is_some() => {
+            covered(model, width)
+        }
         Tab::Table => {
             let mut lines = Vec::new();
             for table in bench.tables() {
@@ -170,7 +172,6 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
             }
             _ => Page { lines: why_not(model, bench, width), starts: Vec::new() },
         },
-        Tab::Sensitivity | Tab::Study if bench.reading.revealed.is_some() => covered(model, width),
         Tab::Sensitivity | Tab::Study => match solution {
             Some(solution) if !bench.is_stale() => {
                 let focused = bench.focus == Focus::Pane;
@@ -225,11 +226,10 @@ fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area:
             && left.height >= LEAST_CURVES
             && !bench.is_stale()
             && bench.reading.revealed.is_none()
+            && let Some(plot) = bench.studied()
         {
-            if let Some(plot) = bench.studied() {
-                let state = plot::State { marker: bench.plot_state.marker, ..plot::State::default() };
-                plot::render(plot, None, &state, look, locale, left, buffer);
-            }
+            let state = plot::State { marker: bench.plot_state.marker, ..plot::State::default() };
+            plot::render(plot, None, &state, look, locale, left, buffer);
         }
         return;
     }
