@@ -1,111 +1,303 @@
-//! What a person waits for: from a key that changes an input to the finished frame, and a frame alone.
+//! What a person at a terminal waits for, and what goes over the line: the workbench itself at a pseudo-terminal.
 //!
-//! The workbench runs without a terminal: a key is a message, a solve is carried out at once, and the frame is drawn
-//! into a buffer. Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
+//! Measures the binary that the variable `DALEMBERT` names. Prints `name<TAB>figure<TAB>goal`, a row a line;
+//! `cargo xtask bench` makes a table of them. Times end when the last byte of the frame has come.
 
-use std::time::Instant;
+use std::{
+    env,
+    path::PathBuf,
+    process::{Command, Stdio},
+    thread,
+    time::{Duration, Instant},
+};
 
-use dalembert_core::{Entry, Language, Stop, registry};
+use dalembert_core::find;
 use dalembert_plugins as _;
-use dalembert_tui::{
-    Effect, Model, Msg,
-    glyphs::{Capabilities, Environment},
-    look::Look,
-    solver, start, update, view,
-};
-use ratatui::{
-    Terminal,
-    backend::TestBackend,
-    crossterm::event::{KeyCode, KeyEvent, KeyModifiers},
-};
+use dalembert_tests::pty::{self, Launch, PATIENCE, Pty};
 
-const ROUNDS: usize = 200;
+const ROUNDS: usize = 40;
+/// Frames end so.
+const END: &[u8] = b"\x1b[?2026l";
+/// Nothing more comes after so long.
+const SILENCE: Duration = Duration::from_millis(40);
+const FAN: &str = "vibration/rotating-unbalance";
 
 fn main() {
-    for entry in registry() {
-        let mut workbench = Workbench::open(entry, 160, 50);
-        if !workbench.reach_a_quantity() {
-            println!("key to frame, {}\tno quantity to change\t", entry.about.id);
+    start();
+    frames();
+    results();
+    while_solving();
+    cancel();
+    idle();
+    slow_line();
+}
+
+/// From the start of the process to the end of its first frame.
+fn start() {
+    for (what, id, rows, columns) in [
+        ("the list, 80×24", None, 24, 80),
+        ("the list, 200×50", None, 50, 200),
+        ("a problem, 200×50", Some(FAN), 50, 200),
+    ] {
+        let times = (0..ROUNDS / 2).map(|_| {
+            let start = Instant::now();
+            let pty = open(id, |launch| launch.size(rows, columns));
+            frame_after(&pty, 0, start).0
+        });
+        row(&format!("start to first frame, {what}"), &figures(times.collect()), "≤ 20 ms");
+    }
+    let version = (0..ROUNDS / 2).map(|_| {
+        let start = Instant::now();
+        let status = Command::new(program()).arg("--version").stdout(Stdio::null()).status();
+        assert!(status.is_ok_and(|status| status.success()), "the program cannot be run");
+        start.elapsed()
+    });
+    row("start to the end of --version", &figures(version.collect()), "");
+}
+
+/// Keys that solve nothing: a frame is drawn, and its differences go over the line.
+fn frames() {
+    for (rows, columns) in [(24, 80), (50, 200)] {
+        let mut pty = opened(FAN, |launch| launch.size(rows, columns));
+        let whole = pty.count();
+        let (times, bytes): (Vec<_>, Vec<_>) = (0..ROUNDS)
+            .map(|n| {
+                let (count, start) = (pty.count(), Instant::now());
+                pty.types(if n % 8 < 4 { "<down>" } else { "<up>" });
+                frame_after(&pty, count, start)
+            })
+            .unzip();
+        let goal = if rows == 50 { "≤ 2 ms to draw" } else { "" };
+        row(&format!("key that moves to frame, {columns}×{rows}"), &figures(times), goal);
+        row(&format!("  bytes of it, {columns}×{rows}"), &most(&bytes), "≤ 300 B");
+        if rows == 24 {
+            row("first frame, 80×24, one synchronised update", &format!("{whole} B"), "≤ 6000 B");
+        }
+    }
+}
+
+/// A key that changes an input, to the frame with its answers.
+fn results() {
+    for (id, keys) in [
+        (FAN, "<down>"),
+        ("vibration/modal-analysis", "<down><down><down>"),
+        ("vibration/rotor-dynamics", "<down><down><down><down>"),
+        ("virtual-work/mechanism", "<down><down><down><down><down>"),
+        ("virtual-work/engine", "<down>"),
+    ] {
+        if find(id).is_none() {
+            row(&format!("key to results, {id}"), "is not linked", "");
             continue;
         }
-        let mut times: Vec<f64> = (0..ROUNDS)
+        let mut pty = opened(id, |launch| launch.size(50, 160));
+        pty.types(keys);
+        quiet(&pty, SILENCE);
+        let (times, bytes): (Vec<_>, Vec<_>) = (0..ROUNDS)
             .map(|n| {
-                let start = Instant::now();
-                workbench.press(KeyCode::Char(if n % 2 == 0 { '+' } else { '-' }));
-                workbench.draw();
-                start.elapsed().as_secs_f64() * 1e3
+                let (count, start) = (pty.count(), Instant::now());
+                pty.types(if n % 2 == 0 { "+" } else { "-" });
+                let first = frame_after(&pty, count, start);
+                quiet(&pty, SILENCE);
+                let (last, all) = last_frame(&pty, count, start);
+                (last.max(first.0), all)
             })
-            .collect();
-        println!("key to frame 160×50, {}\t{}\t< 16 ms", entry.about.id, figures(&mut times));
+            .unzip();
+        row(&format!("key to results, {id}"), &figures(times), "≤ 16 ms");
+        row("  bytes of it, 160×50", &most(&bytes), "");
     }
-    let mut workbench = Workbench::open(registry()[0], 200, 50);
-    let mut times: Vec<f64> = (0..ROUNDS)
-        .map(|_| {
-            let start = Instant::now();
-            workbench.draw();
-            start.elapsed().as_secs_f64() * 1e3
+    let mut pty = opened(FAN, |launch| launch);
+    let bytes: Vec<usize> = (0..ROUNDS)
+        .map(|n| {
+            let (count, start) = (pty.count(), Instant::now());
+            pty.types(if n % 2 == 0 { "+" } else { "-" });
+            quiet(&pty, SILENCE);
+            last_frame(&pty, count, start).1
         })
         .collect();
-    println!("frame 200×50\t{}\t< 2 ms", figures(&mut times));
+    row("bytes of a key that changes every answer of the fan, 80×24", &most(&bytes), "≤ 300 B");
 }
 
-fn figures(times: &mut [f64]) -> String {
-    times.sort_by(f64::total_cmp);
-    format!("{:.2} ms, p99 {:.2} ms", times[times.len() / 2], times[times.len() * 99 / 100])
+/// Keys while a solve of ten seconds runs: those that move, and those that make it worthless.
+fn while_solving() {
+    let mut pty = opened(FAN, faulty);
+    let mut moving = Vec::new();
+    let mut changing = Vec::new();
+    for round in 0..4 {
+        long_solve(&mut pty);
+        for n in 0..25 {
+            let (count, start) = (pty.count(), Instant::now());
+            pty.types(if n % 8 < 4 { "<down>" } else { "<up>" });
+            moving.push(frame_after(&pty, count, start).0);
+        }
+        pty.types("<home>");
+        quiet(&pty, SILENCE);
+        for n in 0..10 {
+            if n > 0 {
+                long_solve(&mut pty);
+            }
+            let (count, start) = (pty.count(), Instant::now());
+            pty.types(if (round + n) % 2 == 0 { "+" } else { "-" });
+            frame_after(&pty, count, start);
+            quiet(&pty, SILENCE);
+            assert!(!pty.screen().contains("solving"), "no results:\n{}", pty.screen());
+            changing.push(last_frame(&pty, count, start).0);
+        }
+    }
+    row("key that moves, while a 10 s solve runs", &figures(moving), "p99 ≤ 30 ms");
+    row("key to results, while a 10 s solve runs", &figures(changing), "p99 ≤ 30 ms");
 }
 
-struct Workbench {
-    model: Model,
-    terminal: Terminal<TestBackend>,
+/// Esc while a solve of ten seconds runs, to the word that it is stopped. Half of it is the wait for what may follow
+/// an escape.
+fn cancel() {
+    let mut pty = opened(FAN, faulty);
+    let times = (0..ROUNDS / 2).map(|_| {
+        long_solve(&mut pty);
+        let (count, start) = (pty.count(), Instant::now());
+        pty.types("<esc>");
+        let time = frame_after(&pty, count, start).0;
+        assert!(pty.sees("is stopped", PATIENCE), "it goes on:\n{}", pty.screen());
+        time
+    });
+    row("Esc to the end of a solve", &figures(times.collect()), "≤ 50 ms");
 }
 
-impl Workbench {
-    /// The first case of an analysis on a screen of this size.
-    fn open(entry: &'static Entry, columns: u16, rows: u16) -> Self {
-        let capabilities = Capabilities::detect(&Environment::default());
-        let look = Look::new(&capabilities);
-        let model = Model::new(registry(), Language::English, look, capabilities.marker);
-        let terminal = Terminal::new(TestBackend::new(columns, rows)).expect("a buffer takes what is drawn");
-        let mut workbench = Self { model, terminal };
-        let effects = start(&mut workbench.model, None, Some(entry));
-        workbench.perform(effects);
-        workbench.draw();
-        workbench
-    }
+fn idle() {
+    let pty = opened(FAN, |launch| launch);
+    quiet(&pty, Duration::from_secs(2));
+    let processes = pty.processes();
+    let spent = || processes.iter().filter_map(|process| pty::alive(*process)).sum::<f64>();
+    let (count, before) = (pty.count(), spent());
+    thread::sleep(Duration::from_secs(3));
+    let percent = (spent() - before) / 3.0 * 100.0;
+    row("idle for 3 s", &format!("{} B, {percent:.1} % CPU", pty.count() - count), "0 B, 0 % CPU");
+}
 
-    /// Moves down the form until a key changes the problem.
-    fn reach_a_quantity(&mut self) -> bool {
-        (0..60).any(|_| {
-            self.press(KeyCode::Down);
-            self.press(KeyCode::Char('+'))
-        })
-    }
-
-    /// Whether the key led to a solve.
-    fn press(&mut self, code: KeyCode) -> bool {
-        let effects = update(&mut self.model, Msg::Key(KeyEvent::new(code, KeyModifiers::NONE)));
-        self.perform(effects)
-    }
-
-    fn perform(&mut self, effects: Vec<Effect>) -> bool {
-        let mut solved = false;
-        for effect in effects {
-            if let Effect::Solve(job) = effect {
-                let outcome = solver::solve(&job, &Stop::new()).expect("nobody stops it");
-                update(&mut self.model, Msg::Solved(outcome));
-                solved = true;
+/// Keys on a line of 9600 baud, alone and while a film plays.
+fn slow_line() {
+    for film in [false, true] {
+        let mut pty = open(Some("vibration/modal-analysis"), |launch| launch.baud(9600));
+        let silence = Duration::from_millis(700);
+        quiet(&pty, silence);
+        if film {
+            pty.types("]]]<tab>n<tab>");
+            // The film plays from now on: nothing is ever silent again.
+            thread::sleep(Duration::from_secs(12));
+        }
+        let before = pty.count();
+        let begin = Instant::now();
+        let mut times = Vec::new();
+        for _ in 0..ROUNDS / 2 {
+            let pointed = pointed_line(&pty);
+            let start = Instant::now();
+            pty.types("<down>");
+            while pointed_line(&pty) == pointed && start.elapsed() < PATIENCE {
+                thread::sleep(Duration::from_millis(2));
+            }
+            times.push(start.elapsed());
+            // Not always at the same frame of the film.
+            thread::sleep(Duration::from_millis(370));
+            if !film {
+                quiet(&pty, Duration::from_millis(200));
             }
         }
-        solved
+        let what = if film { "while a film plays" } else { "alone" };
+        let rate = (pty.count() - before) as f64 / begin.elapsed().as_secs_f64();
+        row(&format!("key to screen at 9600 baud, {what}"), &p95(times), "p95 ≤ 1.5 s");
+        row("  bytes a second meanwhile", &format!("{rate:.0} B/s"), "");
     }
+}
 
-    fn draw(&mut self) {
-        let (model, terminal) = (&mut self.model, &mut self.terminal);
-        terminal
-            .draw(|frame| {
-                model.size = (frame.area().width, frame.area().height);
-                view(model, frame);
-            })
-            .expect("a buffer takes what is drawn");
+/// The line that the form points at.
+fn pointed_line(pty: &Pty) -> Option<String> {
+    let screen = pty.screen();
+    screen.lines().find(|line| line.starts_with("│▸")).map(str::to_owned)
+}
+
+fn program() -> PathBuf {
+    let program = env::var_os("DALEMBERT");
+    program.expect("DALEMBERT names the built program: run `cargo xtask bench tui`").into()
+}
+
+fn faulty(launch: Launch) -> Launch {
+    launch.env("DALEMBERT_FAULTS", "1")
+}
+
+/// The program, started on the list or on an analysis.
+fn open(id: Option<&str>, with: impl FnOnce(Launch) -> Launch) -> Pty {
+    let launch = with(Launch::new(program()));
+    match id {
+        Some(id) => launch.argument(id).start(),
+        None => launch.start(),
     }
+}
+
+/// The same, its first frame drawn and solved.
+fn opened(id: &str, with: impl FnOnce(Launch) -> Launch) -> Pty {
+    let pty = open(Some(id), with);
+    pty.expect("dalembert");
+    quiet(&pty, Duration::from_millis(150));
+    pty
+}
+
+/// Begins a solve of ten seconds.
+fn long_solve(pty: &mut Pty) {
+    pty.types(":fault long<enter>");
+    pty.expect("solving");
+    quiet(pty, SILENCE);
+}
+
+/// Waits until nothing comes for so long.
+fn quiet(pty: &Pty, silence: Duration) {
+    loop {
+        let count = pty.count();
+        thread::sleep(silence);
+        if pty.count() == count {
+            return;
+        }
+    }
+}
+
+/// The time and the length of the first frame that ends after so many bytes.
+fn frame_after(pty: &Pty, count: usize, start: Instant) -> (Duration, usize) {
+    loop {
+        assert!(start.elapsed() < PATIENCE, "no frame:\n{}", pty.screen());
+        if let Some(at) = pty.since(count).windows(END.len()).position(|bytes| bytes == END) {
+            let length = at + END.len();
+            return (came(pty, count + length, start), length);
+        }
+        thread::sleep(Duration::from_micros(200));
+    }
+}
+
+/// The time of the last frame that has come since, and the length of all of them.
+fn last_frame(pty: &Pty, count: usize, start: Instant) -> (Duration, usize) {
+    let length = pty.since(count).len();
+    (came(pty, count + length, start), length)
+}
+
+fn came(pty: &Pty, count: usize, start: Instant) -> Duration {
+    pty.arrival(count).map_or(PATIENCE, |time| time.saturating_duration_since(start))
+}
+
+fn row(name: &str, figure: &str, goal: &str) {
+    println!("{name}\t{figure}\t{goal}");
+}
+
+fn figures(mut times: Vec<Duration>) -> String {
+    times.sort();
+    let of = |share: usize| times[(times.len() * share / 100).min(times.len() - 1)].as_secs_f64() * 1e3;
+    format!("{:.1} ms, p99 {:.1} ms", of(50), of(99))
+}
+
+fn p95(mut times: Vec<Duration>) -> String {
+    times.sort();
+    let of = |share: usize| times[times.len() * share / 100].as_secs_f64();
+    format!("{:.2} s, p95 {:.2} s", of(50), of(95))
+}
+
+fn most(bytes: &[usize]) -> String {
+    let mut bytes = bytes.to_vec();
+    bytes.sort_unstable();
+    format!("{} B, at most {} B", bytes[bytes.len() / 2], bytes[bytes.len() - 1])
 }

@@ -33,11 +33,14 @@ use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system}
 pub use rustix::process::Signal;
 use rustix::{
     process::{Pid, kill_process, kill_process_group},
-    termios::{Termios, tcgetattr},
+    termios::{OptionalActions, Termios, tcgetattr, tcsetattr},
 };
 
 /// How long [`Pty::expect`] and [`Pty::exit_code`] wait. Long enough for a machine that is busy with a build.
 pub const PATIENCE: Duration = Duration::from_secs(10);
+
+/// Bits of a serial line for a byte: eight, a start and a stop.
+const BITS: u32 = 10;
 
 /// How to start a program.
 #[derive(Clone, Debug)]
@@ -46,7 +49,9 @@ pub struct Launch {
     rows: u16,
     columns: u16,
     environment: BTreeMap<OsString, Option<OsString>>,
+    arguments: Vec<OsString>,
     front: Front,
+    baud: Option<u32>,
 }
 
 /// What stands between the terminal and the program.
@@ -65,7 +70,9 @@ impl Launch {
             rows: 24,
             columns: 80,
             environment: BTreeMap::new(),
+            arguments: Vec::new(),
             front: Front::Nothing,
+            baud: None,
         };
         let launch = [
             "LC_ALL",
@@ -90,6 +97,13 @@ impl Launch {
     #[must_use]
     pub fn size(mut self, rows: u16, columns: u16) -> Self {
         (self.rows, self.columns) = (rows, columns);
+        self
+    }
+
+    /// With an argument; for a program without a shell before it.
+    #[must_use]
+    pub fn argument(mut self, argument: impl Into<OsString>) -> Self {
+        self.arguments.push(argument.into());
         self
     }
 
@@ -118,6 +132,13 @@ impl Launch {
     #[must_use]
     pub fn in_script(mut self, script: &str) -> Self {
         self.front = Front::Script(script.to_owned());
+        self
+    }
+
+    /// At the end of a serial line of so many bits a second, ten of which carry a byte.
+    #[must_use]
+    pub fn baud(mut self, baud: u32) -> Self {
+        self.baud = Some(baud);
         self
     }
 
@@ -151,6 +172,8 @@ struct Seen {
     output: Mutex<Output>,
     /// The reader takes nothing: a stopped line, a wedged multiplexer.
     paused: AtomicBool,
+    /// The bytes that the line carries in a second; 0 is any number.
+    rate: u32,
     closing: AtomicBool,
 }
 
@@ -158,6 +181,8 @@ struct Output {
     parser: vt100::Parser,
     raw: Vec<u8>,
     last: Instant,
+    /// How many bytes there were after each that was read, and when it came.
+    arrivals: Vec<(usize, Instant)>,
 }
 
 impl Pty {
@@ -170,7 +195,7 @@ impl Pty {
             Front::Shell | Front::Script(_) => "bash".as_ref(),
         });
         match &launch.front {
-            Front::Nothing => {}
+            Front::Nothing => command.args(&launch.arguments),
             Front::Shell => command.args(["--norc", "--noprofile", "-i"]),
             Front::Script(script) => command.args(["--norc", "--noprofile", "-c", script]),
         }
@@ -187,13 +212,20 @@ impl Pty {
         }
         let name = pair.master.tty_name().expect("the line has a name");
         let line = File::options().read(true).write(true).open(name).expect("the line can be opened");
+        if let Some(baud) = launch.baud {
+            let mut modes = tcgetattr(&line).expect("the line has modes");
+            modes.set_speed(baud).expect("a line of this speed");
+            tcsetattr(&line, OptionalActions::Now, &modes).expect("the line takes its speed");
+        }
         let termios = tcgetattr(&line).expect("the line has modes");
         let seen = Arc::new(Seen {
             output: Mutex::new(Output {
                 parser: vt100::Parser::new(launch.rows, launch.columns, 0),
                 raw: Vec::new(),
                 last: Instant::now(),
+                arrivals: Vec::new(),
             }),
+            rate: launch.baud.map_or(0, |baud| baud / BITS),
             paused: AtomicBool::new(false),
             closing: AtomicBool::new(false),
         });
@@ -275,6 +307,18 @@ impl Pty {
     /// Every byte that came so far.
     pub fn raw(&self) -> Vec<u8> {
         self.seen.output().raw.clone()
+    }
+
+    /// What came since there were `count` bytes.
+    pub fn since(&self, count: usize) -> Vec<u8> {
+        self.seen.output().raw.get(count..).unwrap_or_default().to_vec()
+    }
+
+    /// When the byte came that was the `count`-th.
+    pub fn arrival(&self, count: usize) -> Option<Instant> {
+        let output = self.seen.output();
+        let at = output.arrivals.partition_point(|(length, _)| *length < count);
+        output.arrivals.get(at).map(|(_, time)| *time)
     }
 
     /// The home folder of the program.
@@ -427,14 +471,22 @@ impl Seen {
 
     fn read_from(&self, mut source: Box<dyn Read + Send>) {
         let mut buffer = vec![0; 64 * 1024];
-        while let Ok(count @ 1..) = source.read(&mut buffer) {
+        // A slow line is read in the pieces that it carries in a fiftieth of a second.
+        let most = if self.rate == 0 { buffer.len() } else { (self.rate as usize / 50).max(1) };
+        while let Ok(count @ 1..) = source.read(&mut buffer[..most]) {
             if self.closing.load(SeqCst) {
                 return;
             }
+            if self.rate > 0 {
+                thread::sleep(Duration::from_secs_f64(count as f64 / f64::from(self.rate)));
+            }
+            let now = Instant::now();
             let mut output = self.output();
-            output.parser.process(&buffer[..count]);
             output.raw.extend_from_slice(&buffer[..count]);
-            output.last = Instant::now();
+            output.last = now;
+            let length = output.raw.len();
+            output.arrivals.push((length, now));
+            output.parser.process(&buffer[..count]);
             drop(output);
             while self.paused.load(SeqCst) {
                 thread::sleep(Duration::from_millis(5));

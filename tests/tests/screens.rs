@@ -913,13 +913,3 @@ fn draw_sizes(drawn: fn(u16, u16) -> bool) {
         }
     }
 }
-
-#[test]
-fn the_picture_in_the_readme_is_a_real_screen() {
-    let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md"))
-        .expect("there is a README");
-    let screen = fan(100, 27).types("]").sees();
-    let missing: Vec<&str> =
-        screen.lines().map(str::trim_end).filter(|line| !readme.contains(line)).collect();
-    assert!(missing.is_empty(), "the README shows another screen; this is the real one:\n{screen}");
-}

@@ -116,6 +116,22 @@ fn the_worked_solution_is_exported_and_exported_anew() {
     assert!(second.contains("4.5535") && !second.contains("19.456"));
 }
 
+/// A solve of ten seconds ends at a key; what was found before stays, marked as old, and the next change solves.
+#[test]
+fn escape_stops_a_solve() {
+    let mut pty = started(Launch::new(pty::program()).env("DALEMBERT_FAULTS", "1"));
+    pty.expect("19.456");
+    pty.types(":fault long<enter>");
+    pty.expect("solving; Esc stops it");
+    pty.types("<esc>");
+    pty.expect("the solve is stopped");
+    pty.expect("stopped");
+    assert!(!pty.screen().contains("solving;"), "{}", pty.screen());
+    pty.types("<end><del>1500 rpm<enter>");
+    pty.expect("4.5535");
+    assert!(!pty.screen().contains("stopped"), "{}", pty.screen());
+}
+
 #[test]
 fn copies_go_to_the_clipboard_of_the_terminal() {
     let mut pty = started(Launch::new(pty::program()));

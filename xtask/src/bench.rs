@@ -14,8 +14,8 @@ const PARTS: [(&str, &str, &str); 11] = [
     ("plain", "dalembert-tests", "plain"),
     ("units", "dalembert-units", "read"),
     ("solve", "dalembert-tests", "solve"),
+    ("keys", "dalembert-tests", "keys"),
     ("tui", "dalembert-tests", "tui"),
-    ("start", "dalembert-tests", "start"),
     ("balance", "dalembert-mechanics", "balance"),
     ("linkages", "dalembert-mechanics", "linkages"),
     ("modal", "dalembert-mechanics", "modal"),
@@ -37,7 +37,7 @@ pub fn run(root: &Path, parts: &[&str]) -> Result<()> {
     for (name, package, bench) in chosen {
         let mut command = cargo(root);
         command.args(["bench", "--package", package, "--bench", bench]);
-        if *name == "start" {
+        if *name == "tui" {
             run_command(cargo(root).args(["build", "--release", "--package", "dalembert"]))?;
             command.env("DALEMBERT", target(root).join("release/dalembert"));
         }

@@ -7,6 +7,7 @@ pub mod bench;
 pub mod docs;
 pub mod new_analysis;
 pub mod new_plugin;
+pub mod pictures;
 pub mod tidy;
 pub mod verify;
 

@@ -2,7 +2,7 @@
 
 use std::{env, process::ExitCode};
 
-use xtask::{bench, docs, new_analysis, new_plugin, root, tidy, verify};
+use xtask::{bench, docs, new_analysis, new_plugin, pictures, root, tidy, verify};
 
 const USAGE: &str = "\
 usage: cargo xtask COMMAND
@@ -12,7 +12,8 @@ usage: cargo xtask COMMAND
   new-analysis FAMILY NAME   begin an analysis: one file, its cases, its translations
   new-plugin NAME            begin a family of analyses
   docs [--check]             write the reference in docs/, or see that it is up to date
-  bench [PART]...            measure; parts: plain units start solve tui
+  pictures [--check]         draw the pictures in docs/pictures/ from their sessions, or see that they are up to date
+  bench [PART]...            measure; parts: plain units solve keys tui
 ";
 
 fn main() -> ExitCode {
@@ -26,6 +27,8 @@ fn main() -> ExitCode {
         ["new-plugin", name] => new_plugin::run(&root(), name),
         ["docs"] => docs::write(&root()),
         ["docs", "--check"] => docs::check(&root()),
+        ["pictures"] => pictures::write(&root()),
+        ["pictures", "--check"] => pictures::check(&root()).map(|_| ()),
         ["bench", parts @ ..] => bench::run(&root(), parts),
         ["help" | "--help" | "-h"] => {
             print!("{USAGE}");

@@ -12,7 +12,7 @@ use serde_json::Value as Json;
 
 use crate::{
     cargo::{Program, cargo, output, run as run_command, target},
-    docs, new_analysis, tidy,
+    docs, new_analysis, pictures, tidy,
 };
 
 /// How much is proved.
@@ -33,7 +33,7 @@ struct Step {
     slow: bool,
 }
 
-const STEPS: [Step; 11] = [
+const STEPS: [Step; 12] = [
     Step { name: "tidy", prove: tree, slow: false },
     Step { name: "spelling", prove: spelling, slow: false },
     Step { name: "dependencies", prove: dependencies, slow: false },
@@ -43,6 +43,7 @@ const STEPS: [Step; 11] = [
     Step { name: "catalogue", prove: catalogue, slow: false },
     Step { name: "documentation", prove: documentation, slow: false },
     Step { name: "reference", prove: reference, slow: false },
+    Step { name: "pictures", prove: drawn, slow: false },
     Step { name: "out of tree", prove: out_of_tree, slow: true },
     Step { name: "new analysis", prove: template, slow: true },
 ];
@@ -152,6 +153,11 @@ fn documentation(root: &Path) -> Found {
 fn reference(root: &Path) -> Found {
     docs::check(root)?;
     Ok(String::new())
+}
+
+/// The pictures of the documents are what the program draws.
+fn drawn(root: &Path) -> Found {
+    Ok(format!("{} pictures", pictures::check(root)?))
 }
 
 const OUT_OF_TREE: &str = "examples/out-of-tree";

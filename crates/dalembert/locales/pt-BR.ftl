@@ -8,6 +8,14 @@ change-an-input-mass-40-kg-masses-2-radius-0-1-m-a-table-can-be-read-from-a-file
 hold-every-published-answer-against-ours = Comparar cada resposta publicada com a nossa
 list-the-analyses = Listar as análises
 open-the-file-without-a-way-to-save-over-it = Abrir o arquivo sem poder gravar sobre ele
+play-a-recorded-or-written-session-of-the-workbench = Reproduzir uma sessão gravada ou escrita da bancada
+play-at-once-without-a-terminal-and-print-the-screens-that-the-session-marks-or-the-last-one = Reproduzir de uma vez, sem terminal, e imprimir as telas que a sessão marca, ou a última
+so-many-times-as-fast-as-a-person-types = Tantas vezes mais rápido do que uma pessoa digita
+the-session-as-record-writes-it = A sessão, como --record a escreve
+write-the-marked-screens-to-this-folder-as-svg-instead-of-printing-them = Gravar as telas marcadas nesta pasta como SVG, em vez de imprimi-las
+write-what-is-done-in-the-workbench-to-a-new-file-for-dalembert-replay = Gravar o que se faz na bancada em um arquivo novo, para `dalembert replay`
+there-is-no-terminal-to-play-in-write-headless = não há terminal em que reproduzir; escreva --headless
+the-session-marks-no-picture-write-picture-name-in-it = a sessão não marca nenhuma figura; escreva `picture NAME` nela
 print-a-script-that-completes-the-arguments-in-a-shell = Imprimir um script que completa os argumentos em um shell
 print-ascii-characters-alone = Imprimir só caracteres ASCII
 print-json = Imprimir JSON

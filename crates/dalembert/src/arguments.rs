@@ -19,6 +19,9 @@ pub(crate) struct Arguments {
     /// Open the file without a way to save over it
     #[arg(long)]
     pub(crate) readonly: bool,
+    /// Write what is done in the workbench to a new file, for `dalembert replay`
+    #[arg(long, value_name = "FILE")]
+    pub(crate) record: Option<PathBuf>,
     /// The language of everything that is printed
     #[arg(long, global = true, value_name = "LANGUAGE", value_parser = ["en", "pt-BR"])]
     pub(crate) lang: Option<String>,
@@ -47,6 +50,8 @@ pub(crate) enum Command {
     Verify(Verify),
     /// Print the JSON Schema of a problem file, for an editor
     Schema(Schema),
+    /// Play a recorded or written session of the workbench
+    Replay(Replay),
     /// Print a script that completes the arguments in a shell
     Completions(Completions),
     /// Print the manual page
@@ -134,6 +139,29 @@ pub(crate) struct Verify {
 pub(crate) struct Schema {
     /// The id of an analysis, such as vibration/rotating-unbalance
     pub(crate) id: String,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Replay {
+    /// The session, as --record writes it
+    pub(crate) file: PathBuf,
+    /// So many times as fast as a person types
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = speed)]
+    pub(crate) speed: f64,
+    /// Play at once, without a terminal, and print the screens that the session marks, or the last one
+    #[arg(long)]
+    pub(crate) headless: bool,
+    /// Write the marked screens to this folder as SVG, instead of printing them
+    #[arg(long, value_name = "FOLDER", requires = "headless")]
+    pub(crate) pictures: Option<PathBuf>,
+}
+
+/// Between a hundredth and a hundredfold.
+fn speed(text: &str) -> Result<f64, String> {
+    let number = text.replace(',', ".").parse().ok();
+    number
+        .filter(|speed| (0.01..=100.0).contains(speed))
+        .ok_or_else(|| "write a number from 0.01 to 100".to_owned())
 }
 
 #[derive(Debug, Args)]

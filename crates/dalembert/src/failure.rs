@@ -25,6 +25,9 @@ pub(crate) enum Failure {
     /// The problem is well written but has no answer.
     #[error("{}", .0.english())]
     Refused(Text),
+    /// A session does not lead where it should.
+    #[error("{}", .0.english())]
+    Unmet(Text),
     /// An analysis panicked.
     #[error("{0}")]
     Fault(String),
@@ -50,6 +53,7 @@ impl Failure {
             Failure::InFile(shown) => (shown.clone(), 2),
             Failure::File(err) => (error(err.text().render(&console.locale)), 2),
             Failure::Refused(why) => (say(Text::new("no answer: {why}").with_text("why", why.clone())), 1),
+            Failure::Unmet(why) => (error(why.render(&console.locale)), 1),
             Failure::Fault(what) => (
                 say(Text::new("this is a fault of the program, not of your input: {what}").with("what", what)),
                 2,

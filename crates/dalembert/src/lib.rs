@@ -56,8 +56,11 @@ struct Set {
 }
 
 fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, Failure> {
-    let for_workbench =
-        arguments.problem.is_some() || arguments.readonly || arguments.basic || arguments.no_mouse;
+    let for_workbench = arguments.problem.is_some()
+        || arguments.readonly
+        || arguments.basic
+        || arguments.no_mouse
+        || arguments.record.is_some();
     if arguments.command.is_some() && for_workbench {
         return Err(Failure::input(
             "what the workbench is to do and a subcommand cannot stand together; write one of them",
@@ -70,6 +73,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::Solve(solve)) => commands::solve::run(solve, console),
         Some(Command::Verify(verify)) => commands::verify::run(verify, console),
         Some(Command::Schema(schema)) => commands::schema::run(schema, console),
+        Some(Command::Replay(replay)) => commands::replay::run(replay, set, console),
         Some(Command::Completions(completions)) => commands::completions::run(completions, console),
         Some(Command::Man(man)) => commands::man::run(man, console),
         Some(Command::Info) => commands::info::run(&set, console),

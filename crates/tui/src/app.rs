@@ -12,7 +12,7 @@ use std::{
 };
 
 use crossterm::{Command, clipboard::CopyToClipboard};
-use dalembert_core::{Entry, Language, registry};
+use dalembert_core::{Entry, Language, Text, registry};
 
 use self::watch::Watched;
 use crate::{
@@ -20,6 +20,7 @@ use crate::{
     glyphs::{Capabilities, Colors, Environment, Glyphs, PlotMarker},
     look::Look,
     model::{EditError, Editing, Effect, Model, Msg},
+    replay::{Player, Recorder, Replay},
     settings::{self, Settings},
     solver::{Solver, judges},
     terminal::{self, Fault, Input, Session, TerminalError, fault},
@@ -59,6 +60,10 @@ pub struct Options {
     pub readonly: bool,
     /// For serial lines and screen readers: no frames, no colours, and the cursor where the focus is.
     pub basic: bool,
+    /// Where what the person does is written down, to be played again.
+    pub record: Option<PathBuf>,
+    /// A session that is played first, so many times as fast as a person types.
+    pub replay: Option<(Replay, f64)>,
 }
 
 /// Runs the workbench until the person ends it. The exit code is 0, or 2 when the terminal cannot be had.
@@ -86,17 +91,20 @@ struct World {
     noted: Option<Instant>,
     /// When unsaved work was written aside last.
     kept: Instant,
-    /// The newest job, while its outcome has not come.
-    awaited: Option<u64>,
+    /// The newest job and when it was given, while its outcome has not come.
+    awaited: Option<(u64, Instant)>,
     /// The person's editor, where the settings name one.
     editor: Option<String>,
     /// The open file, and what it was when it was looked at last.
     watched: Option<Watched>,
+    recorder: Option<Recorder>,
+    /// The session that is played, until it ends or a key takes over.
+    player: Option<Player>,
 }
 
 fn workbench(options: Options) -> Result<(), TerminalError> {
     terminal::usable()?;
-    let Options { file, analysis, language, settings, faults, readonly, basic } = options;
+    let Options { file, analysis, language, settings, faults, readonly, basic, record, replay } = options;
     let mut capabilities = Capabilities::detect(&Environment::of_process());
     if settings.ascii || basic {
         capabilities.glyphs = Glyphs::Ascii;
@@ -156,12 +164,23 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         awaited: None,
         editor: settings.editor,
         watched: None,
+        recorder: None,
+        player: replay.map(|(replay, speed)| Player::new(replay, speed)),
     };
+    if let Some(path) = &record {
+        let path_of_file = file.as_ref().and_then(|path| std::path::absolute(path).ok());
+        let open = analysis.map(|entry| entry.about.id.to_owned());
+        let open = open.or(path_of_file.map(|path| path.display().to_string()));
+        match Recorder::begin(path, world.session.size(), language, &look, open.as_deref()) {
+            Ok(recorder) => world.recorder = Some(recorder),
+            Err(error) => not_recorded(&mut model, &error),
+        }
+    }
     let effects = start(&mut model, file, analysis);
     if world.perform(&mut model, effects) {
         return Ok(());
     }
-    if analysis.is_some() {
+    if analysis.is_some() && model.notice.is_none() {
         model.say("Esc leads to the list of all analyses");
     }
     if let Some(error) = trouble {
@@ -185,18 +204,19 @@ impl World {
         // A frame is drawn only after something happened, or for a film: an idle screen costs nothing.
         let mut stale = true;
         let rate = if is_remote() { FILM_BYTES.1 } else { FILM_BYTES.0 };
+        let rate = terminal::line_rate().map_or(rate, |line| rate.min(line / f64::from(FILM_SHARE)));
         let (mut drawn, mut took) = (Instant::now(), Duration::ZERO);
         loop {
             // A key and what it leads to belong in one frame, if it can be had without waiting long.
-            let deadline = Instant::now() + PATIENCE;
             loop {
-                let left = deadline.saturating_duration_since(Instant::now());
-                let wait = if self.awaited.is_some() { left } else { Duration::ZERO };
+                let wait = self.awaited.map_or(Duration::ZERO, |(_, given)| {
+                    (given + PATIENCE).saturating_duration_since(Instant::now())
+                });
                 let Ok(msg) = messages.recv_timeout(wait) else { break };
                 stale = true;
                 self.awaited = self
                     .awaited
-                    .filter(|job| !matches!(&msg, Msg::Solved(outcome) if outcome.generation == *job));
+                    .filter(|(job, _)| !matches!(&msg, Msg::Solved(outcome) if outcome.generation == *job));
                 let effects = update(model, msg);
                 if self.perform(model, effects) {
                     return Ok(());
@@ -217,9 +237,18 @@ impl World {
             });
             let keep = self.noted.map(|noted| noted + KEEP_AFTER);
             let look = Watched::follow(&mut self.watched, model).map(|watched| watched.next);
-            let next = film.into_iter().chain(keep).chain(look).min();
+            let played = self.player.as_ref().and_then(Player::due);
+            let next = film.into_iter().chain(keep).chain(look).chain(played).min();
             let wait = next.map_or(LONG, |next| next.saturating_duration_since(Instant::now()));
-            let inputs = self.session.next_events(wait)?;
+            let mut inputs = self.session.next_events(wait)?;
+            if self.player.is_some() {
+                let (msg, said) = self.play(model, &mut inputs);
+                stale |= said || msg.is_some();
+                let effects = msg.map_or_else(Vec::new, |msg| update(model, msg));
+                if self.perform(model, effects) {
+                    return Ok(());
+                }
+            }
             // Keys come first: a film waits for them.
             if inputs.is_empty() && film.is_some_and(|film| film <= Instant::now()) {
                 stale = true;
@@ -247,6 +276,10 @@ impl World {
                     Input::Mouse(event) => Msg::Mouse(event),
                     Input::Redraw => continue,
                 };
+                if let Some(Err(error)) = self.recorder.as_mut().map(|recorder| recorder.note(&msg)) {
+                    self.recorder = None;
+                    not_recorded(model, &error);
+                }
                 let effects = update(model, msg);
                 if self.perform(model, effects) {
                     return Ok(());
@@ -255,18 +288,40 @@ impl World {
         }
     }
 
+    /// The next thing that the session does, and whether something is said. A key takes over, and does no more.
+    fn play(&mut self, model: &mut Model, inputs: &mut Vec<Input>) -> (Option<Msg>, bool) {
+        let typed = |input: &Input| matches!(input, Input::Key(_) | Input::Paste(_));
+        let said = match &mut self.player {
+            Some(_) if inputs.iter().any(typed) => {
+                inputs.retain(|input| !typed(input));
+                "the session has stopped: the keys are yours"
+            }
+            Some(player) if player.due().is_none() => "the session has ended: the keys are yours",
+            Some(player) => return (player.next(model), false),
+            None => return (None, false),
+        };
+        self.player = None;
+        model.say(said);
+        (None, true)
+    }
+
     /// Does what is to be done; whether the program ends.
     fn perform(&mut self, model: &mut Model, effects: Vec<Effect>) -> bool {
         for effect in effects {
             let msg = match effect {
                 Effect::Quit => return true,
                 Effect::Solve(job) => {
-                    self.awaited = Some(job.generation);
+                    self.awaited = Some((job.generation, Instant::now()));
                     self.solver.submit(job);
                     continue;
                 }
                 Effect::Ask(job) => {
                     self.asker.submit(job);
+                    continue;
+                }
+                Effect::Cancel => {
+                    self.awaited = None;
+                    self.solver.cancel();
                     continue;
                 }
                 Effect::Judge(entry) => {
@@ -443,6 +498,10 @@ fn recall(
     };
     // Without a thread nothing is remembered, which does no harm now.
     (Memory::of(path, told).ok(), trouble)
+}
+
+fn not_recorded(model: &mut Model, error: &io::Error) {
+    model.complain(Text::new("the session is not recorded: {error}").with("error", error));
 }
 
 /// `~/` at the beginning of a path is the person's home.

@@ -102,6 +102,8 @@ pub enum State {
     Current,
     /// The job of this number is to find out.
     Solving(u64),
+    /// The person stopped the job that was to find out.
+    Stopped,
     /// The inputs cannot be read.
     #[default]
     Unread,

@@ -5,6 +5,7 @@
 
 mod map;
 mod names;
+pub mod notation;
 mod tables;
 
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};

@@ -217,6 +217,8 @@ pub enum Effect {
     Solve(Job),
     /// Answer what is asked beside the results; [`Msg::Asked`].
     Ask(Job),
+    /// Stop solving: nobody waits for the outcome any more.
+    Cancel,
     /// Compare the cases of an analysis with what was printed; [`Msg::Judged`].
     Judge(&'static Entry),
     /// Write a file; [`Msg::Saved`].

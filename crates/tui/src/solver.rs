@@ -114,6 +114,15 @@ impl Solver {
         drop(state);
         self.desk.changed.notify_one();
     }
+
+    /// Nothing that was submitted is wanted any more.
+    pub fn cancel(&self) {
+        let mut state = self.desk.lock();
+        state.next = None;
+        for stop in &state.running {
+            stop.stop();
+        }
+    }
 }
 
 impl Drop for Solver {
@@ -256,6 +265,19 @@ mod tests {
         solver.submit(job(2, Fault::Analysis));
         assert_eq!(outcomes.recv().map(|outcome| outcome.generation), Ok(2));
         assert!(start.elapsed() < Duration::from_millis(500), "{:?}", start.elapsed());
+    }
+
+    #[test]
+    fn what_is_cancelled_ends_and_the_next_job_is_done() {
+        let (solver, outcomes) = solver();
+        solver.submit(job(1, Fault::Long));
+        thread::sleep(Duration::from_millis(50));
+        let start = Instant::now();
+        solver.cancel();
+        assert_eq!(outcomes.recv().map(|outcome| outcome.generation), Ok(1));
+        assert!(start.elapsed() < Duration::from_millis(500), "{:?}", start.elapsed());
+        solver.submit(job(2, Fault::Analysis));
+        assert_eq!(outcomes.recv().map(|outcome| outcome.generation), Ok(2));
     }
 
     #[test]

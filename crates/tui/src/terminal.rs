@@ -49,6 +49,8 @@ mod signals;
 
 use std::io::{self, IsTerminal};
 
+use rustix::termios::tcgetattr;
+
 pub use decode::Input;
 pub use fault::{Fault, fault};
 pub use guard::{GUARDED, run_guarded};
@@ -101,6 +103,16 @@ pub fn usable() -> Result<(), TerminalError> {
         return Err(TerminalError::Dumb(term));
     }
     Ok(())
+}
+
+/// The bytes that the line to the terminal carries in a second, where it says so. What says 38400 baud or more is a
+/// pseudo-terminal that nobody told, or a line so fast that nothing needs to be spared.
+pub fn line_rate() -> Option<f64> {
+    const UNTOLD: u32 = 38_400;
+    /// Eight bits, a start and a stop.
+    const BITS: f64 = 10.0;
+    let baud = tcgetattr(rustix::stdio::stdout()).ok()?.output_speed();
+    (1..UNTOLD).contains(&baud).then(|| f64::from(baud) / BITS)
 }
 
 /// `failed("draw a frame")` for `map_err`.

@@ -1,33 +1,18 @@
 //! What an xterm sends for a key.
 
+use dalembert_tui::keys::notation::keys_of;
+use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+
 /// The bytes for text with names of keys; see [`Pty::types`](super::Pty::types).
 pub(super) fn bytes_of(text: &str) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    let mut rest = text;
-    while let Some((plain, after)) = rest.split_once('<') {
-        let (name, after) =
-            after.split_once('>').expect("the name of a key ends with `>`; write <lt> for `<`");
-        bytes.extend_from_slice(plain.as_bytes());
-        bytes.extend(key(name));
-        rest = after;
-    }
-    bytes.extend_from_slice(rest.as_bytes());
-    bytes
+    let keys = keys_of(text).unwrap_or_else(|name| panic!("{name} is no key"));
+    keys.into_iter().flat_map(bytes_of_key).collect()
 }
 
-fn key(name: &str) -> Vec<u8> {
-    let (mut modifiers, mut base) = (0, name);
-    while let Some((modifier, rest)) =
-        base.split_once('-').filter(|(modifier, rest)| modifier.len() == 1 && !rest.is_empty())
-    {
-        modifiers |= match modifier {
-            "s" => 1,
-            "a" => 2,
-            "c" => 4,
-            _ => panic!("`{name}` is no key"),
-        };
-        base = rest;
-    }
+fn bytes_of_key(key: KeyEvent) -> Vec<u8> {
+    let held = |modifier, worth: u8| if key.modifiers.contains(modifier) { worth } else { 0 };
+    let modifiers =
+        held(KeyModifiers::SHIFT, 1) + held(KeyModifiers::ALT, 2) + held(KeyModifiers::CONTROL, 4);
     let letter = |last: char| match modifiers {
         0 => format!("\x1b[{last}"),
         _ => format!("\x1b[1;{}{last}", modifiers + 1),
@@ -36,42 +21,34 @@ fn key(name: &str) -> Vec<u8> {
         0 => format!("\x1b[{code}~"),
         _ => format!("\x1b[{code};{}~", modifiers + 1),
     };
-    let sequence = match base {
-        "lt" => "<".to_owned(),
-        "enter" => "\r".to_owned(),
-        "tab" if modifiers == 1 => "\x1b[Z".to_owned(),
-        "tab" => "\t".to_owned(),
-        "esc" => "\x1b".to_owned(),
-        "space" if modifiers == 4 => "\0".to_owned(),
-        "space" => " ".to_owned(),
-        "bs" => "\x7f".to_owned(),
-        "up" => letter('A'),
-        "down" => letter('B'),
-        "right" => letter('C'),
-        "left" => letter('D'),
-        "home" => letter('H'),
-        "end" => letter('F'),
-        "ins" => number(2),
-        "del" => number(3),
-        "pgup" => number(5),
-        "pgdn" => number(6),
-        _ if base.len() > 1 && base.starts_with('f') => match base[1..].parse() {
-            Ok(n @ 1..=4_u8) if modifiers == 0 => format!("\x1bO{}", char::from(b'P' + n - 1)),
-            Ok(n @ 1..=4) => letter(char::from(b'P' + n - 1)),
-            Ok(n @ 5..=12) => number([15, 17, 18, 19, 20, 21, 23, 24][usize::from(n) - 5]),
-            _ => panic!("`{name}` is no key"),
-        },
-        _ => {
-            let mut characters = base.chars();
-            let (Some(character), None) = (characters.next(), characters.next()) else {
-                panic!("`{name}` is no key")
-            };
+    let sequence = match key.code {
+        KeyCode::Enter => "\r".to_owned(),
+        KeyCode::BackTab => "\x1b[Z".to_owned(),
+        KeyCode::Tab => "\t".to_owned(),
+        KeyCode::Esc => "\x1b".to_owned(),
+        KeyCode::Char(' ') if modifiers == 4 => "\0".to_owned(),
+        KeyCode::Backspace => "\x7f".to_owned(),
+        KeyCode::Up => letter('A'),
+        KeyCode::Down => letter('B'),
+        KeyCode::Right => letter('C'),
+        KeyCode::Left => letter('D'),
+        KeyCode::Home => letter('H'),
+        KeyCode::End => letter('F'),
+        KeyCode::Insert => number(2),
+        KeyCode::Delete => number(3),
+        KeyCode::PageUp => number(5),
+        KeyCode::PageDown => number(6),
+        KeyCode::F(n @ 1..=4) if modifiers == 0 => format!("\x1bO{}", char::from(b'P' + n - 1)),
+        KeyCode::F(n @ 1..=4) => letter(char::from(b'P' + n - 1)),
+        KeyCode::F(n @ 5..=12) => number([15, 17, 18, 19, 20, 21, 23, 24][usize::from(n) - 5]),
+        KeyCode::Char(character) => {
             let plain = match modifiers & 4 {
                 0 => character.to_string(),
                 _ => char::from(character.to_ascii_uppercase() as u8 & 0x1F).to_string(),
             };
             if modifiers & 2 == 0 { plain } else { format!("\x1b{plain}") }
         }
+        other => panic!("no terminal sends {other}"),
     };
     sequence.into_bytes()
 }

@@ -37,5 +37,7 @@ pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<
         faults: set.path.map(|path| (path, set.faults)),
         readonly: arguments.readonly,
         basic: arguments.basic,
+        record: arguments.record.clone(),
+        replay: None,
     }))
 }

@@ -190,7 +190,7 @@ pub const PROBLEM: &[Binding] = &[
     bind(Action::NextProblem, &[typed('b')], "next open problem", ""),
     bind(Action::CloseProblem, &[typed('B')], "close this problem", ""),
     bind(Action::Edit, &[typed('E')], "edit the problem in $EDITOR", ""),
-    bind(Action::Back, ESC, "one step back", "back"),
+    bind(Action::Back, ESC, "stop a solve that runs, or one step back", "back"),
 ];
 
 /// Keys of a list to choose from.

@@ -19,7 +19,7 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, Mo
 pub const PASTE_LIMIT: usize = 8 * 1024 * 1024;
 /// A lone `ESC` is the Escape key when nothing follows it for this long. A serial line of 9600 baud sends a byte a
 /// millisecond.
-pub const ESCAPE_PATIENCE: Duration = Duration::from_millis(50);
+pub const ESCAPE_PATIENCE: Duration = Duration::from_millis(25);
 /// A paste whose end never comes is over after this much silence.
 pub const PASTE_PATIENCE: Duration = Duration::from_secs(2);
 

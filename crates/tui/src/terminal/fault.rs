@@ -25,13 +25,15 @@ pub enum Fault {
     Analysis,
     /// `slow`: takes 1 s, and looks for a stop every 5 ms; for the solver thread.
     Slow,
+    /// `long`: takes 10 s, and looks for a stop every 5 ms; for the solver thread.
+    Long,
     /// `stubborn`: takes 1 s and never looks; for the solver thread.
     Stubborn,
 }
 
 impl Fault {
     /// Every fault, in the order of the enum.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Panic,
         Self::Double,
         Self::Abort,
@@ -39,12 +41,13 @@ impl Fault {
         Self::Worker,
         Self::Analysis,
         Self::Slow,
+        Self::Long,
         Self::Stubborn,
     ];
 
     /// Whether the solver thread is to commit it, as an analysis would; else it is the thread that draws.
     pub fn belongs_to_solver(self) -> bool {
-        matches!(self, Self::Analysis | Self::Slow | Self::Stubborn)
+        matches!(self, Self::Analysis | Self::Slow | Self::Long | Self::Stubborn)
     }
 
     /// Whether faults may be asked for at all: `DALEMBERT_FAULTS=1`.
@@ -63,6 +66,7 @@ impl fmt::Display for Fault {
             Self::Worker => "worker",
             Self::Analysis => "analysis",
             Self::Slow => "slow",
+            Self::Long => "long",
             Self::Stubborn => "stubborn",
         })
     }
@@ -79,7 +83,8 @@ impl FromStr for Fault {
     }
 }
 
-/// Commits `fault` on this thread. `stopped` is asked by [`Fault::Slow`] whether its result is still wanted.
+/// Commits `fault` on this thread. `stopped` is asked by [`Fault::Slow`] and [`Fault::Long`] whether their
+/// result is still wanted.
 pub fn fault(fault: Fault, stopped: impl Fn() -> bool) {
     const LONG: Duration = Duration::from_secs(1);
     match fault {
@@ -96,9 +101,10 @@ pub fn fault(fault: Fault, stopped: impl Fn() -> bool) {
             drop(worker.spawn(|| panic!("requested panic of a worker")));
         }
         Fault::Analysis => panic!("requested panic of an analysis"),
-        Fault::Slow => {
+        Fault::Slow | Fault::Long => {
             let start = Instant::now();
-            while start.elapsed() < LONG && !stopped() {
+            let takes = if fault == Fault::Slow { LONG } else { 10 * LONG };
+            while start.elapsed() < takes && !stopped() {
                 thread::sleep(Duration::from_millis(5));
             }
         }

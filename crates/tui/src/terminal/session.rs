@@ -101,6 +101,12 @@ impl Session {
         Ok(())
     }
 
+    /// Columns and rows of the screen.
+    pub fn size(&self) -> (u16, u16) {
+        // A terminal that does not tell its size is drawn on as it was.
+        self.terminal.size().map_or((80, 24), |size| (size.width, size.height))
+    }
+
     /// The length of the last frame, in bytes.
     pub fn frame_bytes(&self) -> usize {
         self.bytes.0.borrow().len()

@@ -53,6 +53,8 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
         }
         Action::PreviousTab => return turn(model, -1),
         Action::Copy => return copy(model),
+        // Only what is typed in a field goes back by the same key: that is solved anew, and ends the job as well.
+        Action::Back if place != Place::Edit && is_solving(model) => return stop(model),
         Action::Rename => {
             let title = model.bench.as_ref().map_or_else(String::new, |bench| bench.title.clone());
             model.dialog = Some(Dialog::prompt(Purpose::Title, title));
@@ -126,6 +128,20 @@ pub(super) fn changed(model: &mut Model) -> Vec<Effect> {
         effects.push(kept(bench));
     }
     effects
+}
+
+/// Whether a job is under way for the problem.
+fn is_solving(model: &Model) -> bool {
+    model.bench.as_ref().is_some_and(|bench| matches!(bench.found.state, State::Solving(_)))
+}
+
+/// Ends the job that is under way.
+fn stop(model: &mut Model) -> Vec<Effect> {
+    if let Some(bench) = &mut model.bench {
+        bench.found.state = State::Stopped;
+    }
+    model.say("the solve is stopped; the next change of an input solves again");
+    vec![Effect::Cancel]
 }
 
 /// What is to be remembered against a crash.

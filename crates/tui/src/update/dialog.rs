@@ -7,6 +7,7 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::{act as act_there, bench, export, files, problems};
 use crate::{
+    bench::State,
     dialog::{Answer, Chosen, Dialog, Purpose, offered},
     files::Before,
     keys::Action,
@@ -173,6 +174,9 @@ fn command(model: &mut Model, typed: &str, chosen: usize) -> Vec<Effect> {
         return match kind.parse::<Fault>() {
             Ok(fault) if fault.belongs_to_solver() => {
                 let generation = model.next_generation();
+                if let Some(bench) = &mut model.bench {
+                    bench.found.state = State::Solving(generation);
+                }
                 vec![Effect::Solve(Job { generation, work: Work::Fault(fault) })]
             }
             Ok(fault) => vec![Effect::Fault(fault)],

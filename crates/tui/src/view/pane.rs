@@ -349,6 +349,7 @@ fn nothing(model: &Model, bench: &Bench, width: u16) -> Page {
         (Some(_), _) => "there is nothing to show here".into(),
         (None, State::Solving(_)) => "solving".into(),
         (None, State::Unread) => bench.to_do().unwrap_or_else(|| "solving".into()),
+        (None, State::Stopped) => "stopped".into(),
         (None, State::Current) => "there is no solution".into(),
     };
     let lines = wrapped(&why.render(&model.locale), width.into());

@@ -1,0 +1,93 @@
+//! `dalembert replay`
+
+use std::{
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
+
+use dalembert_core::Text;
+use dalembert_tui::{
+    Options,
+    files::{self, Before},
+    glyphs::Glyphs,
+    keys::KeyMap,
+    replay::{self, Played, Replay as Session},
+    settings::Settings,
+};
+
+use crate::{
+    Set,
+    arguments::Replay,
+    console::{Console, print},
+    failure::Failure,
+};
+
+/// Plays a session, in the terminal or without one.
+pub(crate) fn run(asked: &Replay, set: Set, console: &Console) -> Result<ExitCode, Failure> {
+    let text = files::read(&asked.file)?.text;
+    let session = Session::read(&text).map_err(|err| Failure::input(err.text()))?;
+    let folder = asked.file.parent().unwrap_or(Path::new(""));
+    if asked.headless {
+        let played = match replay::play(&session, folder) {
+            Err(replay::Failure::NotSeen { line, text, screen }) => {
+                print(&screen)?;
+                return Err(unmet(replay::Failure::NotSeen { line, text, screen }));
+            }
+            played => played.map_err(unmet)?,
+        };
+        match &asked.pictures {
+            Some(folder) => keep(&played, folder)?,
+            None => print(&shown(&played))?,
+        }
+        return Ok(ExitCode::SUCCESS);
+    }
+    let (file, analysis) = match &session.open {
+        Some(named) => replay::to_open(named, folder).map_err(unmet)?,
+        None => (None, None),
+    };
+    if !console.interactive {
+        return Err(Failure::input("there is no terminal to play in; write --headless"));
+    }
+    Ok(dalembert_tui::run(Options {
+        file,
+        analysis,
+        language: session.language,
+        settings: Settings {
+            ascii: set.settings.ascii || console.locale.style.ascii || session.look.glyphs == Glyphs::Ascii,
+            // A session says its language, and is written in the usual keys.
+            language: None,
+            keys: KeyMap::default(),
+            ..set.settings
+        },
+        replay: Some((session, asked.speed)),
+        ..Options::default()
+    }))
+}
+
+/// What could not be opened is bad input, what is not on the screen a failed check.
+fn unmet(failure: replay::Failure) -> Failure {
+    match failure {
+        replay::Failure::NothingToOpen(_) => Failure::input(failure.text()),
+        _ => Failure::Unmet(failure.text()),
+    }
+}
+
+/// The marked screens one after the other, each under its name; without any, the last one.
+fn shown(played: &Played) -> String {
+    match played.pictures.as_slice() {
+        [] => played.last.clone(),
+        pictures => pictures.iter().map(|picture| format!("== {}\n{}", picture.name, picture.text)).collect(),
+    }
+}
+
+fn keep(played: &Played, folder: &Path) -> Result<(), Failure> {
+    if played.pictures.is_empty() {
+        return Err(Failure::input(Text::new("the session marks no picture; write `picture NAME` in it")));
+    }
+    std::fs::create_dir_all(folder).map_err(Failure::Output)?;
+    for picture in &played.pictures {
+        let path: PathBuf = folder.join(format!("{}.svg", picture.name));
+        files::save(&path, &picture.svg, Before::Whatever)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,133 @@
+//! Plays a session without a terminal, at once.
+
+use std::{
+    fmt,
+    path::{Path, PathBuf},
+    time::Duration,
+};
+
+use dalembert_core::{Entry, Text, find, registry};
+
+use super::{Act, Replay, svg};
+use crate::{Msg, stage::Stage, view::tempo};
+
+/// What a session left.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Played {
+    /// The screens it marked, in their order.
+    pub pictures: Vec<Picture>,
+    /// The last screen, as text.
+    pub last: String,
+}
+
+/// A screen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Its name.
+    pub name: String,
+    /// What is written on it.
+    pub text: String,
+    /// What it looks like.
+    pub svg: String,
+}
+
+/// Why a session could not be played to its end.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// What it opens is neither an analysis nor a file.
+    NothingToOpen(String),
+    /// The screen does not show what it should.
+    NotSeen {
+        /// The line of the session.
+        line: usize,
+        /// What was expected.
+        text: String,
+        /// What the screen shows.
+        screen: String,
+    },
+    /// The program ended before the session, which goes on in this line.
+    Ended(usize),
+}
+
+impl Failure {
+    /// The sentence, for a person.
+    pub fn text(&self) -> Text {
+        match self {
+            Failure::NothingToOpen(named) => {
+                let words = "`{named}` is neither the id of an analysis nor a file beside the session";
+                Text::new(words).with("named", named)
+            }
+            Failure::NotSeen { line, text, .. } => {
+                Text::new("line {line}: `{text}` is not on the screen").with("line", line).with("text", text)
+            }
+            Failure::Ended(line) => {
+                Text::new("line {line}: the program has ended already").with("line", line)
+            }
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text().english())
+    }
+}
+
+impl std::error::Error for Failure {}
+
+/// Plays a session that stands in a folder. A film shows the frames that the time of a `wait` has room for.
+pub fn play(replay: &Replay, folder: &Path) -> Result<Played, Failure> {
+    let mut stage = Stage::new(registry(), replay.screen, replay.language, replay.look);
+    if let Some(named) = &replay.open {
+        let (file, analysis) = to_open(named, folder)?;
+        stage.begins(file, analysis);
+    }
+    let mut pictures = Vec::new();
+    for (line, act) in &replay.acts {
+        if stage.has_left {
+            return Err(Failure::Ended(*line));
+        }
+        match act {
+            Act::Type(keys) => keys.iter().for_each(|key| stage.happens(Msg::Key(*key))),
+            Act::Paste(text) => stage.happens(Msg::Paste(text.clone())),
+            Act::Resize(columns, rows) => stage.resizes(*columns, *rows),
+            Act::Wait(time) => pass(&mut stage, *time),
+            Act::UntilSolved => {}
+            Act::Picture(name) => {
+                let text = stage.text();
+                pictures.push(Picture { name: name.clone(), text, svg: svg::screen(stage.draws()) });
+            }
+            Act::Expect(text) => {
+                let screen = stage.text();
+                if !collapsed(&screen).contains(&collapsed(text)) {
+                    return Err(Failure::NotSeen { line: *line, text: text.clone(), screen });
+                }
+            }
+        }
+    }
+    Ok(Played { pictures, last: stage.text() })
+}
+
+/// What a session opens: a file or an analysis.
+pub fn to_open(named: &str, folder: &Path) -> Result<(Option<PathBuf>, Option<&'static Entry>), Failure> {
+    let path = folder.join(named);
+    match find(named) {
+        Some(entry) => Ok((None, Some(entry))),
+        None if path.is_file() => Ok((Some(path), None)),
+        None => Err(Failure::NothingToOpen(named.to_owned())),
+    }
+}
+
+/// Columns are made of blanks: any number of them is one.
+fn collapsed(text: &str) -> String {
+    let lines = text.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" "));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+fn pass(stage: &mut Stage, time: Duration) {
+    let mut left = time;
+    while let Some(tempo) = tempo(&stage.model).filter(|tempo| !tempo.is_zero() && *tempo <= left) {
+        left -= tempo;
+        stage.happens(Msg::Tick);
+    }
+}

@@ -1,0 +1,150 @@
+//! Sessions that are recorded and played again, in the terminal and without one.
+
+use std::{
+    fs,
+    path::Path,
+    process::{Command, Output},
+    time::Duration,
+};
+
+use dalembert_tests::pty::{self, Launch, PATIENCE};
+
+/// Plays a session without a terminal.
+fn played(session: &Path, more: &[&str]) -> Output {
+    let mut command = Command::new(pty::program());
+    command.args(["--lang", "en", "replay"]).arg(session).arg("--headless").args(more);
+    command.output().expect("the program runs")
+}
+
+fn written(folder: &Path, text: &str) -> std::path::PathBuf {
+    let path = folder.join("session.replay");
+    fs::write(&path, text).expect("written");
+    path
+}
+
+#[test]
+fn a_session_without_a_terminal_prints_the_screens_it_marks() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = written(
+        folder.path(),
+        "screen 100x24\nopen vibration/rotating-unbalance\npicture before\ntype <end><del>1500 rpm<enter>\n\
+         expect Amplitude at this speed 4.5535 mm\npicture after\n",
+    );
+    let output = played(&session, &[]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(output.status.success(), "{text}{}", String::from_utf8_lossy(&output.stderr));
+    let (before, after) = text.split_once("== after\n").expect("two screens");
+    assert!(before.starts_with("== before\n") && before.contains("19.456"), "{before}");
+    assert!(after.contains("4.5535") && after.lines().count() == 24, "{after}");
+
+    let pictures = folder.path().join("pictures");
+    let output = played(&session, &["--pictures", pictures.to_str().expect("a readable path")]);
+    assert!(output.status.success() && output.stdout.is_empty());
+    let svg = fs::read_to_string(pictures.join("after.svg")).expect("a picture");
+    assert!(svg.starts_with("<svg") && svg.contains("4.5535") && !svg.contains("19.456"), "{svg}");
+}
+
+#[test]
+fn what_is_not_on_the_screen_fails_the_session() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = written(folder.path(), "open vibration/rotating-unbalance\n\nexpect 42 mm\n");
+    let output = played(&session, &[]);
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{error}");
+    assert!(error.contains("line 3: `42 mm` is not on the screen"), "{error}");
+    assert!(String::from_utf8_lossy(&output.stdout).contains("19.456"), "the screen is shown");
+}
+
+#[test]
+fn what_cannot_be_played_is_bad_input() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (text, words) in [
+        ("screen wide\n", "line 1: `wide` is no size"),
+        ("open vibration/no-such-thing\n", "neither the id of an analysis nor a file"),
+        ("type q\ntype x\n", "line 2: the program has ended already"),
+    ] {
+        let output = played(&written(folder.path(), text), &[]);
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(!output.status.success() && error.contains(words), "{text}{error}");
+    }
+}
+
+#[test]
+fn a_session_opens_the_file_beside_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(
+        folder.path().join("fan.toml"),
+        "analysis = \"vibration/rotating-unbalance\"\ntitle = \"Paint shop\"\n\n[inputs]\nmass = \"40 kg\"\n",
+    )
+    .expect("written");
+    let output = played(&written(folder.path(), "open fan.toml\nexpect Paint shop\n"), &[]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// What a person did at a terminal gives the same last screen when it is played again.
+#[test]
+fn what_is_recorded_can_be_played() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("lesson.replay");
+    let launch = Launch::new(pty::program()).size(30, 100);
+    let mut pty = launch
+        .argument("vibration/rotating-unbalance")
+        .argument("--record")
+        .argument(path.as_os_str())
+        .start();
+    pty.expect("19.456");
+    pty.types("<end><del>1500 rpm<enter>");
+    pty.expect("4.5535");
+    std::thread::sleep(Duration::from_millis(800));
+    pty.types("]]<tab><home><right>");
+    pty.idle(Duration::from_millis(200));
+    let last = pty.screen();
+    pty.types("q");
+    pty.expect("without saving");
+    pty.types("<down><enter>");
+    assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
+
+    let text = fs::read_to_string(&path).expect("the session is there");
+    let begin = "screen 100x30\nlanguage en\nlook colour\nopen vibration/rotating-unbalance\n";
+    assert!(text.starts_with(begin), "{text}");
+    assert!(text.contains("type <end><del>1500 rpm<enter>\nwait "), "{text}");
+    // Up to where the screen was read.
+    let (kept, _) = text.split_once("q<down><enter>").expect("the end");
+    let again = written(folder.path(), kept.trim_end_matches("type ").trim_end());
+    let screen = String::from_utf8_lossy(&played(&again, &[]).stdout).into_owned();
+    let bare = |screen: &str| screen.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
+    assert_eq!(bare(screen.trim_end()), bare(last.trim_end()));
+
+    // A file that is there is not written over.
+    let launch = Launch::new(pty::program()).argument("--record").argument(path.as_os_str());
+    let pty = launch.start();
+    pty.expect("is not recorded");
+    assert_eq!(fs::read_to_string(&path).expect("the session is there"), text);
+}
+
+#[test]
+fn a_session_is_played_in_the_terminal_until_a_key_takes_over() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = "language pt-BR\nopen vibration/rotating-unbalance\ntype <end><del>1500 rpm<enter>\n";
+    let session = written(folder.path(), text);
+    let play = |session: &Path| {
+        let launch = Launch::new(pty::program()).argument("replay").argument(session);
+        launch.argument("--speed").argument("10").start()
+    };
+    let mut pty = play(&session);
+    pty.expect("4,5535");
+    pty.expect("as teclas são suas");
+    pty.types("L");
+    pty.expect("4.5535");
+
+    let session = written(folder.path(), &format!("{text}wait 900000 ms\ntype <del>7\n"));
+    let mut pty = play(&session);
+    pty.expect("4,5535");
+    // The Enter that ends the field comes a moment later.
+    pty.idle(Duration::from_millis(400));
+    pty.types("L");
+    pty.expect("a sessão parou");
+    assert!(!pty.sees("Inputs", Duration::from_millis(300)), "the key that stops it does no more");
+    pty.types("L");
+    assert!(pty.sees("Inputs", PATIENCE), "{}", pty.screen());
+}
