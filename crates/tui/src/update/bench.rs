@@ -1,4 +1,5 @@
 //! Keys of a problem.
+// Long because every action of a problem is told apart here; what takes more than a few lines has a file beside it.
 
 mod display;
 mod working;
