@@ -3,7 +3,7 @@
 use dalembert_core::Text;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::{Action, Binding, Key, Place};
+use super::{ALWAYS, Action, Binding, Key, Place};
 
 /// What keys mean, place by place. The tables of the program, with the person's changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -111,7 +111,11 @@ impl KeyMap {
     fn change(&mut self, change: &Change) {
         for place in Place::ALL.into_iter().filter(|place| change.place.is_none_or(|at| at == *place)) {
             let mut keys = change.keys.clone();
-            if place.is_text() {
+            // What holds everywhere has no character of its own, where text is typed as where `?` closes the help.
+            let mut same =
+                self.bindings(place).iter().filter(|bound| bound.binding.action.id() == change.action);
+            let only_always = same.all(|bound| ALWAYS.contains(bound.binding));
+            if place.is_text() || (change.place.is_none() && only_always) {
                 keys.retain(|key| !key.is_text());
                 if keys.is_empty() && !change.keys.is_empty() {
                     continue;
@@ -176,10 +180,10 @@ impl Change {
                 );
             }
             // There a digit begins a text.
-            let typed = [Place::Form, Place::Cells].into_iter().filter(does);
-            let place = typed
-                .filter(|_| key.begins_a_number())
-                .find(|place| self.place.is_none_or(|at| at == *place));
+            let is_digit = matches!(key.0, KeyCode::Char(character) if character.is_ascii_digit());
+            let begins = [(Place::Form, key.begins_a_number()), (Place::Cells, key.is_text() && is_digit)];
+            let typed = begins.into_iter().filter(|(_, begins)| *begins).map(|(place, _)| place);
+            let place = typed.filter(does).find(|place| self.place.is_none_or(|at| at == *place));
             place.map(|place| {
                 Text::new("`{key}` begins a number in [keys.{place}]: take another key")
                     .with("key", key.id())
