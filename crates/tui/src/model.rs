@@ -26,6 +26,10 @@ use crate::{
 
 /// Everything the workbench knows.
 #[derive(Debug)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a switch of its own, set by a key or at the start"
+)]
 pub struct Model {
     /// What can be picked.
     pub listings: Vec<Listing>,

@@ -275,7 +275,7 @@ fn span_in(table: &dyn TableLike, key: &str) -> Option<Range<usize>> {
 
 fn line_of(text: &str, span: Option<Range<usize>>) -> usize {
     let at = span.map_or(0, |span| span.start.min(text.len()));
-    1 + text.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count()
+    1 + text.get(..at).unwrap_or_default().matches('\n').count()
 }
 
 #[cfg(test)]
