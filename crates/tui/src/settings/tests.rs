@@ -66,11 +66,13 @@ fn the_file_that_is_begun_with_sets_nothing_commented_or_not() {
     for locale in [Locale::english(), Locale::portuguese()] {
         let file = default_file(&locale);
         assert_eq!(parse(&file), (Settings::default(), Vec::new()), "{file}");
-        let open: String =
-            file.lines().map(|line| format!("{}\n", line.strip_prefix("# ").unwrap_or(line))).collect();
         // What has no value of its own stays out.
-        let open: String =
-            open.lines().filter(|line| !line.contains(" = …")).map(|line| format!("{line}\n")).collect();
+        let open: Vec<&str> = file
+            .lines()
+            .map(|line| line.strip_prefix("# ").unwrap_or(line))
+            .filter(|line| !line.contains(" = …"))
+            .collect();
+        let open = open.join("\n");
         let (settings, faults) = parse(&open);
         assert_eq!(faults, [], "{open}");
         assert_eq!(meaning(&settings), meaning(&Settings::default()), "{open}");
