@@ -180,6 +180,10 @@ impl Sentences {
                 Exhibit::Film(film) => {
                     film.frames.iter().for_each(|frame| self.drawing(of, &film.title, frame));
                 }
+                Exhibit::Scene(scene) => (0..scene.frames.len()).for_each(|frame| {
+                    let drawing = scene.seen(frame, scene.view);
+                    self.drawing(of, &drawing.title, &drawing.shapes);
+                }),
             }
         }
     }

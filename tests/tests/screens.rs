@@ -416,6 +416,20 @@ fn the_last_digit_is_nudged() {
 }
 
 #[test]
+fn a_digit_is_chosen_to_be_nudged() {
+    let mut person = fan(80, 24);
+    person.types("<end><left><left>+");
+    assert!(person.sees().contains("1100 rpm"), "{}", person.sees());
+    person.types("<right>-");
+    assert!(person.sees().contains("1090 rpm"), "{}", person.sees());
+    // No further than the first digit, nor than the last; each field has its own.
+    person.types("<left><left><left><left><left>+");
+    assert!(person.sees().contains("2090 rpm"), "{}", person.sees());
+    person.types("<right><right><right><right><right>+<up><down>+");
+    assert!(person.sees().contains("2092 rpm"), "{}", person.sees());
+}
+
+#[test]
 fn units_are_cycled_without_changing_the_quantity() {
     let mut person = fan(110, 30);
     person.types("<end>");
@@ -657,6 +671,20 @@ fn the_working_is_revealed_step_by_step() {
     assert_eq!(person.sees(), shown, "the same key uncovers everything");
     let mut wide = Person::in_portuguese(160, 50).opens(FAN);
     assert_snapshot!("covered_wide", wide.types("t]<tab>   <left>").sees());
+}
+
+#[test]
+fn a_covered_problem_keeps_its_sketch_and_gives_nothing_away() {
+    // The body and its angular velocity are given, the angular momentum is to be found.
+    let mut person = Person::at(120, 40).opens("rigid-body/momentum");
+    let open = person.types("<tab>]]e").sees();
+    assert!(["ω", "H_G"].iter().all(|name| open.contains(name)), "{open}");
+    let covered = person.types("t").sees();
+    assert!(covered.contains('ω') && !covered.contains("H_G"), "{covered}");
+    let sources = person.types("[[[").sees();
+    assert!(sources.contains("what was printed is covered") && !sources.contains("agreed"), "{sources}");
+    let sources = person.types("t").sees();
+    assert!(!sources.contains("what was printed is covered") && sources.contains("agreed"), "{sources}");
 }
 
 #[test]

@@ -314,8 +314,9 @@ fn the_drawing_of_the_fan() {
     });
     let machine = found.expect("the fan is drawn");
     for look in [UNICODE, ASCII] {
-        let drawn =
-            screen(60, 20, |area, buffer| drawing::render(machine, &look, &Locale::english(), area, buffer));
+        let drawn = screen(60, 20, |area, buffer| {
+            drawing::render(machine, &look, &Locale::english(), area, buffer);
+        });
         assert!(drawn.contains("m₀e"), "{drawn}");
     }
 }
@@ -363,7 +364,9 @@ fn every_shape_at_every_size() {
         }
     }
     let shown = |look: &Look| {
-        screen(64, 24, |area, buffer| drawing::render(&good, look, &Locale::english(), area, buffer))
+        screen(64, 24, |area, buffer| {
+            drawing::render(&good, look, &Locale::english(), area, buffer);
+        })
     };
     insta::assert_snapshot!("drawing", shown(&UNICODE));
     insta::assert_snapshot!("drawing_ascii", shown(&ASCII));
@@ -478,7 +481,7 @@ fn cases_are_shown_with_their_verdicts() {
         .into_iter()
         .map(|case| sources::Judged { verdicts: Some(case.verify(entry)), case })
         .collect();
-    let page = sources::lines(entry, &cases, Some(0), &[], &UNICODE, &Locale::english(), 90);
+    let page = sources::lines(entry, &cases, Some(0), Some(&[]), &UNICODE, &Locale::english(), 90);
     let shown = text(&page.lines);
     assert_eq!(page.starts.len(), cases.len());
     assert!(page.lines[page.starts[0]].to_string().starts_with("▸ 1  "), "{shown}");
@@ -486,7 +489,7 @@ fn cases_are_shown_with_their_verdicts() {
         assert!(shown.contains(words), "{words} in\n{shown}");
     }
     for width in 24..120u16 {
-        let page = sources::lines(entry, &cases, None, &[], &UNICODE, &Locale::portuguese(), width);
+        let page = sources::lines(entry, &cases, None, Some(&[]), &UNICODE, &Locale::portuguese(), width);
         assert!(
             page.lines.iter().all(|line| line.width() <= width.into()),
             "{width}:\n{}",
@@ -494,7 +497,8 @@ fn cases_are_shown_with_their_verdicts() {
         );
     }
     let waiting = sources::Judged { verdicts: None, ..cases[0].clone() };
-    let shown = text(&sources::lines(entry, &[waiting], None, &[], &UNICODE, &Locale::english(), 90).lines);
+    let shown =
+        text(&sources::lines(entry, &[waiting], None, Some(&[]), &UNICODE, &Locale::english(), 90).lines);
     assert!(shown.contains("not solved yet"));
 }
 
@@ -604,7 +608,7 @@ fn verdicts_are_written_as_everything_else_is() {
     (verdicts[0].printed, verdicts[0].ours) = ("-1.5e-3 m s^-1".into(), "−1.5004 m/s".into());
     let judged = [sources::Judged { verdicts: Some(Ok(verdicts)), case }];
     let shown = |look: &Look, locale: &Locale| {
-        text(&sources::lines(entry, &judged, None, &solution.answers, look, locale, 100).lines)
+        text(&sources::lines(entry, &judged, None, Some(&solution.answers), look, locale, 100).lines)
     };
     let english = shown(&UNICODE, &Locale::english());
     assert!(english.contains("✓ Natural frequency "), "{english}");

@@ -49,6 +49,28 @@ fn a_key_and_its_results_are_one_frame() {
 }
 
 #[test]
+fn two_hundred_keys_at_once_build_no_backlog() {
+    let mut pty = started(Launch::new(pty::program()));
+    pty.expect("19.456 mm");
+    pty.types("<end>");
+    pty.idle(Duration::from_millis(150));
+    let before = pty.count();
+    pty.send(&[b'+'; 200]);
+    pty.expect("1200 rpm");
+    pty.idle(Duration::from_millis(150));
+    let raw = pty.raw();
+    let frames = raw[before..].windows(8).filter(|bytes| bytes == b"\x1b[?2026h").count();
+    assert!(frames <= 12, "{frames} frames for 200 keys that were there at once");
+    // A key after them is answered at once.
+    pty.send(&[b'-'; 150]);
+    pty.types("?");
+    pty.expect("What keys do");
+    pty.types("<esc>");
+    pty.expect("1050 rpm");
+    pty.types("q");
+}
+
+#[test]
 fn what_is_typed_outlives_the_window_and_is_offered_again() {
     let home = tempfile::tempdir().expect("a folder");
     let mut pty = started(at_home(home.path()));

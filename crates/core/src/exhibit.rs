@@ -1,7 +1,10 @@
 //! Plots, tables and drawings: what a solution shows beside its numbers. Plain data in SI.
 
+mod space;
+
 use std::borrow::Cow;
 
+pub use self::space::{Scene, SpacePoint, SpaceShape, View};
 use crate::Text;
 
 /// Something to look at.
@@ -15,6 +18,8 @@ pub enum Exhibit {
     Drawing(Drawing),
     /// A sketch that moves.
     Film(Film),
+    /// A sketch in space, which can be seen from every side.
+    Scene(Scene),
 }
 
 /// Curves over an axis.
@@ -226,16 +231,65 @@ impl Plot {
     }
 }
 
+impl Drawing {
+    /// The sketch as it belongs to a problem that is still to be solved: without what the solution adds to it (every
+    /// line of [`Ink::Result`], and the words that name it) and without numbers. Masses stay, whatever their ink.
+    #[must_use]
+    pub fn unsolved(&self) -> Self {
+        let adds = |shape: &DrawnShape| {
+            matches!(
+                shape,
+                DrawnShape::Polyline(_, Ink::Result)
+                    | DrawnShape::Circle(_, _, Ink::Result)
+                    | DrawnShape::Arc(_, _, _, _, Ink::Result)
+                    | DrawnShape::Arrow(_, _, Ink::Result)
+            )
+        };
+        let mut shapes = Vec::new();
+        let mut after_result = false;
+        for shape in &self.shapes {
+            match shape {
+                shape if adds(shape) => after_result = true,
+                DrawnShape::Label(..) if after_result => {}
+                DrawnShape::Label(at, words) => {
+                    shapes.push(DrawnShape::Label(*at, words.without_numbers()));
+                }
+                shape => {
+                    after_result = false;
+                    shapes.push(shape.clone());
+                }
+            }
+        }
+        Self { title: self.title.without_numbers(), shapes }
+    }
+}
+
 impl Exhibit {
-    /// What is to be drawn at that frame, where it is a drawing or a film; the frames of a film repeat without end.
+    /// What is to be drawn at that frame, where it is a sketch; the frames of one that moves repeat without end.
     pub fn sketch(&self, frame: usize) -> Option<Cow<'_, Drawing>> {
+        self.sketch_seen(frame, None)
+    }
+
+    /// The same, a scene in space as it is seen from a side; `None` for its usual one.
+    pub fn sketch_seen(&self, frame: usize, view: Option<View>) -> Option<Cow<'_, Drawing>> {
         match self {
             Exhibit::Drawing(drawing) => Some(Cow::Borrowed(drawing)),
             Exhibit::Film(film) => {
                 let shapes = film.frames.get(frame % film.frames.len().max(1)).cloned().unwrap_or_default();
                 Some(Cow::Owned(Drawing { title: film.title.clone(), shapes }))
             }
+            Exhibit::Scene(scene) => Some(Cow::Owned(scene.seen(frame, view.unwrap_or(scene.view)))),
             Exhibit::Plot(_) | Exhibit::Table(_) => None,
+        }
+    }
+
+    /// How many frames a sketch has, and the time of all of them in seconds.
+    pub fn frames(&self) -> (usize, f64) {
+        match self {
+            Exhibit::Film(film) => (film.frames.len(), film.period),
+            Exhibit::Scene(scene) => (scene.frames.len(), scene.period),
+            Exhibit::Drawing(_) => (1, 0.0),
+            Exhibit::Plot(_) | Exhibit::Table(_) => (0, 0.0),
         }
     }
 }

@@ -43,7 +43,7 @@ pub use crate::{
     draft::Draft,
     exhibit::{
         Axis, Band, Cell, Column, Drawing, DrawnShape, Exhibit, Film, Ink, Level, Mark, Plot, Point, Scale,
-        Series, TableExhibit,
+        Scene, Series, SpacePoint, SpaceShape, TableExhibit, View,
     },
     field::{Field, Insides, Limit, Measure, Shape, Variant},
     input::{FieldError, Inputs, Lift, Reference},

@@ -114,6 +114,18 @@ impl Text {
         })
     }
 
+    /// The same sentence with a question mark for every number.
+    #[must_use]
+    pub fn without_numbers(&self) -> Self {
+        let covered = |arg: &Arg| match arg {
+            Arg::Verbatim(text) => Arg::Verbatim(text.clone()),
+            Arg::Text(text) => Arg::Text(text.without_numbers()),
+            Arg::Quantity(..) => Arg::Verbatim("?".to_owned()),
+        };
+        let args = self.args.iter().map(|(name, arg)| (*name, covered(arg))).collect();
+        Self { template: self.template.clone(), args }
+    }
+
     /// The sentence in English.
     pub fn english(&self) -> String {
         self.render(&Locale::default())

@@ -17,3 +17,4 @@ what-relative-difference-gap = { $what }: diferença relativa { $gap }
 working = Resolução
 yes = sim
 db-over-1-unit = dB sobre 1 { $unit }
+curve-at-the-cursor = { $curve } no cursor

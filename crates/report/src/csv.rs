@@ -7,7 +7,11 @@ use dalembert_core::{
 };
 use dalembert_units::{self as units, Style, Unit};
 
-use crate::{Worked, inputs::inputs};
+use crate::{
+    Worked,
+    figure::{Seen, axes::Axes},
+    inputs::inputs,
+};
 
 /// The names of the tables that [`csv()`] writes: `inputs`, `answers`, `steps`, `checks`, then `table-1` …, `plot-1` ….
 pub fn csv_tables(worked: &Worked<'_>) -> Vec<String> {
@@ -36,6 +40,34 @@ pub fn csv(worked: &Worked<'_>, table: &str, locale: &Locale) -> Option<String> 
         }
         (_, Some(("plot", n))) => write_plot(plots(solution?).nth(place(n)?)?, &mut sheet, locale),
         _ => return None,
+    }
+    Some(sheet.text())
+}
+
+/// What is seen of a plot: the points of its curves and its marks in the window, with the values as they are spread, and
+/// what its cursor reads. `None` where there is nothing to draw.
+pub fn plot_csv(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<String> {
+    let axes = Axes::seen(plot, seen.pinned, &seen.view)?;
+    let mut sheet = Sheet::default();
+    let plain = Locale { style: Style { ascii: true, ..locale.style }, ..*locale };
+    sheet.headings(&["series", &axes.x.title(0, &plain), &axes.y.title(0, &plain)]);
+    let mut row = |label: &str, (x, y): (f64, f64)| {
+        if axes.x.of(x).is_some_and(|place| (-1e-9..=1.0 + 1e-9).contains(&place)) {
+            sheet.0.push(vec![words(label), number(axes.x.value(x)), number(axes.y.value(y))]);
+        }
+    };
+    for series in &plot.series {
+        let label = series.label.render(locale);
+        series.points.iter().for_each(|at| row(&label, *at));
+    }
+    plot.marks.iter().for_each(|mark| row(&mark.label.render(locale), mark.at));
+    if let Some(x) = seen.cursor.and_then(|cursor| axes.within(cursor)) {
+        for series in &plot.series {
+            let label = Text::new("{curve} at the cursor").with_text("curve", series.label.clone());
+            if let Some((y, _)) = axes.read(series, x) {
+                row(&label.render(locale), (x, y));
+            }
+        }
     }
     Some(sheet.text())
 }

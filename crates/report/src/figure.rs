@@ -9,18 +9,36 @@ mod sketched;
 pub mod strokes;
 pub mod ticks;
 
-use dalembert_core::{Exhibit, Locale};
+use dalembert_core::{Drawing, Exhibit, Locale, Plot};
 
-use self::picture::Picture;
+use self::{axes::View, picture::Picture};
 
-/// An exhibit as a picture; of a film, its first frame. `None` for a table, and where there is nothing to draw.
+/// How a plot is looked at: what a person has set on a screen.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Seen<'a> {
+    /// What is shown of it.
+    pub view: View,
+    /// Where its cursor stands: a value of `x` in SI.
+    pub cursor: Option<f64>,
+    /// One of the same axes, whose curves lie under those of the plot.
+    pub pinned: Option<&'a Plot>,
+}
+
+/// An exhibit as a picture; of what moves, its first frame, and of a scene in space, its usual side. `None` for a table,
+/// and where there is nothing to draw.
 pub fn figure(exhibit: &Exhibit, locale: &Locale) -> Option<Picture> {
     match exhibit {
-        Exhibit::Table(_) => None,
-        Exhibit::Plot(plot) => plotted::picture(plot, locale),
-        Exhibit::Drawing(_) | Exhibit::Film(_) => {
-            let drawing = exhibit.sketch(0)?;
-            sketched::picture(&drawing, locale)
-        }
+        Exhibit::Plot(plot) => self::plot(plot, &Seen::default(), locale),
+        _ => drawing(&*exhibit.sketch(0)?, locale),
     }
+}
+
+/// A plot as it is looked at.
+pub fn plot(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<Picture> {
+    plotted::picture(plot, seen, locale)
+}
+
+/// A drawing.
+pub fn drawing(drawing: &Drawing, locale: &Locale) -> Option<Picture> {
+    sketched::picture(drawing, locale)
 }

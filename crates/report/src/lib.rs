@@ -25,7 +25,7 @@ mod xml;
 
 pub use crate::{
     ascii::ascii,
-    csv::{csv, csv_tables},
+    csv::{csv, csv_tables, plot_csv},
     document::{Block, Document, Line, Table},
     figure::figure,
     html::html,

@@ -90,7 +90,7 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
             Exhibit::Table(table) => blocks.push(Block::Table(written_table(table, locale))),
             Exhibit::Plot(plot) => blocks.extend(plotted(plot, locale)),
             // A drawing has no words of its own.
-            Exhibit::Drawing(_) | Exhibit::Film(_) => {}
+            Exhibit::Drawing(_) | Exhibit::Film(_) | Exhibit::Scene(_) => {}
         }
     }
     if !solution.checks.is_empty() {

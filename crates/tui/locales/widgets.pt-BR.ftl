@@ -41,3 +41,4 @@ derivative-number-unit = derivada { $number } { $unit }
 with-1-less-with-1-more = com −1 %: { $less }; com +1 %: { $more }
 it-does-not-change-alike-to-both-sides = não muda igualmente para os dois lados
 no-answer-on-one-side-why = sem resposta de um lado: { $why }
+what-was-printed-is-covered = o que foi impresso está coberto

@@ -266,6 +266,7 @@ impl World {
                     return Ok(());
                 }
             }
+            let mut waiting: Vec<Effect> = Vec::new();
             for input in inputs {
                 stale = true;
                 let msg = match input {
@@ -280,10 +281,18 @@ impl World {
                     self.recorder = None;
                     not_recorded(model, &error);
                 }
-                let effects = update(model, msg);
-                if self.perform(model, effects) {
+                for effect in update(model, msg) {
+                    waiting.retain(|older| !older.is_idle_after(&effect));
+                    waiting.push(effect);
+                }
+                // Held keys are one change: it is solved once, with the last of them.
+                let at_once = waiting.iter().any(|effect| !effect.may_wait());
+                if at_once && self.perform(model, std::mem::take(&mut waiting)) {
                     return Ok(());
                 }
+            }
+            if self.perform(model, waiting) {
+                return Ok(());
             }
         }
     }

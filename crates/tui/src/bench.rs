@@ -1,9 +1,10 @@
 //! A problem that is worked on: its form, what was found, the tab that shows it, and the file it belongs to.
 
-use std::path::PathBuf;
+use std::{borrow::Cow, path::PathBuf};
 
 use dalembert_core::{
-    Axis, Draft, Entry, Exhibit, FieldError, Plot, Solution, TableExhibit, Text, cases::Case, file::Problem,
+    Axis, Draft, Drawing, Entry, Exhibit, FieldError, Plot, Solution, TableExhibit, Text, View, cases::Case,
+    file::Problem,
 };
 
 use crate::{
@@ -59,6 +60,8 @@ pub struct Bench {
     pub drawing: usize,
     /// The frame that is shown of a film.
     pub frame: usize,
+    /// From where a scene in space is seen, where it was turned.
+    pub view: Option<View>,
     /// How far the worked solution is read.
     pub reading: Reading,
     /// The cursor and the marks of the plot.
@@ -213,6 +216,7 @@ impl Bench {
             plot: 0,
             drawing: 0,
             frame: 0,
+            view: None,
             reading: Reading::default(),
             plot_state: plot::State::default(),
             ask: Ask::default(),
@@ -327,6 +331,13 @@ impl Bench {
         }
     }
 
+    /// Which of several plots or drawings a tab shows, counted from 1, and how many there are; `None` of a single one.
+    pub fn place_of_shown(&self, tab: Tab) -> Option<(usize, usize)> {
+        let of = self.exhibits_of(tab);
+        let at = if tab == Tab::Plot { self.plot } else { self.drawing };
+        (of > 1).then(|| (at.min(of - 1) + 1, of))
+    }
+
     /// The tabs that have something to show; the first and the last always do.
     pub fn tabs(&self) -> Vec<Tab> {
         let has = |tab: &Tab| match tab {
@@ -354,22 +365,34 @@ impl Bench {
 
     /// The plot that is shown, and the pinned one of the same axes.
     pub fn shown_plot(&self) -> Option<(&Plot, Option<&Plot>)> {
-        let plot = Self::nth(self.plots(), self.plot)?;
+        self.plot_at(self.plot)
+    }
+
+    /// The same for a plot of some place, the last one where there are fewer.
+    pub fn plot_at(&self, at: usize) -> Option<(&Plot, Option<&Plot>)> {
+        let plot = Self::nth(self.plots(), at)?;
         let of_pinned = plots_of(self.pinned.iter());
         let same = |a: &Axis, b: &Axis| (&a.label, a.unit) == (&b.label, b.unit);
-        let pinned = Self::nth(of_pinned, self.plot)
-            .filter(|pinned| same(&pinned.x, &plot.x) && same(&pinned.y, &plot.y));
+        let pinned =
+            Self::nth(of_pinned, at).filter(|pinned| same(&pinned.x, &plot.x) && same(&pinned.y, &plot.y));
         Some((plot, pinned))
     }
 
-    /// The drawings and films of the newest solution.
+    /// The drawings, films and scenes of the newest solution.
     pub fn drawings(&self) -> impl Iterator<Item = &Exhibit> {
-        self.exhibits().filter(|exhibit| matches!(exhibit, Exhibit::Drawing(_) | Exhibit::Film(_)))
+        self.exhibits().filter(|exhibit| exhibit.frames().0 > 0)
     }
 
-    /// The drawing or film that is shown.
+    /// The drawing, film or scene that is shown.
     pub fn sketch(&self) -> Option<&Exhibit> {
         Self::nth(self.drawings(), self.drawing)
+    }
+
+    /// What is drawn of it: the frame that is shown, from the side that it was turned to; while the results are
+    /// covered, without what they add.
+    pub fn drawing_seen(&self) -> Option<Cow<'_, Drawing>> {
+        let drawing = self.sketch()?.sketch_seen(self.frame, self.view)?;
+        Some(if self.reading.revealed.is_some() { Cow::Owned(drawing.unsolved()) } else { drawing })
     }
 
     /// The tables of the newest solution.

@@ -102,6 +102,8 @@ pub enum Purpose {
     Open,
     /// The title of the problem.
     Title,
+    /// The path of the plot or drawing that is seen.
+    ExportSeen,
 }
 
 /// What follows an answer.
@@ -123,10 +125,10 @@ pub enum Answer {
     Overwrite(PathBuf),
     /// Another name is asked for.
     SaveAs,
-    /// Another name for the worked solution is asked for.
-    ExportAs,
-    /// The worked solution is written over what is there.
-    ExportOver(PathBuf),
+    /// Another name for what is exported is asked for.
+    ExportAs(Purpose),
+    /// What is exported is written over what is there.
+    ExportOver(Purpose, PathBuf),
     /// The file is read again; changes are given up.
     Reload(PathBuf),
     /// The work of crashed sessions is taken up.

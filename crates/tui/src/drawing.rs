@@ -15,11 +15,23 @@ use crate::{
     },
 };
 
-/// Draws a sketch as large as it fits, with equal scales across and up; any size will do.
-pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffer: &mut Buffer) {
+/// Where the words of a drawing stand.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Placed {
+    /// Words beside their points, with the cells they take.
+    pub beside: Vec<(Rect, String)>,
+    /// Words without a free place, listed under the drawing where there is room for that.
+    pub listed: Vec<String>,
+    /// Cells of the heads of arrows, which no words cover.
+    pub heads: Vec<(u16, u16)>,
+}
+
+/// Draws a sketch as large as it fits, with equal scales across and up; any size will do. Words that have no free place
+/// beside their points give way to a mark there, and are listed below with it.
+pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffer: &mut Buffer) -> Placed {
     let mut area = area.intersection(buffer.area);
     if area.is_empty() {
-        return;
+        return Placed::default();
     }
     let locale = Locale { style: dalembert_units::Style { ascii: look.ascii, ..locale.style }, ..*locale };
     if area.height >= 6 {
@@ -36,23 +48,103 @@ pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffe
         let words = look.shortened(&Text::new("nothing to draw").render(&locale), area.width.into());
         let x = area.x + (area.width - words.width() as u16) / 2;
         buffer.set_string(x, area.y + area.height / 2, words, look.dim());
-        return;
+        return Placed::default();
     };
-    let marker = if look.ascii { Marker::Ascii } else { Marker::Braille };
-    let mut dots = Dots::new(area, marker);
-    let fit = Fit::of(&bounds, &labels, &dots, area);
-    for stroke in &all {
-        draw(stroke, &fit, look, &mut dots);
+    let sketch = Sketch { strokes: &all, labels: &labels, bounds: &bounds, look };
+    let mut drawn = sketch.drawn(area);
+    if !drawn.listed.is_empty() && area.height >= 6 {
+        let rows = list(&drawn.listed, area.width, look).len().min(usize::from(area.height / 4)) as u16;
+        drawn = sketch.drawn(Rect { height: area.height - rows, ..area });
+        let mut lines = list(&drawn.listed, area.width, look);
+        if lines.len() > rows.into() {
+            let rest = lines.drain(usize::from(rows) - 1..).collect::<Vec<_>>().join("  ");
+            lines.push(look.shortened(&rest, usize::from(area.width).min(rest.width() - 1)));
+        }
+        for (line, y) in lines.iter().zip(area.bottom() - rows..) {
+            buffer.set_string(area.x, y, line, look.dim());
+        }
     }
-    dots.draw(buffer);
-    let mut words = Labels::new(area);
-    for (at, text) in &labels {
-        let text = look.shortened(text, area.width.into());
-        words.beside(&text, look.symbol(), dots.cell_of(fit.dot(*at)), |x, y| dots.is_free(x, y));
+    drawn.dots.draw(buffer);
+    drawn.words.draw(buffer);
+    Placed {
+        beside: drawn.words.placed(),
+        listed: drawn.listed.into_iter().map(|(_, words)| words).collect(),
+        heads: drawn.heads,
     }
-    words.draw(buffer);
 }
 
+/// What a drawing is made of, and what it is drawn with.
+struct Sketch<'a> {
+    strokes: &'a [Stroke],
+    labels: &'a [(Point, String)],
+    bounds: &'a Box2,
+    look: &'a Look,
+}
+
+/// A drawing in the cells of an area.
+struct Drawn {
+    dots: Dots,
+    words: Labels,
+    /// Marks and words that have no place beside their points.
+    listed: Vec<(String, String)>,
+    heads: Vec<(u16, u16)>,
+}
+
+impl Sketch<'_> {
+    fn drawn(&self, area: Rect) -> Drawn {
+        let look = self.look;
+        let marker = if look.ascii { Marker::Ascii } else { Marker::Braille };
+        let mut dots = Dots::new(area, marker);
+        let fit = Fit::of(self.bounds, self.labels, &dots, area);
+        for stroke in self.strokes {
+            draw(stroke, &fit, look, &mut dots);
+        }
+        let mut words = Labels::new(area);
+        let heads =
+            self.strokes.iter().filter(|stroke| stroke.part == Part::Head).flat_map(|stroke| &stroke.points);
+        let mut heads: Vec<(u16, u16)> = heads.map(|at| dots.cell_of(fit.dot(*at))).collect();
+        heads.sort_unstable();
+        heads.dedup();
+        heads.iter().for_each(|cell| words.reserve(*cell));
+        let mut listed = Vec::new();
+        for (at, text) in self.labels {
+            let short = look.shortened(text, area.width.into());
+            let cell = dots.cell_of(fit.dot(*at));
+            let free = |x, y| dots.is_free(x, y);
+            if !words.beside(&short, look.symbol(), cell, free) {
+                let mark = mark(listed.len(), look);
+                words.mark(&mark, look.symbol(), cell, free);
+                listed.push((mark, text.clone()));
+            }
+        }
+        Drawn { dots, words, listed, heads }
+    }
+}
+
+/// The sign of words that are listed under a drawing: no number of a mass, no symbol.
+fn mark(n: usize, look: &Look) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let number = (n + 1).to_string();
+    if look.ascii {
+        return format!("*{number}");
+    }
+    number.bytes().map(|digit| RAISED[usize::from(digit - b'0')]).collect()
+}
+
+/// Marks and words side by side, in lines.
+fn list(listed: &[(String, String)], width: u16, look: &Look) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for (mark, words) in listed {
+        let entry = look.shortened(&format!("{mark} {words}"), width.into());
+        match lines.last_mut() {
+            Some(line) if line.width() + 2 + entry.width() <= width.into() => *line += &format!("  {entry}"),
+            _ => lines.push(entry),
+        }
+    }
+    lines
+}
+
+/// The words of a drawing and their points; the same words at the same point once.
 fn labels(drawing: &Drawing, locale: &Locale) -> Vec<(Point, String)> {
     let label = |shape: &DrawnShape| match shape {
         DrawnShape::Label(at, text) if at.0.is_finite() && at.1.is_finite() => {
@@ -60,7 +152,13 @@ fn labels(drawing: &Drawing, locale: &Locale) -> Vec<(Point, String)> {
         }
         _ => None,
     };
-    drawing.shapes.iter().filter_map(label).collect()
+    let mut labels: Vec<(Point, String)> = Vec::new();
+    for label in drawing.shapes.iter().filter_map(label).filter(|(_, words)| !words.is_empty()) {
+        if !labels.contains(&label) {
+            labels.push(label);
+        }
+    }
+    labels
 }
 
 fn draw(stroke: &Stroke, fit: &Fit, look: &Look, dots: &mut Dots) {

@@ -4,14 +4,14 @@ mod lines;
 mod nudge;
 mod units;
 
-use std::collections::HashMap;
+use std::{collections::HashMap, ops::Range};
 
 use dalembert_core::{Draft, Entry, FieldError, Shape, Value, draft};
 use dalembert_units::{Decimal, Style, write_quantity, write_vector};
 use tui_input::Input;
 
 pub use lines::{Line, Role, lines};
-pub use nudge::nudged;
+pub use nudge::{digit_at, nudged};
 
 use self::units::in_next_unit;
 use crate::glyphs::filter_untrusted;
@@ -37,6 +37,8 @@ pub struct Form {
     last: Option<Change>,
     /// The field whose unit was changed last: from what text, and to what.
     converted: Option<Converted>,
+    /// The number that has a digit chosen to be nudged, and how many places that is left of its last one.
+    aim: Option<(String, u32)>,
     /// The alternatives that were left, by path and place, to come back to.
     left: HashMap<(String, usize), Draft>,
 }
@@ -90,6 +92,7 @@ impl Form {
             redo: Vec::new(),
             last: None,
             converted: None,
+            aim: None,
             left: HashMap::new(),
         }
     }
@@ -353,15 +356,44 @@ impl Form {
         done
     }
 
-    /// Changes the last digit of the field under the cursor by so many tenths.
+    /// Changes the last digit of the field under the cursor, or the one that was chosen, by so many tenths.
     pub fn nudge(&mut self, tenths: i64) -> bool {
-        let Some(Line { path, role: Role::Leaf { text, shape, .. }, .. }) = self.line() else { return false };
+        let Some((path, text)) = self.number() else { return false };
+        let by = 10_i64.checked_pow(self.place_of_digit(&path)).and_then(|place| tenths.checked_mul(place));
+        let Some(text) = by.and_then(|by| nudged(&text, by)) else { return false };
+        self.put(Change::Nudge(path.clone()), &path, Draft::Leaf(text))
+    }
+
+    /// Chooses the digit at the left of the one that nudges change, or at its right; whether the field under the cursor
+    /// is a number.
+    pub fn aim(&mut self, left: bool) -> bool {
+        let Some((path, text)) = self.number() else { return false };
+        let now = self.place_of_digit(&path);
+        let to = if left { now + 1 } else { now.saturating_sub(1) };
+        if to == 0 || digit_at(&text, to).is_some() {
+            self.aim = Some((path, to));
+        }
+        true
+    }
+
+    /// The bytes of the digit that was chosen in the text of a field.
+    pub fn digit(&self, path: &str, text: &str) -> Option<Range<usize>> {
+        let (_, place) = self.aim.as_ref().filter(|(aim, _)| aim == path)?;
+        digit_at(text, *place)
+    }
+
+    fn place_of_digit(&self, path: &str) -> u32 {
+        self.aim.as_ref().filter(|(aim, _)| aim == path).map_or(0, |(_, place)| *place)
+    }
+
+    /// Path and text of the field under the cursor, where it is a number with digits to change.
+    fn number(&self) -> Option<(String, String)> {
+        let Line { path, role: Role::Leaf { text, shape, .. }, .. } = self.line()? else { return None };
         if !matches!(shape, Shape::Quantity(_) | Shape::Count { .. }) {
-            return false;
+            return None;
         }
         let exact = matches!(draft::read_leaf(&text, &shape, ""), Ok(Value::Quantity(value)) if value.last_place == 0.0);
-        let Some(text) = nudged(&text, tenths).filter(|_| !exact) else { return false };
-        self.put(Change::Nudge(path.clone()), &path, Draft::Leaf(text))
+        (!exact && nudged(&text, 10).is_some()).then_some((path, text))
     }
 
     /// Writes the field under the cursor in the next unit of its kind.

@@ -55,6 +55,8 @@ pub enum Action {
     NextExhibit,
     /// Another way to draw curves.
     NextMarker,
+    /// To where a scene in space is usually seen from.
+    UsualView,
     /// Less of the axis, larger.
     ZoomIn,
     /// More of the axis, smaller.
@@ -67,6 +69,8 @@ pub enum Action {
     PanRight,
     /// Linear, logarithmic, in decibels.
     NextSpread,
+    /// The horizontal axis linear or logarithmic.
+    NextSpreadAcross,
     /// Lets films move, or holds them.
     Play,
     /// Holds the film at the frame before.
@@ -111,6 +115,8 @@ pub enum Action {
     SaveAs,
     /// Writes the worked solution to a file.
     Export,
+    /// Writes the plot or drawing that is seen to a file.
+    ExportSeen,
     /// Asks for the title of the problem.
     Rename,
     /// Opens a problem file.

@@ -10,6 +10,8 @@ const THREE_COLUMNS: u16 = 140;
 const TWO_COLUMNS: u16 = 64;
 /// From so many rows on there are frames, and a line of help.
 const ROOMY: u16 = 12;
+/// Rows of a plot that may stand beside others.
+const ROOMY_PLOT: u16 = 18;
 /// Columns of the narrowest column of inputs.
 const FORM: u16 = 38;
 
@@ -86,14 +88,18 @@ pub fn stack(pane: Rect, lines_of_results: usize) -> [Rect; 2] {
     Layout::vertical([Constraint::Length(wanted.min(most)), Constraint::Fill(1)]).areas(pane)
 }
 
-/// Plot above drawing.
-pub fn pictures(picture: Rect, has_plot: bool, has_drawing: bool) -> [Rect; 2] {
-    let drawing = match (has_plot, has_drawing) {
-        (true, true) => picture.height * 2 / 5,
-        (false, true) => picture.height,
-        _ => 0,
+/// The plot, below it the next of several where there is room, below both the drawing.
+pub fn pictures(picture: Rect, plots: usize, has_drawing: bool) -> [Rect; 3] {
+    let two = plots > 1 && picture.height >= (2 + u16::from(has_drawing)) * ROOMY_PLOT;
+    let drawing = match (plots, has_drawing) {
+        (0, true) => picture.height,
+        (_, true) if two => picture.height / 3,
+        (_, true) => picture.height * 2 / 5,
+        (_, false) => 0,
     };
-    Layout::vertical([Constraint::Fill(1), Constraint::Length(drawing)]).areas(picture)
+    let second = if two { (picture.height - drawing) / 2 } else { 0 };
+    Layout::vertical([Constraint::Fill(1), Constraint::Length(second), Constraint::Length(drawing)])
+        .areas(picture)
 }
 
 /// Whether there is room for a frame.

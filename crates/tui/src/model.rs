@@ -285,6 +285,22 @@ pub enum Effect {
     Quit,
 }
 
+impl Effect {
+    /// Whether it may wait for other keys that are there already: nothing that they lead to depends on it.
+    pub fn may_wait(&self) -> bool {
+        matches!(self, Effect::Solve(_) | Effect::Keep { .. } | Effect::Forget)
+    }
+
+    /// Whether a newer effect makes it idle: of keys that waited together the last decides.
+    pub fn is_idle_after(&self, newer: &Effect) -> bool {
+        matches!(
+            (self, newer),
+            (Effect::Solve(_), Effect::Solve(_))
+                | (Effect::Keep { .. } | Effect::Forget, Effect::Keep { .. } | Effect::Forget)
+        )
+    }
+}
+
 impl Model {
     /// The list of these analyses.
     pub fn new(entries: &[&'static Entry], language: Language, look: Look, marker: Marker) -> Self {

@@ -10,7 +10,7 @@ mod text;
 
 use std::time::Duration;
 
-use dalembert_core::{Exhibit, Film, Text};
+use dalembert_core::Text;
 use ratatui::{
     Frame,
     buffer::Buffer,
@@ -88,17 +88,17 @@ pub(crate) fn shows(model: &Model, tab: Tab) -> bool {
 
 /// How long each frame of a film stands; `None` while none moves on the screen.
 pub fn tempo(model: &Model) -> Option<Duration> {
-    let film = film(model).filter(|_| model.playing && model.dialog.is_none())?;
-    Duration::try_from_secs_f64(film.period / (film.frames.len() as f64 * model.film_speed)).ok()
+    let (frames, period) = film(model).filter(|_| model.playing && model.dialog.is_none())?;
+    Duration::try_from_secs_f64(period / (frames as f64 * model.film_speed)).ok()
 }
 
-/// The film on the screen that can move.
-pub(crate) fn film(model: &Model) -> Option<&Film> {
+/// The frames and the time of what can move on the screen.
+pub(crate) fn film(model: &Model) -> Option<(usize, f64)> {
     let bench = model.shown_bench().filter(|bench| !bench.is_stale())?;
-    let Exhibit::Film(film) = bench.sketch()? else { return None };
+    let film = bench.sketch()?.frames();
     let area = Rect::new(0, 0, model.size.0, model.size.1);
     let areas = layout::bench(area, bench.focus, bench.expanded || model.look.basic);
-    (film.frames.len() > 1 && pane::shows_drawing(bench, &areas)).then_some(film)
+    (film.0 > 1 && pane::shows_drawing(bench, &areas)).then_some(film)
 }
 
 /// Where what has the focus begins: a screen reader follows the cursor.

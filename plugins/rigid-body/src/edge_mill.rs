@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 use nalgebra::{Rotation3, Vector3};
 
 use crate::{
-    scene::{self, Scene, View},
+    scene::{self, Scene},
     sources::BEER,
 };
 
@@ -214,7 +214,7 @@ impl Analysis for EdgeMill {
             }
         });
         sheet.show(|| Exhibit::Plot(self.force_over_speed(inertia, omega, force.value())));
-        sheet.show(|| Exhibit::Film(self.film()));
+        sheet.show(|| self.film());
         Ok(())
     }
 }
@@ -256,12 +256,12 @@ impl EdgeMill {
     }
 
     /// The rollers on the pan over a turn of the shaft, with the radius of the roller and the arm to scale.
-    fn film(&self) -> dalembert_core::Film {
+    fn film(&self) -> Exhibit {
         let size = self.arm.max(self.radius);
         let (arm, radius) = (self.arm / size, self.radius / size);
         let count = self.rollers.min(4);
         scene::film("The rollers on the pan", 4.0, |t| {
-            let mut scene = Scene::new(View::usual());
+            let mut scene = Scene::new();
             scene.circle(Vector3::zeros(), Vector3::z(), arm, Ink::Faint);
             scene.circle(Vector3::zeros(), Vector3::z(), 1.3 * arm, Ink::Body);
             scene.line([Vector3::zeros(), Vector3::z() * (radius + 0.6)], Ink::Body);
@@ -277,7 +277,7 @@ impl EdgeMill {
                 scene.line([hub, centre], Ink::Body);
             }
             scene.arrow(Vector3::z() * (radius + 0.2), Vector3::z() * 0.5, Ink::Motion, "Ω");
-            scene.shapes()
+            scene
         })
     }
 }

@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text,
-    Worksheet, register,
+    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    register,
 };
 use dalembert_mechanics::{
     Real, Vector,
@@ -13,7 +13,7 @@ use dalembert_mechanics::{
 use nalgebra::{Rotation3, Vector3};
 
 use crate::{
-    scene::{self, Scene, View},
+    scene::{self, Scene},
     sources::{BEER, GOLDSTEIN},
 };
 
@@ -281,7 +281,7 @@ impl Analysis for FreeAxisymmetric {
         }
         let (r, omega) = (ratio.value(), start.value());
         sheet.show(|| Exhibit::Drawing(cones_in_section(r, omega)));
-        sheet.show(|| Exhibit::Film(rolling_cones(r, omega)));
+        sheet.show(|| rolling_cones(r, omega));
         sheet.show(|| Exhibit::Plot(components(r, omega)));
         Ok(())
     }
@@ -505,7 +505,7 @@ fn cones_in_section(ratio: f64, omega: Vector3<f64>) -> Drawing {
 }
 
 /// One precession: the body cone rolls on the space cone, the angular velocity along their common line.
-fn rolling_cones(ratio: f64, omega: Vector3<f64>) -> Film {
+fn rolling_cones(ratio: f64, omega: Vector3<f64>) -> Exhibit {
     let (theta, beta) = angles(ratio, omega);
     let precession = torque_free::precession(ratio, omega.z, omega.xy().norm());
     let spin = torque_free::spin(ratio, omega.z.abs());
@@ -514,7 +514,7 @@ fn rolling_cones(ratio: f64, omega: Vector3<f64>) -> Film {
         let nodes = about(Vector3::z_axis(), TAU * part) * about(Vector3::x_axis(), theta);
         let turn = nodes * about(Vector3::z_axis(), TAU * part * spin / precession);
         let (axis, line) = (nodes * Vector3::z(), nodes * Vector3::new(0.0, beta.sin(), beta.cos()));
-        let mut scene = Scene::new(View::usual());
+        let mut scene = Scene::new();
         let space = (theta - beta).abs();
         scene.cone(Vector3::zeros(), Vector3::z() * space.cos(), space.sin(), Ink::Motion);
         scene.cone(Vector3::zeros(), axis * beta.cos(), beta.sin(), Ink::Body);
@@ -522,7 +522,7 @@ fn rolling_cones(ratio: f64, omega: Vector3<f64>) -> Film {
         scene.arrow(Vector3::zeros(), Vector3::z() * 1.4, Ink::Force, "H_G");
         scene.arrow(Vector3::zeros(), line * 1.25, Ink::Result, "ω");
         scene.arrow(Vector3::zeros(), axis * 1.3, Ink::Faint, "z");
-        scene.shapes()
+        scene
     })
 }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use dalembert_core::{
-    About, Analysis, Axis, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real, Vector,
@@ -15,7 +15,7 @@ use dalembert_mechanics::{
 use nalgebra::{Matrix3, Vector3};
 
 use crate::{
-    scene::{self, Scene, View},
+    scene::{self, Scene},
     sources::{GOLDSTEIN, LANDAU},
 };
 
@@ -180,7 +180,7 @@ impl Analysis for FreeTriaxial {
         let shown = shown_time(&body, start);
         sheet.show(|| Exhibit::Plot(components(&body, shown)));
         sheet.show(|| Exhibit::Plot(herpolhode(&body, plain.into(), start, shown)));
-        sheet.show(|| Exhibit::Film(poinsot(&body, plain.into(), start, shown)));
+        sheet.show(|| poinsot(&body, plain.into(), start, shown));
         Ok(())
     }
 }
@@ -525,7 +525,7 @@ fn fixed_frame(inertia: Vector3<f64>, start: Vector3<f64>) -> Matrix3<f64> {
 }
 
 /// The inertia ellipsoid rolls on the plane normal to the angular momentum; the polhode is drawn on it.
-fn poinsot(body: &FreeBody, inertia: Vector3<f64>, start: Vector3<f64>, shown: f64) -> Film {
+fn poinsot(body: &FreeBody, inertia: Vector3<f64>, start: Vector3<f64>, shown: f64) -> Exhibit {
     let frame = fixed_frame(inertia, start);
     // The ellipsoid ω·I ω = 2T, its longest half-axis one unit.
     let energy = start.dot(inertia.component_mul(&start));
@@ -537,13 +537,13 @@ fn poinsot(body: &FreeBody, inertia: Vector3<f64>, start: Vector3<f64>, shown: f
     scene::film("Poinsot: the inertia ellipsoid rolls on the plane across H", 8.0, |part| {
         let t = shown / 2.0 * part;
         let turn = frame.transpose() * body.attitude(t).matrix();
-        let mut scene = Scene::new(View::usual());
+        let mut scene = Scene::new();
         scene.floor(Vector3::z() * plane, 1.0);
         scene.ellipsoid(Vector3::zeros(), &turn, half / unit, Ink::Body);
         scene.axes(Vector3::zeros(), &turn, 1.2, AXES);
         scene.line(polhode.iter().map(|point| turn * point), Ink::Motion);
         scene.arrow(Vector3::zeros(), Vector3::z() * 1.2, Ink::Force, "H");
         scene.arrow(Vector3::zeros(), turn * body.velocity(t) / unit, Ink::Result, "ω");
-        scene.shapes()
+        scene
     })
 }

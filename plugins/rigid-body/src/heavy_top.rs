@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real, Vector,
@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 use nalgebra::{Rotation3, Vector3};
 
 use crate::{
-    scene::{self, Scene, View},
+    scene::{self, Scene},
     sources::{BEER, GOLDSTEIN},
     top_body::{TopBody, TopMoments},
 };
@@ -195,7 +195,7 @@ impl Analysis for HeavyTop {
             precession: precession.value(),
         };
         sheet.show(|| Exhibit::Plot(self.over_spin(&plain)));
-        sheet.show(|| Exhibit::Film(self.film(plain.precession, plain.spin)));
+        sheet.show(|| self.film(plain.precession, plain.spin));
         Ok(())
     }
 }
@@ -393,7 +393,7 @@ impl HeavyTop {
             );
         });
         let (spin, precession) = (spin.value(), precession.value());
-        sheet.show(|| Exhibit::Film(self.film(precession, spin)));
+        sheet.show(|| self.film(precession, spin));
         Ok(())
     }
 
@@ -434,14 +434,14 @@ impl HeavyTop {
     }
 
     /// The top on its way around the vertical.
-    fn film(&self, precession: f64, spin: f64) -> Film {
+    fn film(&self, precession: f64, spin: f64) -> Exhibit {
         let (around, about) = (precession.signum(), spin.signum());
         scene::film("The top in steady precession", 4.0, |part| {
             let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), around * TAU * part)
                 * Rotation3::from_axis_angle(&Vector3::x_axis(), self.nutation)
                 * Rotation3::from_axis_angle(&Vector3::z_axis(), about * 3.0 * TAU * part);
             let axis = turn * Vector3::z();
-            let mut scene = Scene::new(View::usual());
+            let mut scene = Scene::new();
             scene.circle(Vector3::z() * axis.z * 1.2, Vector3::z(), 1.2 * axis.xy().norm(), Ink::Faint);
             scene.line([Vector3::zeros(), Vector3::z() * 1.3 * axis.z.signum()], Ink::Faint);
             scene.cone(Vector3::zeros(), axis * 0.9, 0.4, Ink::Body);
@@ -450,7 +450,7 @@ impl HeavyTop {
             scene.arrow(Vector3::zeros(), Vector3::z() * 0.7 * around, Ink::Motion, "φ̇");
             scene.arrow(axis * 0.65, Vector3::z() * -0.5, Ink::Force, "m g");
             scene.label(Vector3::new(0.0, 0.05, -0.1), "O");
-            scene.shapes()
+            scene
         })
     }
 }

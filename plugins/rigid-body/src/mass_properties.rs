@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, TableExhibit, Text,
-    Worksheet,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
     register,
 };
@@ -16,7 +15,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::{
     body::{AboutPoint, Body, Line, LineGiven, PAIRS, Part, Worked, about_line, about_point, refused},
-    scene::{Scene, View},
+    scene::Scene,
     sources::{BEER, MERIAM, RIUL},
 };
 
@@ -98,7 +97,7 @@ impl Analysis for MassProperties {
         {
             sheet.show(|| Exhibit::Table(listed(parts, &body.properties)));
         }
-        sheet.show(|| Exhibit::Drawing(self.drawn(&body.properties, &principal)));
+        sheet.show(|| self.drawn(&body.properties, &principal));
         sheet.show(|| Exhibit::Plot(turned_axes(&principal)));
         Ok(())
     }
@@ -192,8 +191,8 @@ impl MassProperties {
         }
     }
 
-    fn drawn(&self, body: &rigid::MassProperties, principal: &Principal) -> Drawing {
-        let mut scene = Scene::new(View::usual());
+    fn drawn(&self, body: &rigid::MassProperties, principal: &Principal) -> Exhibit {
+        let mut scene = Scene::new();
         let size = self.body.draw(&mut scene, body, principal);
         scene.axes(Vector3::zeros(), &Matrix3::identity(), 0.6 * size, ["x", "y", "z"]);
         for (n, name) in ["1", "2", "3"].into_iter().enumerate() {
@@ -206,7 +205,7 @@ impl MassProperties {
             let foot = line.through + along * along.dot(body.centre - line.through);
             scene.line([foot - along * size, foot + along * size], Ink::Motion);
         }
-        Drawing { title: "The body, its axes and its principal axes at G".into(), shapes: scene.shapes() }
+        scene.exhibit("The body, its axes and its principal axes at G")
     }
 }
 

@@ -1,12 +1,12 @@
 //! Momentum, angular momentum and kinetic energy of a body in space.
 
-use dalembert_core::{About, Analysis, Drawing, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register};
+use dalembert_core::{About, Analysis, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{Real, Vector, rigid};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::{
     body::{Body, Going, Line, LineGiven, Turning, Worked, directed, refused},
-    scene::{Scene, View},
+    scene::Scene,
     sources::{BEER, MERIAM, RIUL},
 };
 
@@ -145,7 +145,7 @@ impl Analysis for Momentum {
             );
         });
         let about_g = about_g.value();
-        sheet.show(|| Exhibit::Drawing(self.drawn(&body, omega, about_g)));
+        sheet.show(|| self.drawn(&body, omega, about_g));
         Ok(())
     }
 }
@@ -251,8 +251,8 @@ impl Momentum {
         Ok(())
     }
 
-    fn drawn<W: Worksheet>(&self, body: &Worked<W>, omega: Vector3<f64>, momentum: Vector3<f64>) -> Drawing {
-        let mut scene = Scene::new(View::usual());
+    fn drawn<W: Worksheet>(&self, body: &Worked<W>, omega: Vector3<f64>, momentum: Vector3<f64>) -> Exhibit {
+        let mut scene = Scene::new();
         if let Ok(principal) = body.properties.check() {
             let size = self.body.draw(&mut scene, &body.properties, &principal);
             scene.axes(Vector3::zeros(), &Matrix3::identity(), 0.6 * size, ["x", "y", "z"]);
@@ -264,9 +264,6 @@ impl Momentum {
             scene.arrow(centre, along(momentum), Ink::Result, "H_G");
             scene.label(centre, "G");
         }
-        Drawing {
-            title: "The body, its angular velocity and its angular momentum".into(),
-            shapes: scene.shapes(),
-        }
+        scene.exhibit("The body, its angular velocity and its angular momentum")
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Worksheet, register,
 };
 use dalembert_mechanics::{
     Vector,
@@ -16,7 +16,7 @@ use crate::{
     inertia::Inertia,
     joints::{self, Joint, Worked, seen_from},
     rotation_chain::Axes,
-    scene::{Scene, View},
+    scene::Scene,
     sources::{BEER, IRODOV, RIUL},
 };
 
@@ -176,7 +176,7 @@ impl Analysis for RateOfChange {
             self.check_by_differences(&body, point, about, moment, frame, sheet);
         });
         let vectors = [about.value(), moment.value(), omega.value()];
-        sheet.show(|| Exhibit::Drawing(self.drawing(&frames, body.centre, vectors)));
+        sheet.show(|| self.drawing(&frames, body.centre, vectors));
         sheet.show(|| Exhibit::Plot(self.over_a_turn(&body)));
         Ok(())
     }
@@ -329,8 +329,8 @@ impl RateOfChange {
     }
 
     /// The body's frame with ω, H and dH/dt at G, in the moving axes.
-    fn drawing(&self, frames: &[chain::Frame], centre: Vector3<f64>, vectors: [Vector3<f64>; 3]) -> Drawing {
-        let mut scene = Scene::new(View::usual());
+    fn drawing(&self, frames: &[chain::Frame], centre: Vector3<f64>, vectors: [Vector3<f64>; 3]) -> Exhibit {
+        let mut scene = Scene::new();
         let last = &frames[frames.len() - 1];
         let frame = &frames[self.frame.place()];
         let centre = seen_from(frame, last.point(centre).place - frame.origin);
@@ -348,6 +348,6 @@ impl RateOfChange {
                 scene.arrow(centre, along * length * 0.9, ink, name);
             }
         }
-        Drawing { title: "Angular momentum and its rate of change".into(), shapes: scene.shapes() }
+        scene.exhibit("Angular momentum and its rate of change")
     }
 }

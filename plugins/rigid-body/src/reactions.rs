@@ -125,7 +125,7 @@ impl Analysis for Reactions {
         sheet.keep_going()?;
         sheet.verify(|| self.check_by_differences(&body, &moved, &reactions, &frames[axes], sheet));
         sheet.show(|| Exhibit::Table(held.table(self, &reactions)));
-        sheet.show(|| Exhibit::Drawing(self.drawing(&body, &frames, &reactions)));
+        sheet.show(|| self.drawing(&body, &frames, &reactions));
         self.plots(&body, moved.joint_acceleration, sheet);
         Ok(())
     }

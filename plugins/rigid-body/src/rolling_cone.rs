@@ -1,13 +1,13 @@
 //! A cone that rolls on a level plane about its fixed apex.
 
 use dalembert_core::{
-    About, Analysis, Axis, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Worksheet, register,
 };
 use dalembert_mechanics::{Real, Vector, rigid, rigid::rolling};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::{
-    scene::{self, Scene, View},
+    scene::{self, Scene},
     sources::{BEER, LANDAU},
 };
 
@@ -238,7 +238,7 @@ impl Analysis for RollingCone {
             let (a, t) = (axial.value(), transverse.value());
             self.check_by_rotation(sheet, [a, t], precession.value(), rate.value());
         });
-        sheet.show(|| Exhibit::Film(self.film()));
+        sheet.show(|| self.film());
         let [part, normal, lever, slant] = [momentum_part, normal, lever, slant].map(Real::value);
         let (now, tips) = (precession.value(), tipping.value());
         sheet.show(|| {
@@ -295,14 +295,14 @@ impl RollingCone {
     }
 
     /// One turn about the vertical.
-    fn film(&self) -> Film {
+    fn film(&self) -> Exhibit {
         let (sin, cos) = self.half_angle.sin_cos();
         let slant = self.height / cos;
         scene::film("The rolling cone", 6.0, |part| {
             let turn = -std::f64::consts::TAU * part;
             let line = Vector3::new(turn.cos(), turn.sin(), 0.0);
             let axis = line * cos + Vector3::z() * sin;
-            let mut scene = Scene::new(View::usual());
+            let mut scene = Scene::new();
             scene.floor(Vector3::zeros(), 1.1 * slant);
             scene.cone(Vector3::zeros(), axis * self.height, self.height * sin / cos, Ink::Body);
             // A mark on the base that turns as the cone rolls.
@@ -313,7 +313,7 @@ impl RollingCone {
             scene.line([axis * self.height, rim], Ink::Body);
             scene.arrow(Vector3::zeros(), line * (1.2 * slant), Ink::Motion, "ω");
             scene.arrow(Vector3::zeros(), Vector3::z() * (-0.5 * slant), Ink::Motion, "φ̇");
-            scene.shapes()
+            scene
         })
     }
 }

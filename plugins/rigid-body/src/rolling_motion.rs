@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    About, Analysis, Axis, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -13,7 +13,7 @@ use dalembert_mechanics::{
 use nalgebra::{Matrix3, Vector3};
 
 use crate::{
-    scene::{self, Scene, View},
+    scene::{self, Scene},
     sources::{HAIRER, ROUTH},
     wheel::{self, Wheel},
 };
@@ -272,7 +272,7 @@ impl RollingMotion {
         let over = |title: &'static str, label: &'static str, unit: &'static str, series| {
             Exhibit::Plot(Plot::new(title, Axis::linear("Time", "s"), Axis::linear(label, unit), series))
         };
-        sheet.show(|| Exhibit::Film(self.film(moments)));
+        sheet.show(|| self.film(moments));
         sheet.show(|| {
             let contact = moments.iter().map(|moment| (moment.contact[0], moment.contact[1])).collect();
             let centre = moments.iter().map(|moment| self.centre(moment)).map(|c| (c.x, c.y)).collect();
@@ -320,7 +320,7 @@ impl RollingMotion {
         Vector3::new(moment.contact[0], moment.contact[1], 0.0) + Self::axes(moment).column(1) * self.radius
     }
 
-    fn film(&self, moments: &[Moment]) -> Film {
+    fn film(&self, moments: &[Moment]) -> Exhibit {
         let points = moments.iter().map(|m| Vector3::new(m.contact[0], m.contact[1], 0.0));
         let path: Vec<Vector3<f64>> = points.collect();
         let low = path.iter().fold(Vector3::repeat(f64::INFINITY), |low, p| low.inf(p));
@@ -331,7 +331,7 @@ impl RollingMotion {
             let axes = Self::axes(moment);
             let spin = nalgebra::Rotation3::from_axis_angle(&Vector3::z_axis(), moment.spin);
             let centre = self.centre(moment);
-            let mut scene = Scene::new(View::usual());
+            let mut scene = Scene::new();
             scene.floor(middle, half);
             scene.line(path.iter().copied(), Ink::Faint);
             scene.disc(centre, &(axes * spin.matrix()), self.radius, Ink::Body);
@@ -349,7 +349,7 @@ impl RollingMotion {
             if let Some(unit) = force.try_normalize(0.0) {
                 scene.arrow(contact, unit * (most * self.radius), Ink::Force, "");
             }
-            scene.shapes()
+            scene
         })
     }
 }

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Reference, Refusal, Series,
-    TableExhibit, Text, Worksheet,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Reference, Refusal, Series, TableExhibit, Text,
+    Worksheet,
     exhibit::{Cell, Column},
     register,
 };
@@ -16,7 +16,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::{
     joints::{self, Joint, Named, Worked, given_name, seen_from},
-    scene::{self, Scene, View},
+    scene::{self, Scene},
     sources::{BEER, MERIAM},
 };
 
@@ -131,7 +131,7 @@ impl Analysis for RotationChain {
         let points = self.points(given, &worked, sheet);
         sheet.verify(|| self.check_by_differences(&frames, &worked, &points, sheet));
         sheet.show(|| Exhibit::Table(orientation(&self.joints, &frames, axes)));
-        sheet.show(|| Exhibit::Film(self.film(&frames)));
+        sheet.show(|| self.film(&frames));
         sheet.show(|| Exhibit::Plot(self.over_time(&frames[axes], axes)));
         Ok(())
     }
@@ -235,8 +235,8 @@ impl RotationChain {
     }
 
     /// The frames with their axes, the angular velocity and the angular acceleration of the last.
-    fn shapes(&self, frames: &[chain::Frame]) -> Vec<DrawnShape> {
-        let mut scene = Scene::new(View::usual());
+    fn scene(&self, frames: &[chain::Frame]) -> Scene {
+        let mut scene = Scene::new();
         let offsets: f64 = self.joints.iter().map(|joint| joint.offset.norm()).sum();
         let reach = self.points.iter().map(|point| point.place.norm()).fold(offsets, f64::max);
         let length = if reach > 0.0 { reach / 2.0 } else { 1.0 };
@@ -259,15 +259,15 @@ impl RotationChain {
             scene.line([frame.origin, place], Ink::Body);
             scene.label(place, given_name(&point.name));
         }
-        scene.shapes()
+        scene
     }
 
     /// The frames while the joints go on with their accelerations.
-    fn film(&self, now: &[chain::Frame]) -> Film {
+    fn film(&self, now: &[chain::Frame]) -> Exhibit {
         let span = chain::period(&joints::later(&self.joints, 0.0));
         scene::film("The frames of the chain", SHOWN, |part| {
             let later = chain::frames(&joints::later(&self.joints, part * span));
-            self.shapes(later.as_deref().unwrap_or(now))
+            self.scene(later.as_deref().unwrap_or(now))
         })
     }
 

@@ -1,11 +1,11 @@
-//! Scenes in space as line drawings: points, axes, arrows and wireframes, seen from a chosen side by parallel rays.
+//! Scenes in space as line drawings: points, axes, arrows and wireframes.
 //!
-//! A scene takes points in metres (or in any one length of its own) with z up, and gives the shapes of a
-//! [`Drawing`](dalembert_core::Drawing) or of a frame of a [`Film`].
+//! A scene takes points in metres (or in any one length of its own) with z up, and gives an exhibit that can be seen
+//! from every side.
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{DrawnShape, Film, Ink, Text, exhibit::Point};
+use dalembert_core::{Exhibit, Ink, SpacePoint, SpaceShape, Text, View, exhibit};
 use nalgebra::{Matrix3, Vector3};
 
 /// Frames of a film.
@@ -13,73 +13,56 @@ pub const FRAMES: usize = 24;
 /// Straight parts of a drawn circle.
 const PARTS: usize = 36;
 
-/// From where a scene is seen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct View {
-    right: Vector3<f64>,
-    up: Vector3<f64>,
-}
-
-impl View {
-    /// Seen from the direction of an azimuth, from x about z, and of an elevation above the plane xy, rad.
-    pub fn from(azimuth: f64, elevation: f64) -> Self {
-        let (sin, cos) = azimuth.sin_cos();
-        let (sin_up, cos_up) = elevation.sin_cos();
-        Self { right: Vector3::new(-sin, cos, 0.0), up: Vector3::new(-sin_up * cos, -sin_up * sin, cos_up) }
-    }
-
-    /// x towards the viewer and to the left, y to the right, z up.
-    pub fn usual() -> Self {
-        Self::from(35.0_f64.to_radians(), 25.0_f64.to_radians())
-    }
-
-    /// The same side for a scene whose y axis points up: z towards the viewer and to the left, x to the right.
-    pub fn y_up() -> Self {
-        let view = Self::usual();
-        let turned = |v: Vector3<f64>| Vector3::new(v.y, v.z, v.x);
-        Self { right: turned(view.right), up: turned(view.up) }
-    }
-
-    /// Where a point of the scene is drawn.
-    pub fn point(&self, point: Vector3<f64>) -> Point {
-        (self.right.dot(&point), self.up.dot(&point))
-    }
-}
-
 /// What is drawn so far, later shapes over earlier ones.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Scene {
     view: View,
-    shapes: Vec<DrawnShape>,
+    y_up: bool,
+    shapes: Vec<SpaceShape>,
 }
 
 impl Scene {
-    /// An empty scene.
-    pub fn new(view: View) -> Self {
-        Self { view, shapes: Vec::new() }
+    /// An empty scene: x towards the viewer and to the left, y to the right, z up.
+    pub fn new() -> Self {
+        Self::default()
     }
 
-    /// The shapes of all that was drawn.
-    pub fn shapes(self) -> Vec<DrawnShape> {
-        self.shapes
+    /// Seen at first from the direction of an azimuth, from x about z, and of an elevation above the plane xy, rad.
+    pub fn seen_from(azimuth: f64, elevation: f64) -> Self {
+        Self { view: View { azimuth, elevation }, ..Self::default() }
+    }
+
+    /// A scene whose y axis points up: z towards the viewer and to the left, x to the right.
+    pub fn y_up() -> Self {
+        Self { y_up: true, ..Self::default() }
+    }
+
+    /// All that was drawn.
+    pub fn exhibit(self, title: impl Into<Text>) -> Exhibit {
+        Exhibit::Scene(exhibit::Scene {
+            title: title.into(),
+            frames: vec![self.shapes],
+            period: 0.0,
+            view: self.view,
+        })
     }
 
     /// Straight lines from point to point.
     pub fn line(&mut self, points: impl IntoIterator<Item = Vector3<f64>>, ink: Ink) {
-        let points = points.into_iter().map(|point| self.view.point(point)).collect();
-        self.shapes.push(DrawnShape::Polyline(points, ink));
+        let points = points.into_iter().map(|point| self.place(point)).collect();
+        self.shapes.push(SpaceShape::Polyline(points, ink));
     }
 
     /// Words beside a point.
     pub fn label(&mut self, at: Vector3<f64>, words: impl Into<Text>) {
-        self.shapes.push(DrawnShape::Label(self.view.point(at), words.into()));
+        self.shapes.push(SpaceShape::Label(self.place(at), words.into()));
     }
 
     /// A named arrow along a vector; none for a vector without length.
     pub fn arrow(&mut self, tail: Vector3<f64>, along: Vector3<f64>, ink: Ink, name: impl Into<Text>) {
         if along.norm() > 0.0 {
             let head = tail + along;
-            self.shapes.push(DrawnShape::Arrow(self.view.point(tail), self.view.point(head), ink));
+            self.shapes.push(SpaceShape::Arrow(self.place(tail), self.place(head), ink));
             self.label(head + along * 0.06, name);
         }
     }
@@ -145,7 +128,7 @@ impl Scene {
 
     /// A sphere: its outline, and its circles normal to the axes.
     pub fn sphere(&mut self, centre: Vector3<f64>, radius: f64, ink: Ink) {
-        self.shapes.push(DrawnShape::Circle(self.view.point(centre), radius, ink));
+        self.shapes.push(SpaceShape::Sphere(self.place(centre), radius, ink));
         for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
             self.circle(centre, axis, radius, ink);
         }
@@ -165,12 +148,20 @@ impl Scene {
         let round = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)];
         self.line(round.map(|(x, y)| corner(x, y)), Ink::Faint);
     }
+
+    /// A point with the coordinates of the scene: the axis that points up comes last.
+    fn place(&self, point: Vector3<f64>) -> SpacePoint {
+        let [x, y, z] = point.into();
+        if self.y_up { [z, x, y] } else { [x, y, z] }
+    }
 }
 
-/// A film of frames that are each drawn for a part of the whole, from 0 to 1.
-pub fn film(title: impl Into<Text>, period: f64, mut frame: impl FnMut(f64) -> Vec<DrawnShape>) -> Film {
-    let frames = (0..FRAMES).map(|k| frame(k as f64 / (FRAMES - 1) as f64)).collect();
-    Film { title: title.into(), frames, period }
+/// A film of scenes that are each drawn for a part of the whole, from 0 to 1.
+pub fn film(title: impl Into<Text>, period: f64, mut frame: impl FnMut(f64) -> Scene) -> Exhibit {
+    let scenes: Vec<Scene> = (0..FRAMES).map(|k| frame(k as f64 / (FRAMES - 1) as f64)).collect();
+    let view = scenes.first().map_or_else(View::default, |scene| scene.view);
+    let frames = scenes.into_iter().map(|scene| scene.shapes).collect();
+    Exhibit::Scene(exhibit::Scene { title: title.into(), frames, period, view })
 }
 
 /// Two unit vectors across a direction; with it, right-handed.

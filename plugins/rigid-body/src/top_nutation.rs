@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 use nalgebra::{Rotation3, Vector3};
 
 use crate::{
-    scene::{self, Scene, View},
+    scene::{self, Scene},
     sources::{BEER, GOLDSTEIN},
     top_body::TopBody,
 };
@@ -229,7 +229,7 @@ impl Analysis for TopNutation {
         sheet.show(|| Exhibit::Plot(over_time(&motion)));
         sheet.show(|| Exhibit::Plot(precession_over_time(&motion)));
         sheet.show(|| Exhibit::Plot(from_above(&motion)));
-        sheet.show(|| Exhibit::Film(film(&motion)));
+        sheet.show(|| film(&motion));
         Ok(())
     }
 }
@@ -434,12 +434,12 @@ fn from_above(motion: &Nutation) -> Plot {
     )
 }
 
-fn film(motion: &Nutation) -> Film {
+fn film(motion: &Nutation) -> Exhibit {
     let shown = shown_time(motion);
     let trace = tips(motion, 160);
     scene::film("The axis on its way, and what its tip draws", 8.0, |part| {
         let (turn, axis) = tip(motion, shown * part);
-        let mut scene = Scene::new(View::usual());
+        let mut scene = Scene::new();
         for limit in motion.limits() {
             scene.circle(Vector3::z() * limit.cos(), Vector3::z(), limit.sin(), Ink::Faint);
         }
@@ -449,6 +449,6 @@ fn film(motion: &Nutation) -> Film {
         scene.disc(axis * 0.7, turn.matrix(), 0.3, Ink::Body);
         scene.line([axis * 0.7, axis], Ink::Body);
         scene.label(Vector3::new(0.0, 0.05, -0.1), "O");
-        scene.shapes()
+        scene
     })
 }

@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::{
-    scene::{self, Scene, View},
+    scene::{self, Scene},
     sources::{BEER, BEVAN},
 };
 
@@ -212,7 +212,7 @@ impl Analysis for TwoBladedRotor {
         let (inertia, rate) = ([axial_inertia.value(), along, across_blades], rate.value());
         sheet.verify(|| self.check_by_rotation(inertia, rate, couple, sheet));
         sheet.show(|| Exhibit::Plot(self.couple_over_a_turn(inertia, rate, across.value())));
-        sheet.show(|| Exhibit::Film(film(self.spin)));
+        sheet.show(|| film(self.spin));
         Ok(())
     }
 }
@@ -276,9 +276,9 @@ impl TwoBladedRotor {
 }
 
 /// The rotor over a turn, seen with its axle towards the viewer's left.
-fn film(spin: f64) -> dalembert_core::Film {
+fn film(spin: f64) -> Exhibit {
     scene::film("The blades over a turn: the axle x, the precession about y", 4.0, |t| {
-        let mut scene = Scene::new(View::y_up());
+        let mut scene = Scene::y_up();
         let angle = if spin < 0.0 { -TAU * t } else { TAU * t };
         // The scene has y up and z towards the viewer: x, the axle, to the right.
         let blade = Vector3::new(0.0, angle.cos(), angle.sin());
@@ -290,6 +290,6 @@ fn film(spin: f64) -> dalembert_core::Film {
             scene.arrow(Vector3::zeros(), Vector3::x() * spin.signum(), Ink::Motion, "ω");
         }
         scene.arrow(Vector3::zeros(), Vector3::y() * 1.4, Ink::Motion, "Ω");
-        scene.shapes()
+        scene
     })
 }

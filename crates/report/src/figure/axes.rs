@@ -41,6 +41,8 @@ pub struct View {
     pub window: Option<(f64, f64)>,
     /// How values are spread upwards, where not as the plot has it.
     pub spread: Option<Spread>,
+    /// How values are spread across, where not as the plot has it.
+    pub across: Option<Scale>,
 }
 
 /// How the values of curves are spread upwards.
@@ -60,6 +62,11 @@ impl View {
         let own = if plot.y.scale == Scale::Log { Spread::Log } else { Spread::Linear };
         self.spread.filter(|_| has_logarithms(plot)).unwrap_or(own)
     }
+
+    /// How the horizontal axis of a plot is spread: as was wished where it allows it, else as the plot has it.
+    pub fn scale_across(&self, plot: &Plot) -> Scale {
+        self.across.filter(|_| has_logarithms_across(plot)).unwrap_or(plot.x.scale)
+    }
 }
 
 /// Whether the values of a plot have logarithms: some are above zero, and none is below it.
@@ -70,6 +77,17 @@ pub fn has_logarithms(plot: &Plot) -> bool {
     all().any(|value| value > 0.0) && !all().any(|value| value < 0.0)
 }
 
+/// Whether the horizontal axis of a plot can be logarithmic: nothing lies below zero, and what lies above it is not one
+/// value alone.
+pub fn has_logarithms_across(plot: &Plot) -> bool {
+    let unit = unit(plot.x.unit).unwrap_or(Unit::ONE);
+    let points = plot.series.iter().flat_map(|series| &series.points);
+    let all = || points.clone().map(|at| unit.value(at.0)).filter(|value| value.is_finite());
+    let above = || all().filter(|value| *value > 0.0);
+    let (least, most) = (above().fold(f64::INFINITY, f64::min), above().fold(0.0, f64::max));
+    least < most && !all().any(|value| value < 0.0)
+}
+
 impl<'a> Axes<'a> {
     /// `None` where there is nothing to draw.
     pub fn of(plot: &'a Plot) -> Option<Self> {
@@ -78,7 +96,7 @@ impl<'a> Axes<'a> {
 
     /// The same for a part of it, with the curves of a pinned plot in sight.
     pub fn seen(plot: &'a Plot, pinned: Option<&'a Plot>, view: &View) -> Option<Self> {
-        let spread = view.spread_of(plot);
+        let (spread, x_scale) = (view.spread_of(plot), view.scale_across(plot));
         let (across, up) =
             (Ruler::of_axis(&plot.x, false), Ruler::of_axis(&plot.y, spread == Spread::Decibel));
         let scale = if spread == Spread::Log { Scale::Log } else { Scale::Linear };
@@ -87,12 +105,12 @@ impl<'a> Axes<'a> {
             let (x, y) = (across.value(x), up.value(y));
             let shows =
                 |value: f64, scale: Scale| value.is_finite() && (scale == Scale::Linear || value > 0.0);
-            (shows(x, plot.x.scale) && shows(y, scale)).then_some((x, y))
+            (shows(x, x_scale) && shows(y, scale)).then_some((x, y))
         };
         let marks = plot.marks.iter().filter_map(|mark| shown(mark.at));
         let curves = plot.series.iter().flat_map(|series| series.points.iter().copied().filter_map(shown));
         let points: Vec<(f64, f64)> = curves.chain(marks).collect();
-        let whole = Span::of(points.iter().map(|at| at.0), plot.x.scale)?;
+        let whole = Span::of(points.iter().map(|at| at.0), x_scale)?;
         let window = view.window.and_then(|(from, to)| whole.part(across.value(from), across.value(to)));
         let x = window.unwrap_or(whole);
         // The vertical axis fits what is seen: the points inside, and where curves cross the edges.

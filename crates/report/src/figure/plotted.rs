@@ -1,8 +1,9 @@
 //! A plot as a picture.
 
-use dalembert_core::{Locale, Plot, Series};
+use dalembert_core::{Locale, Plot, Series, Text};
 
 use super::{
+    Seen,
     axes::Axes,
     labels::{Labels, width},
     picture::{Anchor, Dash, Part, Picture, Tone, WORDS},
@@ -15,9 +16,10 @@ const INSIDE: f64 = 300.0;
 /// A line of words.
 const LINE: f64 = 1.5 * WORDS;
 
-/// The plot with its axes, ticks, legend and names; `None` where there is nothing to draw.
-pub(super) fn picture(plot: &Plot, locale: &Locale) -> Option<Picture> {
-    let axes = Axes::of(plot)?;
+/// What is seen of the plot with its axes, ticks, legend and names, and with what its cursor reads; `None` where there
+/// is nothing to draw.
+pub(super) fn picture(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<Picture> {
+    let axes = Axes::seen(plot, seen.pinned, &seen.view)?;
     let up = axes.y.span.ticks(7, locale.style);
     let longest = |ticks: &Ticks| ticks.ticks.iter().map(|tick| width(&tick.label)).fold(0.0, f64::max);
     let left = longest(&up) + 16.0;
@@ -26,7 +28,7 @@ pub(super) fn picture(plot: &Plot, locale: &Locale) -> Option<Picture> {
         let labelled = ticks.ticks.iter().filter(|tick| !tick.label.is_empty()).count();
         (longest(ticks) + 14.0) * labelled as f64 <= right - left
     });
-    let legend = Legend::of(plot, locale, right - 12.0);
+    let legend = Legend::of(&axes, locale, right - 12.0);
     let top = LINE + legend.height + 8.0;
     let area = Area { left, top, right, bottom: top + INSIDE, axes: &axes };
     let mut parts = Vec::new();
@@ -34,17 +36,21 @@ pub(super) fn picture(plot: &Plot, locale: &Locale) -> Option<Picture> {
     area.grid(&across.ticks, &up.ticks, &mut parts);
     let mut labels = Labels::new((area.left + 3.0, area.top + 3.0, area.right - 3.0, area.bottom - 3.0));
     area.levels(locale, &mut labels, &mut parts);
-    for (n, series) in plot.series.iter().enumerate() {
-        area.curve(n, series, &mut labels, &mut parts);
+    for series in seen.pinned.iter().flat_map(|pinned| &pinned.series) {
+        area.curve(Tone::Faint, Dash::Short, series, &mut labels, &mut parts);
     }
+    for (n, series) in plot.series.iter().enumerate() {
+        area.curve(Tone::Curve(n), Dash::of_curve(n), series, &mut labels, &mut parts);
+    }
+    let readout = seen.cursor.map_or_else(Vec::new, |cursor| area.cursor(cursor, locale, &mut parts));
     for mark in &plot.marks {
-        if let Some(at) = area.place(mark.at) {
+        if let Some(at) = area.inside(mark.at) {
             labels.avoid(&[at]);
             parts.push(Part::Disc { at, radius: 4.0, tone: Tone::Ink });
         }
     }
     for mark in &plot.marks {
-        if let Some(at) = area.place(mark.at) {
+        if let Some(at) = area.inside(mark.at) {
             labels.beside(&mark.label.render(locale), Tone::Ink, at);
         }
     }
@@ -55,7 +61,12 @@ pub(super) fn picture(plot: &Plot, locale: &Locale) -> Option<Picture> {
     parts.extend(legend.parts);
     let foot = (f64::midpoint(left, right), area.bottom + 2.0 * LINE);
     parts.push(words(foot, Anchor::Middle, axes.x.title(across.ten, locale)));
-    let height = area.bottom + 2.0 * LINE + 10.0;
+    let mut below = area.bottom + 2.0 * LINE;
+    for line in readout {
+        below += LINE;
+        parts.push(words((12.0, below), Anchor::Start, line));
+    }
+    let height = below + 10.0;
     Some(Picture { title: plot.title.render(locale), width: WIDTH, height, parts })
 }
 
@@ -80,6 +91,39 @@ impl Area<'_> {
     /// Where a point in SI stands; `None` for one that the scales cannot show.
     fn place(&self, (x, y): (f64, f64)) -> Option<(f64, f64)> {
         Some((self.x(self.axes.x.of(x)?), self.y(self.axes.y.of(y)?)))
+    }
+
+    /// The same, for a point inside the axes.
+    fn inside(&self, at: (f64, f64)) -> Option<(f64, f64)> {
+        self.place(at).filter(|at| cut(*at, *at, &self.corners()).is_some())
+    }
+
+    /// The corners of the axes, with a little room for rounding.
+    fn corners(&self) -> [(f64, f64); 2] {
+        [(self.left - 1e-6, self.top - 1e-6), (self.right + 1e-6, self.bottom + 1e-6)]
+    }
+
+    /// A line down the plot, with a point on every curve it reads; and what it reads, in lines.
+    fn cursor(&self, cursor: f64, locale: &Locale, parts: &mut Vec<Part>) -> Vec<String> {
+        let Some(x) = self.axes.within(cursor) else { return Vec::new() };
+        if let Some(place) = self.axes.x.of(x) {
+            let points = vec![(self.x(place), self.top), (self.x(place), self.bottom)];
+            parts.push(Part::Line { points, tone: Tone::Ink, width: 1.0, dash: Dash::Solid });
+        }
+        for (n, series) in self.axes.plot.series.iter().enumerate() {
+            let at = self.axes.read(series, x).and_then(|(y, _)| self.inside((x, y)));
+            parts.extend(at.map(|at| Part::Disc { at, radius: 3.5, tone: Tone::Curve(n) }));
+        }
+        let mut lines: Vec<String> = Vec::new();
+        for part in self.axes.readout(cursor, locale) {
+            match lines.last_mut() {
+                Some(line) if width(line) + 30.0 + width(&part) <= self.right => {
+                    *line += &format!("   {part}")
+                }
+                _ => lines.push(part),
+            }
+        }
+        lines
     }
 
     fn grid(&self, across: &[Tick], up: &[Tick], parts: &mut Vec<Part>) {
@@ -115,10 +159,9 @@ impl Area<'_> {
         );
     }
 
-    fn curve(&self, n: usize, series: &Series, labels: &mut Labels, parts: &mut Vec<Part>) {
-        let tone = Tone::Curve(n);
+    fn curve(&self, tone: Tone, dash: Dash, series: &Series, labels: &mut Labels, parts: &mut Vec<Part>) {
         if !series.joined {
-            for at in series.points.iter().filter_map(|at| self.place(*at)) {
+            for at in series.points.iter().filter_map(|at| self.inside(*at)) {
                 labels.avoid(&[at]);
                 parts.push(Part::Disc { at, radius: 2.5, tone });
             }
@@ -127,11 +170,13 @@ impl Area<'_> {
         // A point that cannot be shown breaks the line.
         for run in series.points.split(|at| self.place(*at).is_none()) {
             let points = thinned(run.iter().filter_map(|at| self.place(*at)));
-            if points.len() > 1 {
-                labels.avoid(&points);
-                parts.push(Part::Line { points, tone, width: 1.8, dash: Dash::of_curve(n) });
-            } else if let [at] = points[..] {
-                parts.push(Part::Disc { at, radius: 1.8, tone });
+            for points in pieces(&points, &self.corners()) {
+                if points.len() > 1 {
+                    labels.avoid(&points);
+                    parts.push(Part::Line { points, tone, width: 1.8, dash });
+                } else if let [at] = points[..] {
+                    parts.push(Part::Disc { at, radius: 1.8, tone });
+                }
             }
         }
     }
@@ -204,12 +249,17 @@ struct Legend {
 }
 
 impl Legend {
-    fn of(plot: &Plot, locale: &Locale, right: f64) -> Self {
+    fn of(axes: &Axes<'_>, locale: &Locale, right: f64) -> Self {
         const SAMPLE: f64 = 26.0;
         let mut legend = Self { height: 0.0, parts: Vec::new() };
         let mut x = 12.0;
-        for (n, series) in plot.series.iter().enumerate() {
-            let name = series.label.render(locale);
+        let curves = axes.plot.series.iter().enumerate();
+        let curves = curves.map(|(n, series)| {
+            (series.label.render(locale), series.joined, Tone::Curve(n), Dash::of_curve(n))
+        });
+        let before =
+            axes.pinned.map(|_| (Text::new("before").render(locale), true, Tone::Faint, Dash::Short));
+        for (name, joined, tone, dash) in curves.chain(before) {
             if name.is_empty() {
                 continue;
             }
@@ -218,10 +268,10 @@ impl Legend {
                 (x, legend.height) = (12.0, legend.height + LINE);
             }
             let base = LINE + legend.height - 4.0;
-            let (tone, middle) = (Tone::Curve(n), base - 0.35 * WORDS);
-            legend.parts.push(if series.joined {
+            let middle = base - 0.35 * WORDS;
+            legend.parts.push(if joined {
                 let points = vec![(x, middle), (x + SAMPLE, middle)];
-                Part::Line { points, tone, width: 1.8, dash: Dash::of_curve(n) }
+                Part::Line { points, tone, width: 1.8, dash }
             } else {
                 Part::Disc { at: (x + SAMPLE / 2.0, middle), radius: 2.5, tone }
             });
@@ -231,6 +281,51 @@ impl Legend {
         }
         legend
     }
+}
+
+/// The pieces of a line between two corners; points that touch no other stay alone.
+fn pieces(points: &[(f64, f64)], corners: &[(f64, f64); 2]) -> Vec<Vec<(f64, f64)>> {
+    if let [at] = points {
+        return cut(*at, *at, corners).map(|_| vec![vec![*at]]).unwrap_or_default();
+    }
+    let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
+    for pair in points.windows(2) {
+        let Some((from, to)) = cut(pair[0], pair[1], corners) else { continue };
+        match pieces.last_mut() {
+            Some(piece) if piece.last() == Some(&from) => piece.push(to),
+            _ => pieces.push(vec![from, to]),
+        }
+    }
+    pieces
+}
+
+/// The part of a straight line between two corners (Liang and Barsky); its ends stay what they were where they lie inside.
+fn cut(
+    from: (f64, f64),
+    to: (f64, f64),
+    [least, most]: &[(f64, f64); 2],
+) -> Option<((f64, f64), (f64, f64))> {
+    let (across, down) = (to.0 - from.0, to.1 - from.1);
+    let (mut first, mut last) = (0.0f64, 1.0f64);
+    for (toward, room) in [
+        (-across, from.0 - least.0),
+        (across, most.0 - from.0),
+        (-down, from.1 - least.1),
+        (down, most.1 - from.1),
+    ] {
+        if toward == 0.0 {
+            if room < 0.0 {
+                return None;
+            }
+        } else if toward < 0.0 {
+            first = first.max(room / toward);
+        } else {
+            last = last.min(room / toward);
+        }
+    }
+    let at = |share: f64| (from.0 + across * share, from.1 + down * share);
+    let ends = (if first > 0.0 { at(first) } else { from }, if last < 1.0 { at(last) } else { to });
+    (first <= last).then_some(ends)
 }
 
 /// The points of a curve that can be told apart: of those within half a pixel across, the first, the least, the

@@ -1,4 +1,6 @@
-//! The last digit of a number, up and down.
+//! The last digit of a number, or another one, up and down.
+
+use std::ops::Range;
 
 /// A number of more significant digits than these was not typed to be changed in its last one.
 const LONG: usize = 6;
@@ -52,6 +54,24 @@ pub fn nudged(text: &str, tenths: i64) -> Option<String> {
     Some(format!("{sign}{number}{rest}"))
 }
 
+/// The digit that [`nudged`] changes by `10 × 10^place` tenths: its bytes in the text. `None` where the number has no
+/// digit there.
+pub fn digit_at(text: &str, place: u32) -> Option<Range<usize>> {
+    let coarse = nudged(text, 10).and_then(|_| {
+        let digits = |text: &str| text.chars().filter(char::is_ascii_digit).count();
+        let begin = text.find(|c: char| c.is_ascii_digit())?;
+        let number = &text[begin..];
+        let end = number.find(|c: char| !c.is_ascii_digit() && c != '.' && c != ',').unwrap_or(number.len());
+        let significant = digits(number[..end].trim_start_matches(['0', '.', ',']));
+        let coarse = if significant > LONG { significant - KEPT } else { 0 };
+        Some((begin..begin + end, coarse))
+    });
+    let (number, coarse) = coarse?;
+    let begin = number.start;
+    let mut digits = text[number].char_indices().rev().filter(|(_, c)| c.is_ascii_digit());
+    digits.nth(coarse + place as usize).map(|(at, _)| begin + at..begin + at + 1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -86,6 +106,27 @@ mod tests {
     fn what_is_no_number_is_left_alone() {
         for text in ["", "abc", "1/2 in", "2*pi", "3 + 4", "1.2.3", "sqrt(2)", "99999999999999999999"] {
             assert_eq!(nudged(text, 10), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_digit_is_where_it_changes() {
+        for (text, place, digit) in [
+            ("20.3 mm", 0, Some("3")),
+            ("20.3 mm", 1, Some("0")),
+            ("20.3 mm", 2, Some("2")),
+            ("20.3 mm", 3, None),
+            ("-1.5e-6 m^4", 1, Some("1")),
+            ("104,719755 rad/s", 0, Some("7")),
+            ("abc", 0, None),
+        ] {
+            let found = digit_at(text, place);
+            assert_eq!(found.clone().map(|at| &text[at]), digit, "{text} at {place}");
+            if let Some(at) = found {
+                let up = nudged(text, 10 * 10_i64.pow(place)).unwrap();
+                let changed = text.bytes().zip(up.bytes()).position(|(a, b)| a != b);
+                assert_eq!(changed, Some(at.start), "{text} becomes {up}");
+            }
         }
     }
 

@@ -24,12 +24,13 @@ pub struct Judged {
 }
 
 /// Books and cases; the page starts at each case, and `chosen` is the case that the keys act on. Printed answers that
-/// are among `answers`, those of any solution, are named by their labels, the others by their keys.
+/// are among `answers`, those of any solution, are named by their labels, the others by their keys. Without `answers`
+/// what was printed is covered.
 pub fn lines(
     entry: &Entry,
     cases: &[Judged],
     chosen: Option<usize>,
-    answers: &[Answer],
+    answers: Option<&[Answer]>,
     look: &Look,
     locale: &Locale,
     width: u16,
@@ -63,7 +64,7 @@ fn heading(words: &'static str, look: &Look, locale: &Locale, width: usize, line
 /// How cases are put into words.
 #[derive(Clone, Copy)]
 struct Words<'a> {
-    answers: &'a [Answer],
+    answers: Option<&'a [Answer]>,
     look: &'a Look,
     locale: &'a Locale,
     width: usize,
@@ -72,7 +73,7 @@ struct Words<'a> {
 impl Words<'_> {
     /// The label of the answer with that key; the key in words where no answer has it.
     fn name(&self, key: &str) -> String {
-        match self.answers.iter().find(|answer| answer.name.is(key)) {
+        match self.answers.into_iter().flatten().find(|answer| answer.name.is(key)) {
             Some(answer) => answer.label(self.locale),
             None => Text::new(key.replace('_', " ")).render(self.locale),
         }
@@ -138,6 +139,10 @@ fn case(judged: &Judged, n: usize, chosen: bool, words: &Words, lines: &mut Vec<
         lines.extend(wrap::hanging(space(0), note, look.dim(), width));
     }
     match &judged.verdicts {
+        _ if words.answers.is_none() => {
+            let words = Text::new("what was printed is covered").render(locale);
+            lines.extend(wrap::hanging(space(0), &words, look.dim(), width));
+        }
         None => {
             let words = Text::new("not solved yet").render(locale);
             lines.extend(wrap::hanging(space(0), &words, look.dim(), width));

@@ -77,6 +77,28 @@ impl Labels {
         self.put(words, style, places, free)
     }
 
+    /// A sign of a few cells at a point or next to it, over whatever is drawn there but no words; nowhere if there are
+    /// words all round.
+    pub(crate) fn mark(
+        &mut self,
+        sign: &str,
+        style: Style,
+        (x, y): (u16, u16),
+        free: impl Fn(u16, u16) -> bool,
+    ) {
+        let (x, y, width) = (i32::from(x), i32::from(y), sign.width() as u16);
+        let near = [-1, 0, 1].into_iter().flat_map(|down| [0, 1, -1].map(|across| (x + across, y + down)));
+        let places = near.filter_map(|place| self.rect(place, width));
+        let at = places.min_by_key(|at| (at.x..at.right()).filter(|x| !free(*x, at.y)).count());
+        self.placed.extend(at.map(|at| (at, sign.to_owned(), style)));
+    }
+
+    /// The words and the cells they take.
+    pub(crate) fn placed(&self) -> Vec<(Rect, String)> {
+        let words = self.placed.iter().filter(|(_, words, _)| !words.is_empty());
+        words.map(|(at, words, _)| (*at, words.clone())).collect()
+    }
+
     /// Keeps a cell free of words.
     pub(crate) fn reserve(&mut self, (x, y): (u16, u16)) {
         self.placed.push((Rect::new(x, y, 1, 1), String::new(), Style::new()));

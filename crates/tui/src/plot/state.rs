@@ -1,7 +1,7 @@
 //! What a person has set on a plot: cursor, marks, the part that is shown, how values are spread.
 
-use dalembert_core::Plot;
-use dalembert_report::figure::axes::{Axes, Spread, View, has_logarithms};
+use dalembert_core::{Plot, Scale};
+use dalembert_report::figure::axes::{Axes, Spread, View, has_logarithms, has_logarithms_across};
 
 use super::Marker;
 
@@ -118,6 +118,22 @@ impl State {
             Spread::Decibel => Spread::Linear,
         };
         Ok(Self { view: View { spread: Some(spread), ..self.view }, ..self })
+    }
+
+    /// The horizontal axis linear where it is logarithmic, and the other way round; or why it cannot be.
+    ///
+    /// # Errors
+    ///
+    /// Why it stays linear.
+    pub fn next_spread_across(self, plot: &Plot) -> Result<Self, &'static str> {
+        if !has_logarithms_across(plot) {
+            return Err("what is not above zero has no logarithm: this axis stays linear");
+        }
+        let across = match self.view.scale_across(plot) {
+            Scale::Linear => Scale::Log,
+            Scale::Log => Scale::Linear,
+        };
+        Ok(Self { view: View { across: Some(across), ..self.view }, ..self })
     }
 
     /// The same with that part of `x`, in SI; with all of it for `None`.

@@ -2,6 +2,7 @@
 // Long because every action of a problem is told apart here; what takes more than a few lines has a file beside it.
 
 mod display;
+mod pictures;
 mod working;
 
 use std::path::PathBuf;
@@ -30,12 +31,6 @@ use crate::{
 const CURSOR_STEP: f64 = 0.01;
 /// A share of an axis beyond any of its ends.
 const FAR: f64 = 1e6;
-/// What is said of a key that would show more.
-const ALL_SHOWN: &str = "all of the axis is shown";
-/// So much of the axis is shown after a zoom in.
-const ZOOM: f64 = 0.5;
-/// The share of what is shown that a key moves it by.
-const PAN: f64 = 0.25;
 /// What is said of a key that chooses where there is nothing to choose.
 const NO_ALTERNATIVE: &str = "there are no alternatives here";
 /// What is said of a key that does nothing on a field with a list.
@@ -45,11 +40,12 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
     match action {
         Action::Save => return files::save(model),
         Action::SaveAs => return files::ask_path(model),
-        Action::Export => return export::ask_path(model),
+        Action::Export => return export::ask_path(model, Purpose::Export),
+        Action::ExportSeen => return export::ask_path(model, Purpose::ExportSeen),
         Action::Edit => return super::edit::begin(model),
         Action::NextTab => return turn(model, 1),
         Action::Play | Action::PreviousFrame | Action::NextFrame => {
-            film(model, action);
+            pictures::film(model, action);
             return Vec::new();
         }
         Action::PreviousTab => return turn(model, -1),
@@ -290,6 +286,7 @@ fn form(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::Last => form.step(isize::MAX),
         Action::Enter => return enter(model),
         Action::Clear if form.begin(Some(String::new())) => return changed(model),
+        Action::Left | Action::Right if form.aim(action == Action::Left) => {}
         Action::Clear => model.say("there is no text here to be typed over"),
         Action::Left => return after(model, |bench| bench.form.cycle(-1), NO_ALTERNATIVE),
         Action::Right => return after(model, |bench| bench.form.cycle(1), NO_ALTERNATIVE),
@@ -405,18 +402,24 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
                 bench.focus = Focus::Form;
             }
         }
-        Action::Left if in_plot => move_cursor(bench, -CURSOR_STEP),
-        Action::Right if in_plot => move_cursor(bench, CURSOR_STEP),
-        Action::PageUp if in_plot => move_cursor(bench, -10.0 * CURSOR_STEP),
-        Action::PageDown if in_plot => move_cursor(bench, 10.0 * CURSOR_STEP),
-        Action::First if in_plot => move_cursor(bench, -FAR),
-        Action::Last if in_plot => move_cursor(bench, FAR),
+        Action::Left if in_plot => pictures::move_cursor(bench, -CURSOR_STEP),
+        Action::Right if in_plot => pictures::move_cursor(bench, CURSOR_STEP),
+        Action::PageUp if in_plot => pictures::move_cursor(bench, -10.0 * CURSOR_STEP),
+        Action::PageDown if in_plot => pictures::move_cursor(bench, 10.0 * CURSOR_STEP),
+        Action::First if in_plot => pictures::move_cursor(bench, -FAR),
+        Action::Last if in_plot => pictures::move_cursor(bench, FAR),
         Action::ZoomIn
         | Action::ZoomOut
         | Action::ZoomAll
         | Action::PanLeft
         | Action::PanRight
-        | Action::NextSpread => look_otherwise(model, action),
+        | Action::NextSpread
+        | Action::NextSpreadAcross => pictures::look_otherwise(model, action),
+        Action::Left | Action::Right | Action::Up | Action::Down | Action::UsualView
+            if bench.tab == Tab::Drawing =>
+        {
+            pictures::go_round(model, action);
+        }
         Action::NextMarker => {
             bench.plot_state = bench.plot_state.next_marker();
             model.marker = bench.plot_state.marker;
@@ -426,12 +429,15 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
         }
         Action::NextExhibit => match bench.tab {
             Tab::Plot => {
-                bench.plot = next(bench.plot, bench.plots().count());
+                bench.plot = pictures::next(bench.plot, bench.plots().count());
                 // Another plot has another axis.
                 bench.plot_state =
                     plot::State { view: dalembert_report::figure::axes::View::default(), ..bench.plot_state };
             }
-            Tab::Drawing => bench.drawing = next(bench.drawing, bench.drawings().count()),
+            Tab::Drawing => {
+                bench.drawing = pictures::next(bench.drawing, bench.drawings().count());
+                bench.view = None;
+            }
             _ => {}
         },
         Action::Enter if bench.tab == Tab::Sources => return load_case(model),
@@ -460,27 +466,6 @@ fn has_cursor(bench: &Bench) -> bool {
     bench.place() == Place::Plot && bench.plot_state.cursor.is_some()
 }
 
-/// Lets the film on the screen move, holds it, or holds it at a frame beside the one that is shown.
-fn film(model: &mut Model, action: Action) {
-    let Some(frames) = view::film(model).map(|film| film.frames.len()) else {
-        model.say("no film is on the screen");
-        return;
-    };
-    model.playing = action == Action::Play && !model.playing;
-    if let Some(bench) = &mut model.bench {
-        let by = match action {
-            Action::PreviousFrame => frames - 1,
-            Action::NextFrame => 1,
-            _ => 0,
-        };
-        bench.frame = (bench.frame % frames + by) % frames;
-    }
-}
-
-fn next(at: usize, of: usize) -> usize {
-    if of == 0 { 0 } else { (at.min(of - 1) + 1) % of }
-}
-
 /// Compares with the present result from now on, or no more.
 fn pin(model: &mut Model) {
     let Some(bench) = &mut model.bench else { return };
@@ -493,36 +478,6 @@ fn pin(model: &mut Model) {
         let key = model.keys.key(Place::Form, Action::Pin);
         let said = "from now on every answer says how it differs from this result; {key} ends it";
         model.say(Text::new(said).with("key", key));
-    }
-}
-
-/// Another part of the plot, or its values spread in another way; what cannot be done is said.
-fn look_otherwise(model: &mut Model, action: Action) {
-    let Some(bench) = &mut model.bench else { return };
-    let state = bench.plot_state;
-    let Some((plot, _)) = bench.shown_plot() else { return };
-    let (to, otherwise) = match action {
-        Action::ZoomIn => (state.zoomed(plot, ZOOM), "there is no more to be seen"),
-        Action::ZoomOut => (state.zoomed(plot, 1.0 / ZOOM), ALL_SHOWN),
-        Action::ZoomAll => (state.windowed(None), ALL_SHOWN),
-        Action::PanLeft if state.view.window.is_some() => (state.panned(plot, -PAN), "the axis begins here"),
-        Action::PanRight if state.view.window.is_some() => (state.panned(plot, PAN), "the axis ends here"),
-        Action::NextSpread => match state.next_spread(plot) {
-            Ok(to) => (to, ""),
-            Err(why) => (state, why),
-        },
-        _ => (state, ALL_SHOWN),
-    };
-    bench.plot_state = to;
-    if to == state {
-        model.say(otherwise);
-    }
-}
-
-fn move_cursor(bench: &mut Bench, share: f64) {
-    let state: plot::State = bench.plot_state;
-    if let Some(plot) = Bench::nth(bench.plots(), bench.plot) {
-        bench.plot_state = state.moved(plot, share);
     }
 }
 

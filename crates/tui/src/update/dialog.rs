@@ -77,8 +77,8 @@ fn answer(model: &mut Model, answer: Answer) -> Vec<Effect> {
         Answer::DiscardThen(after) => problems::discard(model, after),
         Answer::Overwrite(path) => files::overwrite(model, path),
         Answer::SaveAs => files::ask_path(model),
-        Answer::ExportAs => export::ask_path(model),
-        Answer::ExportOver(path) => export::write(model, path, Before::Whatever),
+        Answer::ExportAs(purpose) => export::ask_path(model, purpose),
+        Answer::ExportOver(purpose, path) => export::write(model, purpose, path, Before::Whatever),
         Answer::Reload(path) => {
             model.after_save = After::Stay;
             model.reloading = Some(path.clone());
@@ -160,7 +160,9 @@ fn enter(model: &mut Model) -> Vec<Effect> {
                     Vec::new()
                 }
                 Purpose::SaveAs => files::save_as(model, PathBuf::from(typed)),
-                Purpose::Export => export::write(model, PathBuf::from(typed), Before::Absent),
+                Purpose::Export | Purpose::ExportSeen => {
+                    export::write(model, purpose, PathBuf::from(typed), Before::Absent)
+                }
                 Purpose::Open => vec![Effect::Open(PathBuf::from(typed))],
             }
         }

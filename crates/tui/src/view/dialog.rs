@@ -53,6 +53,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
             let title = match purpose {
                 Purpose::SaveAs => "Save as",
                 Purpose::Export => "Worked solution (.html, .tex, .typ, .md, .txt)",
+                Purpose::ExportSeen => "What is seen (.svg; a plot also .csv)",
                 Purpose::Open => "File to open",
                 Purpose::Title => "Title of the problem",
             };

@@ -1,5 +1,7 @@
 //! The inputs.
 
+use std::ops::Range;
+
 use dalembert_core::{Shape, Text, Value, draft};
 use ratatui::{
     buffer::Buffer,
@@ -211,7 +213,11 @@ fn draw_line(
                 (_, true) => Filled::Needed,
                 _ => Filled::Well,
             };
+            let value = shown.spans.len();
             push_value(model, line, shape, text, state, picked, columns.value, &mut shown);
+            if let Some(digit) = bench.form.digit(&line.path, text).filter(|_| focused) {
+                point_out(&mut shown, value, text, digit);
+            }
         }
         Role::Choice { variants, chosen } => {
             let value = variants
@@ -317,6 +323,22 @@ fn push_value(
             }
         }
     }
+}
+
+/// Underlines the digit of a value that keys change, where it is seen.
+fn point_out(shown: &mut Shown<'static>, value: usize, text: &str, digit: Range<usize>) {
+    let Some(span) = shown.spans.get(value).filter(|span| span.content.starts_with(&text[..digit.end]))
+    else {
+        return;
+    };
+    let (style, content) = (span.style, span.content.clone().into_owned());
+    let chosen = style.add_modifier(Modifier::UNDERLINED | Modifier::BOLD);
+    let pieces = [
+        Span::styled(content[..digit.start].to_owned(), style),
+        Span::styled(content[digit.clone()].to_owned(), chosen),
+        Span::styled(content[digit.end..].to_owned(), style),
+    ];
+    shown.spans.splice(value..=value, pieces);
 }
 
 /// What is wrong with the field, below its line.

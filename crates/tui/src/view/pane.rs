@@ -1,6 +1,6 @@
 //! What was found: the tabs, side by side where there is room.
 
-use dalembert_core::{Exhibit, FieldError, Text};
+use dalembert_core::{FieldError, Text};
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -40,6 +40,12 @@ pub(super) fn draw(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buf
         };
         draw_tab(model, bench, tab, &title, area, buffer);
     }
+    if let (Some(_), Some(picture)) = (areas.pane, areas.picture) {
+        let [_, second, _] = pictures(bench, picture);
+        if !second.is_empty() {
+            draw_next_plot(model, bench, second, buffer);
+        }
+    }
 }
 
 /// The panes that are seen: what each shows, where, and the tabs that are named above it.
@@ -50,13 +56,13 @@ pub(super) fn panes(model: &Model, bench: &Bench, areas: &Areas) -> Vec<(Tab, Re
     };
     // Pictures have a column of their own.
     let tabs: Vec<Tab> = bench.tabs().into_iter().filter(|tab| !tab.is_picture()).collect();
-    let mut panes = if bench.tab == Tab::Table || bench.tab == Tab::Sources {
+    let mut panes = if bench.tab.is_alone() {
         vec![(bench.tab, pane, Some(tabs))]
     } else {
         let [upper, lower] = stacked(model, bench, pane);
         vec![(Tab::Results, upper, Some(tabs)), (Tab::Working, lower, None)]
     };
-    let [upper, lower] = pictures(bench, picture);
+    let [upper, _, lower] = pictures(bench, picture);
     panes.push((Tab::Plot, upper, None));
     if !lower.is_empty() {
         panes.push((Tab::Drawing, lower, None));
@@ -100,7 +106,7 @@ pub(crate) fn area_of_tab(model: &Model, bench: &Bench, areas: &Areas) -> Option
         (Some(_), Tab::Results) => stacked(model, bench, pane)[0],
         (Some(_), Tab::Working) => stacked(model, bench, pane)[1],
         (Some(picture), Tab::Plot) => pictures(bench, picture)[0],
-        (Some(picture), _) => pictures(bench, picture)[1],
+        (Some(picture), _) => pictures(bench, picture)[2],
     };
     Some(layout::inside(area))
 }
@@ -188,8 +194,8 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
         },
         Tab::Sources => {
             let chosen = (bench.focus == Focus::Pane).then_some(bench.case);
-            let solution = solution.filter(|_| bench.reading.revealed.is_none());
             let answers = solution.map_or(&[][..], |solution| &solution.answers);
+            let answers = bench.reading.revealed.is_none().then_some(answers);
             sources::lines(bench.entry, &bench.cases, chosen, answers, look, locale, width)
         }
         Tab::Plot | Tab::Drawing => Page::default(),
@@ -201,8 +207,8 @@ fn stacked(model: &Model, bench: &Bench, pane: Rect) -> [Rect; 2] {
     layout::stack(pane, lines)
 }
 
-fn pictures(bench: &Bench, picture: Rect) -> [Rect; 2] {
-    layout::pictures(picture, bench.plots().next().is_some(), bench.drawings().next().is_some())
+fn pictures(bench: &Bench, picture: Rect) -> [Rect; 3] {
+    layout::pictures(picture, bench.plots().count(), bench.drawings().next().is_some())
 }
 
 fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area: Rect, buffer: &mut Buffer) {
@@ -250,20 +256,13 @@ fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area:
             plot::render(plot, pinned, &bench.plot_state, look, locale, room, buffer);
         }),
         _ => bench.sketch().and_then(|exhibit| {
-            if let Exhibit::Film(film) = exhibit
-                && !stale
-                && room.height > LEAST_UNDER_BAR
-            {
+            let (frames, _) = exhibit.frames();
+            if frames > 1 && !stale && room.height > LEAST_UNDER_BAR {
                 room.height -= 1;
-                film_bar(
-                    model,
-                    bench.frame,
-                    film.frames.len(),
-                    Rect { y: room.bottom(), height: 1, ..room },
-                    buffer,
-                );
+                let bar = Rect { y: room.bottom(), height: 1, ..room };
+                film_bar(model, bench.frame, frames, bar, buffer);
             }
-            let drawing = exhibit.sketch(bench.frame)?;
+            let drawing = bench.drawing_seen()?;
             drawing::render(&drawing, look, locale, room, buffer);
             Some(())
         }),
@@ -272,6 +271,26 @@ fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area:
         draw_lines(&nothing(model, bench, inner.width).lines, 0, inner, buffer);
     } else if stale {
         buffer.set_style(room, look.dim());
+    }
+}
+
+/// The plot after the one that is shown, as it is: keys act on the other one.
+fn draw_next_plot(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer) {
+    let plots = bench.plots().count();
+    let at = (bench.plot.min(plots.saturating_sub(1)) + 1) % plots.max(1);
+    let place = format!(" {}/{plots} ", at + 1);
+    boxed(&Line::styled(place, model.look.dim()), false, &model.look, area, buffer);
+    let inner = layout::inside(area);
+    if bench.reading.revealed.is_some() {
+        draw_lines(&covered(model, inner.width).lines, 0, inner, buffer);
+        return;
+    }
+    if let Some((plot, pinned)) = bench.plot_at(at) {
+        let state = plot::State { marker: bench.plot_state.marker, ..plot::State::default() };
+        plot::render(plot, pinned, &state, &model.look, &model.locale, inner, buffer);
+        if bench.is_stale() {
+            buffer.set_style(inner, model.look.dim());
+        }
     }
 }
 
@@ -446,7 +465,5 @@ fn tab_title(model: &Model, bench: &Bench, tab: Tab) -> Line<'static> {
 
 /// Which of several plots or drawings a tab shows: `1/2`.
 fn place_of_shown(bench: &Bench, tab: Tab) -> Option<String> {
-    let of = bench.exhibits_of(tab);
-    let at = if tab == Tab::Plot { bench.plot } else { bench.drawing };
-    (of > 1).then(|| format!("{}/{of}", at.min(of - 1) + 1))
+    bench.place_of_shown(tab).map(|(place, of)| format!("{place}/{of}"))
 }

@@ -6,7 +6,7 @@ use dalembert_core::{Axis, Exhibit, Ink, Plot, Series};
 use nalgebra::{Rotation3, Vector3};
 
 use super::{Carrier, GyroscopicCouple, Motion};
-use crate::scene::{self, Scene, View};
+use crate::scene::{self, Scene};
 
 impl GyroscopicCouple {
     /// The couple over two periods of a harmonic motion, or against the radius of a turn.
@@ -51,8 +51,8 @@ impl GyroscopicCouple {
             Rotation3::from_axis_angle(&Vector3::x_axis(), PI)
         });
         let turn = if self.spin == 0.0 { 0.0 } else { TAU };
-        Exhibit::Film(scene::film("The rotor, its rotations and the couple", 3.0, |t| {
-            let mut scene = Scene::new(View::from(-FRAC_PI_3, FRAC_PI_3 / 2.0));
+        scene::film("The rotor, its rotations and the couple", 3.0, |t| {
+            let mut scene = Scene::seen_from(-FRAC_PI_3, FRAC_PI_3 / 2.0);
             self.outline(&mut scene);
             let spun = rest * Rotation3::from_axis_angle(&Vector3::z_axis(), turn * t);
             scene.disc(Vector3::zeros(), spun.matrix(), 0.7, Ink::Body);
@@ -69,8 +69,8 @@ impl GyroscopicCouple {
             } else {
                 arrow(-couple, 1.7, Ink::Result, "M_R");
             }
-            scene.shapes()
-        }))
+            scene
+        })
     }
 
     /// The plan of the carrier under the rotor, with an arrow forward.

@@ -1,6 +1,6 @@
 //! The solution: momenta before, what is given, momenta after.
 
-use dalembert_core::{Drawing, Exhibit, Ink, Refusal, Text, Why, Worksheet};
+use dalembert_core::{Exhibit, Ink, Refusal, Text, Why, Worksheet};
 use dalembert_mechanics::{
     Real, Vector,
     rigid::{MassProperties, Principal},
@@ -13,7 +13,7 @@ use crate::{
         AboutPoint, Worked, about_line, about_point, crossed, directed, gained, matrix_times, refused,
         transferred,
     },
-    scene::{Scene, View},
+    scene::Scene,
     sources::{BEER, HIBBELER, MERIAM},
 };
 
@@ -116,7 +116,7 @@ impl Impulse {
         self.wanted_mass(given, &body, momentum.value(), &after, sheet)?;
         self.check(&body, after_body, [omega.value(), velocity.value()], &gifts, &after, sheet);
         let (turns, goes) = (after.omega.value(), after.velocity.value());
-        sheet.show(|| Exhibit::Drawing(self.drawn(after_body, &gifts, turns, goes)));
+        sheet.show(|| self.drawn(after_body, &gifts, turns, goes));
         Ok(())
     }
 
@@ -499,8 +499,8 @@ impl Impulse {
         gifts: &[Given<W>],
         omega: Vector3<f64>,
         velocity: Vector3<f64>,
-    ) -> Drawing {
-        let mut scene = Scene::new(View::usual());
+    ) -> Exhibit {
+        let mut scene = Scene::new();
         if let Ok(principal) = body.properties.check() {
             let size = self.body.draw(&mut scene, &body.properties, &principal);
             scene.axes(Vector3::zeros(), &Matrix3::identity(), 0.5 * size, ["x", "y", "z"]);
@@ -516,10 +516,7 @@ impl Impulse {
             scene.arrow(centre, along(velocity), Ink::Motion, "v_G′");
             scene.label(centre, "G");
         }
-        Drawing {
-            title: "The body, the impulses on it and its motion just after".into(),
-            shapes: scene.shapes(),
-        }
+        scene.exhibit("The body, the impulses on it and its motion just after")
     }
 }
 

@@ -2,18 +2,18 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dalembert_core::{Axis, DrawnShape, Exhibit, Film, Ink, Plot, Series, Text, Worksheet};
+use dalembert_core::{Axis, Exhibit, Ink, Plot, Series, Text, Worksheet};
 use dalembert_mechanics::rigid::simulate::{self as follow, Body, Sample};
 use nalgebra::{Matrix3, Vector3};
 
 use super::Motion;
-use crate::scene::{self, Scene, View};
+use crate::scene::{self, Scene};
 
 impl Motion {
     /// Everything there is to look at.
     pub(super) fn show<W: Worksheet>(&self, sheet: W, body: &Body, moved: &follow::Motion) {
         let samples = &moved.samples;
-        sheet.show(|| Exhibit::Film(self.film(body, samples)));
+        sheet.show(|| self.film(body, samples));
         sheet.show(|| {
             let omega: fn(&Sample) -> Vector3<f64> = |sample| sample.turning.omega_body;
             Exhibit::Plot(components(
@@ -87,7 +87,7 @@ impl Motion {
         Plot::new("Euler's angles", Axis::linear("Time", "s"), Axis::linear("angle", "deg"), series)
     }
 
-    fn film(&self, body: &Body, samples: &[Sample]) -> Film {
+    fn film(&self, body: &Body, samples: &[Sample]) -> Exhibit {
         let edges = edges(body);
         let size = edges.max().max(body.arm.norm());
         let most = |of: fn(&Sample) -> f64| samples.iter().map(of).fold(f64::MIN_POSITIVE, f64::max);
@@ -97,7 +97,7 @@ impl Motion {
         scene::film("The turning body", 6.0, |part| {
             let sample = &samples[((samples.len() - 1) as f64 * part).round() as usize];
             let rotation = sample.turning.attitude.to_rotation_matrix().into_inner();
-            let mut scene = Scene::new(View::usual());
+            let mut scene = Scene::new();
             scene.axes(Vector3::zeros(), &Matrix3::identity(), 1.3 * size, ["X", "Y", "Z"]);
             scene.line(trace.iter().copied(), Ink::Faint);
             let centre = rotation * body.arm;
@@ -109,8 +109,7 @@ impl Motion {
             scene.arrow(Vector3::zeros(), self.axis_of(sample) * reach, Ink::Result, self.axis.name());
             scene.arrow(Vector3::zeros(), sample.omega * (1.2 * size / omega), Ink::Motion, "ω");
             scene.arrow(Vector3::zeros(), sample.momentum * (1.2 * size / momentum), Ink::Force, "H");
-            let shapes: Vec<DrawnShape> = scene.shapes();
-            shapes
+            scene
         })
     }
 }

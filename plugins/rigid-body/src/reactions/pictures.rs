@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Axis, Drawing, Exhibit, Ink, Plot, Series, Text, Worksheet};
+use dalembert_core::{Axis, Exhibit, Ink, Plot, Series, Text, Worksheet};
 use dalembert_mechanics::rigid::{
     self, MassProperties,
     chain::{self, Frame},
@@ -13,7 +13,7 @@ use nalgebra::Vector3;
 use super::{Acts, Drive, Found, Held, Kind, Reactions};
 use crate::{
     joints::{self, Named, given_name, seen_from},
-    scene::{Scene, View},
+    scene::Scene,
 };
 
 impl Reactions {
@@ -175,8 +175,8 @@ impl Reactions {
     }
 
     /// Axes, supports with their reactions, G with the angular velocity.
-    pub(super) fn drawing(&self, body: &MassProperties, frames: &[Frame], found: &Found) -> Drawing {
-        let mut scene = Scene::new(View::usual());
+    pub(super) fn drawing(&self, body: &MassProperties, frames: &[Frame], found: &Found) -> Exhibit {
+        let mut scene = Scene::new();
         let axes = &frames[self.axes.place()];
         let last = &frames[frames.len() - 1];
         let here = |fixed: Vector3<f64>| seen_from(axes, fixed - axes.origin);
@@ -204,6 +204,6 @@ impl Reactions {
         if omega.norm() > 0.0 {
             scene.arrow(centre, omega.normalize() * reach * 0.4, Ink::Motion, "ω");
         }
-        Drawing { title: "The body on its supports".into(), shapes: scene.shapes() }
+        scene.exhibit("The body on its supports")
     }
 }

@@ -1,0 +1,89 @@
+//! Scenes in space: lines and words at points of three coordinates, drawn as they are seen from a side.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use super::{Drawing, DrawnShape, Ink, Point};
+use crate::Text;
+
+/// A point of a scene: x, y and, upwards, z, in metres or in any one length of the scene.
+pub type SpacePoint = [f64; 3];
+
+/// A sketch in space: its frames, all in the same coordinates, shown one after another and again; one frame stands
+/// still.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// What it shows.
+    pub title: Text,
+    /// Its frames; the first one stands for the scene where nothing can move.
+    pub frames: Vec<Vec<SpaceShape>>,
+    /// The time of all frames on the screen, in seconds.
+    pub period: f64,
+    /// From where it is seen, unless somebody turns it.
+    pub view: View,
+}
+
+/// A part of a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SpaceShape {
+    /// Straight lines from point to point.
+    Polyline(Vec<SpacePoint>, Ink),
+    /// The outline of a sphere about a centre.
+    Sphere(SpacePoint, f64, Ink),
+    /// An arrow from tail to head.
+    Arrow(SpacePoint, SpacePoint, Ink),
+    /// Words beside a point.
+    Label(SpacePoint, Text),
+}
+
+/// From where a scene is seen, by parallel rays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// The direction towards the viewer, from x about z, rad.
+    pub azimuth: f64,
+    /// The same above the plane xy, rad.
+    pub elevation: f64,
+}
+
+impl Scene {
+    /// What is to be drawn of one of its frames, which repeat without end, seen from some side.
+    pub fn seen(&self, frame: usize, view: View) -> Drawing {
+        let shapes = self.frames.get(frame % self.frames.len().max(1)).map_or(&[][..], Vec::as_slice);
+        let seen = |shape: &SpaceShape| match shape {
+            SpaceShape::Polyline(points, ink) => {
+                DrawnShape::Polyline(points.iter().map(|at| view.point(*at)).collect(), *ink)
+            }
+            SpaceShape::Sphere(at, radius, ink) => DrawnShape::Circle(view.point(*at), *radius, *ink),
+            SpaceShape::Arrow(tail, head, ink) => {
+                DrawnShape::Arrow(view.point(*tail), view.point(*head), *ink)
+            }
+            SpaceShape::Label(at, words) => DrawnShape::Label(view.point(*at), words.clone()),
+        };
+        Drawing { title: self.title.clone(), shapes: shapes.iter().map(seen).collect() }
+    }
+}
+
+impl Default for View {
+    /// x towards the viewer and to the left, y to the right, z up.
+    fn default() -> Self {
+        Self { azimuth: 35.0_f64.to_radians(), elevation: 25.0_f64.to_radians() }
+    }
+}
+
+impl View {
+    /// Where a point of a scene is drawn.
+    pub fn point(&self, [x, y, z]: SpacePoint) -> Point {
+        let (sin, cos) = self.azimuth.sin_cos();
+        let (sin_up, cos_up) = self.elevation.sin_cos();
+        (y * cos - x * sin, z * cos_up - (x * cos + y * sin) * sin_up)
+    }
+
+    /// The view of somebody who goes round the scene by an angle, counter-clockwise from above, and up by another, at
+    /// most until straight above it or below it; rad.
+    #[must_use]
+    pub fn turned(self, round: f64, up: f64) -> Self {
+        Self {
+            azimuth: (self.azimuth + round).rem_euclid(TAU),
+            elevation: (self.elevation + up).clamp(-FRAC_PI_2, FRAC_PI_2),
+        }
+    }
+}

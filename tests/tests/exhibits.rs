@@ -1,0 +1,216 @@
+//! What every analysis draws: marks that stand where they say, words that cover nothing, scenes seen from every side.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use dalembert_core::{
+    AnswerValue, Entry, Exhibit, Locale, Number, Plot, Solution, Stop, View, cases, registry,
+};
+use dalembert_plugins as _;
+use dalembert_report::figure::axes::Axes;
+use dalembert_tests::person::Person;
+use dalembert_tui::{drawing, glyphs::Colors, look::Look};
+use ratatui::{buffer::Buffer, layout::Rect};
+
+/// The solution of the first case of every analysis.
+fn solutions() -> impl Iterator<Item = (&'static Entry, Solution)> {
+    registry().iter().filter_map(|entry| {
+        let record = cases::first(entry)?.record(entry).ok()?;
+        Some((*entry, entry.solve(&record, &Stop::new()).ok()?))
+    })
+}
+
+/// A mark is an answer, or the value of a curve where it stands.
+#[test]
+fn every_mark_equals_an_answer_or_a_point_of_a_curve() {
+    let mut seen = 0;
+    for (entry, solution) in solutions() {
+        let answers: Vec<f64> = solution.answers.iter().flat_map(numbers).collect();
+        let is_answer =
+            |x: f64| answers.iter().any(|answer| (x.abs() - answer.abs()).abs() <= 1e-9 * answer.abs());
+        for exhibit in &solution.exhibits {
+            let Exhibit::Plot(plot) = exhibit else { continue };
+            for mark in &plot.marks {
+                seen += 1;
+                let (x, y) = mark.at;
+                assert!(
+                    is_answer(x) || is_answer(y) || is_on_a_curve(plot, (x, y)),
+                    "{}: the mark `{}` of `{}` at ({x}, {y}) is no answer and on no curve",
+                    entry.about.id,
+                    mark.label.english(),
+                    plot.title.english()
+                );
+            }
+        }
+    }
+    assert!(seen > 50, "{seen} marks");
+}
+
+fn numbers(answer: &dalembert_core::Answer) -> Vec<f64> {
+    match &answer.value {
+        AnswerValue::Number(Number::Scalar(si), _) => vec![*si],
+        AnswerValue::Number(Number::Vector(si), _) => si.to_vec(),
+        AnswerValue::List(numbers) => numbers.clone(),
+        AnswerValue::Set(set, _) => {
+            set.intervals().flat_map(|interval| [interval.lower, interval.upper]).filter_map(end).collect()
+        }
+    }
+}
+
+fn end(bound: std::ops::Bound<f64>) -> Option<f64> {
+    match bound {
+        std::ops::Bound::Included(x) | std::ops::Bound::Excluded(x) => Some(x),
+        std::ops::Bound::Unbounded => None,
+    }
+}
+
+/// Within what the line between two computed points can miss of a curve.
+fn is_on_a_curve(plot: &Plot, (x, y): (f64, f64)) -> bool {
+    let Some(axes) = Axes::of(plot) else { return false };
+    let Some(place) = axes.y.of(y) else { return false };
+    plot.series.iter().any(|series| {
+        let read = axes.read(series, x).and_then(|(y, _)| axes.y.of(y));
+        read.is_some_and(|read| (read - place).abs() < 5e-3)
+    })
+}
+
+#[test]
+fn words_of_drawings_stand_over_no_other_words_and_over_no_head_of_an_arrow() {
+    let (mut placed, mut listed) = (0, 0);
+    for (entry, solution) in solutions() {
+        for exhibit in &solution.exhibits {
+            let Some(sketch) = exhibit.sketch(0) else { continue };
+            for (size, ascii) in [((38, 14), false), ((38, 14), true), ((60, 26), false), ((110, 44), false)]
+            {
+                let look = Look { ascii, colors: Colors::None };
+                let area = Rect::new(0, 0, size.0, size.1);
+                let mut buffer = Buffer::empty(area);
+                let words = drawing::render(&sketch, &look, &Locale::english(), area, &mut buffer);
+                let of = format!("{}: {} at {size:?}", entry.about.id, sketch.title.english());
+                for (n, (at, text)) in words.beside.iter().enumerate() {
+                    let read: String = (at.x..at.right()).map(|x| buffer[(x, at.y)].symbol()).collect();
+                    assert_eq!(&read, text, "{of}");
+                    assert!(!words.heads.iter().any(|cell| at.contains((*cell).into())), "{of}: {text}");
+                    for (other, _) in &words.beside[n + 1..] {
+                        assert!(!at.intersects(*other), "{of}: {text}");
+                    }
+                }
+                placed += words.beside.len();
+                listed += words.listed.len();
+                // What is listed is read under the drawing, whole where there is room.
+                let rows =
+                    (0..size.1).map(|y| (0..size.0).map(|x| buffer[(x, y)].symbol()).collect::<String>());
+                let below = rows.skip(usize::from(size.1) * 3 / 4 - 1).collect::<String>();
+                let first = words.listed.first().filter(|first| first.chars().count() < 12);
+                assert!(first.is_none_or(|first| below.contains(first.as_str())), "{of}: {:?}", words.listed);
+            }
+        }
+    }
+    println!("{placed} words have a place, {listed} are listed");
+    assert!(placed > 10 * listed, "{placed} words have a place, {listed} are listed");
+}
+
+#[test]
+fn a_view_is_turned_round_and_up() {
+    let front = View { azimuth: 0.0, elevation: 0.0 };
+    let near = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).hypot(a.1 - b.1) < 1e-12;
+    assert!(near(front.point([1.0, 2.0, 3.0]), (2.0, 3.0)), "x points at the viewer");
+    assert!(
+        near(front.turned(-FRAC_PI_2, FRAC_PI_2).point([1.0, 2.0, 3.0]), (1.0, 2.0)),
+        "the plan, from above"
+    );
+    assert!(near(front.turned(PI, 0.0).point([1.0, 2.0, 3.0]), (-2.0, 3.0)), "from behind");
+    assert_eq!(front.turned(0.0, 9.0).elevation, FRAC_PI_2, "never over the top");
+    // Lengths at right angles to the line of sight are kept from every side.
+    for (round, up) in [(0.3, 0.2), (2.0, -1.0), (5.0, 1.5)] {
+        let view = front.turned(round, up);
+        let sight = [up.cos() * round.cos(), up.cos() * round.sin(), up.sin()];
+        let point = [0.3, -0.7, 0.2];
+        let along: f64 = point.iter().zip(sight).map(|(a, b)| a * b).sum();
+        let whole: f64 = point.iter().map(|a| a * a).sum();
+        let (x, y) = view.point(point);
+        assert!((x * x + y * y - (whole - along * along)).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_scene_in_space_is_turned_by_keys_and_keeps_its_side() {
+    let mut person = Person::at(120, 40).opens("rigid-body/mass-properties");
+    let usual = person.types("<tab>]]]").sees();
+    assert!(usual.contains("principal axes at G"), "{usual}");
+    let turned = person.types("<right>").sees();
+    assert_ne!(turned, usual);
+    assert_eq!(person.types("<left>").sees(), usual);
+    assert_eq!(person.types(&"<right>".repeat(36)).sees(), usual, "once round");
+    let above = person.types(&"<up>".repeat(20)).sees();
+    assert_eq!(person.types("<up>").sees(), above, "not over the top");
+    assert_eq!(person.types("i").sees(), usual);
+    // A change of the inputs is seen from the same side; a film as well.
+    let mut person = Person::at(120, 40).opens("rigid-body/heavy-top");
+    person.types("<tab>");
+    while person.model.bench.as_ref().is_some_and(|bench| bench.tab != dalembert_tui::bench::Tab::Drawing) {
+        person.types("]");
+    }
+    person.types("<up><right>");
+    let view = person.model.bench.as_ref().and_then(|bench| bench.view);
+    person.types(".,<tab>+-<tab>");
+    assert!(view.is_some());
+    assert_eq!(person.model.bench.as_ref().and_then(|bench| bench.view), view);
+    let mut flat = Person::at(120, 40).opens("vibration/rotating-unbalance");
+    assert!(flat.types("<tab>]]]<right>").sees().contains("this drawing is flat"), "{}", flat.sees());
+}
+
+/// What is seen is what is written: the window, the decibels, the cursor; the side of a scene.
+#[test]
+fn what_is_seen_is_exported() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let name = |name: &str| folder.path().join(name).display().to_string();
+    let mut person = Person::at(120, 40).opens("vibration/rotating-unbalance");
+    assert!(person.types("P").sees().contains("no plot or drawing is on the screen"), "{}", person.sees());
+    person.types("<tab>]]aa<right>++P").types(&name("seen.csv")).types("<enter>");
+    assert!(person.sees().contains("what is seen is in"), "{}", person.sees());
+    let csv = std::fs::read_to_string(name("seen.csv")).expect("it is written");
+    assert!(csv.starts_with("series,Speed [rpm],") && csv.contains("dB over 1 mm"), "{csv}");
+    let speeds: Vec<f64> =
+        csv.lines().skip(1).filter_map(|line| line.split(',').nth(1)?.parse().ok()).collect();
+    let bench = person.model.bench.as_ref().expect("a problem");
+    let (from, to) = bench.plot_state.view.window.expect("a part of the axis");
+    let rpm = |si: f64| si * 30.0 / PI;
+    assert!(speeds.iter().all(|speed| (rpm(from) - 1e-6..=rpm(to) + 1e-6).contains(speed)), "{csv}");
+    assert!(csv.contains("at the cursor,1000,"), "{csv}");
+    person.types("P").types(&name("seen.svg")).types("<enter>");
+    let svg = std::fs::read_to_string(name("seen.svg")).expect("it is written");
+    assert!(svg.contains("dB over 1 mm") && svg.contains("= 1000 rpm"), "{svg}");
+    // Every curve stays inside the axes.
+    for points in svg.lines().filter_map(|line| line.strip_prefix("<polyline points=\"")) {
+        let points = points.split('"').next().expect("they end");
+        let xs = points.split(' ').filter_map(|at| at.split(',').next()?.parse::<f64>().ok());
+        assert!(xs.into_iter().all(|x| (0.0..=640.0).contains(&x)), "{points}");
+    }
+    let mut scene = Person::at(120, 40).opens("rigid-body/mass-properties");
+    scene.types("<tab>]]]P").types(&name("usual.svg")).types("<enter>");
+    scene.types("<right><right>P").types(&name("turned.svg")).types("<enter>");
+    let [usual, turned] =
+        ["usual.svg", "turned.svg"].map(|file| std::fs::read_to_string(name(file)).expect("it is written"));
+    assert_ne!(usual, turned);
+    let lines = |svg: &str| svg.matches("<polyline").count();
+    assert_eq!(lines(&usual), lines(&turned), "the same strokes from another side");
+}
+
+#[test]
+fn a_frequency_axis_may_be_logarithmic() {
+    let mut person = Person::at(120, 40).opens("vibration/rotating-unbalance");
+    let linear = person.types("<tab>]]").sees();
+    let logarithmic = person.types("x").sees();
+    assert_ne!(linear, logarithmic);
+    assert!(logarithmic.contains(" 100 ") && logarithmic.contains(" 1000 "), "{logarithmic}");
+    assert_eq!(person.types("x").sees(), linear);
+}
+
+#[test]
+fn a_tall_screen_shows_two_plots() {
+    let id = "rigid-body/motion";
+    let shown = Person::at(200, 60).opens(id).sees();
+    assert!(shown.contains("Plot 1/") && shown.contains(" 2/"), "{shown}");
+    let low = Person::at(160, 40).opens(id).sees();
+    assert!(low.contains("Plot 1/") && !low.contains(" 2/"), "{low}");
+}
