@@ -288,16 +288,21 @@ pub enum Effect {
 impl Effect {
     /// Whether it may wait for other keys that are there already: nothing that they lead to depends on it.
     pub fn may_wait(&self) -> bool {
-        matches!(self, Effect::Solve(_) | Effect::Keep { .. } | Effect::Forget)
+        matches!(self, Effect::Solve(_)) || self.keeps().is_some()
     }
 
     /// Whether a newer effect makes it idle: of keys that waited together the last decides.
     pub fn is_idle_after(&self, newer: &Effect) -> bool {
-        matches!(
-            (self, newer),
-            (Effect::Solve(_), Effect::Solve(_))
-                | (Effect::Keep { .. } | Effect::Forget, Effect::Keep { .. } | Effect::Forget)
-        )
+        let solves = |effect: &Effect| matches!(effect, Effect::Solve(_));
+        solves(self) && solves(newer) || self.keeps().is_some() && self.keeps() == newer.keeps()
+    }
+
+    /// The problem that it keeps against a crash, or keeps no more.
+    fn keeps(&self) -> Option<u64> {
+        match self {
+            Effect::Keep { problem, .. } | Effect::Forget(problem) => Some(*problem),
+            _ => None,
+        }
     }
 }
 
