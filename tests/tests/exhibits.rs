@@ -6,7 +6,11 @@ use dalembert_core::{
     AnswerValue, Entry, Exhibit, Locale, Number, Plot, Solution, Stop, View, cases, registry,
 };
 use dalembert_plugins as _;
-use dalembert_report::figure::axes::Axes;
+use dalembert_report::figure::{
+    axes::Axes,
+    figure,
+    picture::{Part, WORDS},
+};
 use dalembert_tests::person::Person;
 use dalembert_tui::{drawing, glyphs::Colors, look::Look};
 use ratatui::{buffer::Buffer, layout::Rect};
@@ -25,15 +29,18 @@ fn every_mark_equals_an_answer_or_a_point_of_a_curve() {
     let mut seen = 0;
     for (entry, solution) in solutions() {
         let answers: Vec<f64> = solution.answers.iter().flat_map(numbers).collect();
-        let is_answer =
-            |x: f64| answers.iter().any(|answer| (x.abs() - answer.abs()).abs() <= 1e-9 * answer.abs());
+        let is_answer = |x: f64, scale: f64| {
+            answers.iter().any(|answer| (x.abs() - answer.abs()).abs() <= 1e-9 * answer.abs().max(scale))
+        };
         for exhibit in &solution.exhibits {
             let Exhibit::Plot(plot) = exhibit else { continue };
+            let heights = plot.series.iter().flat_map(|series| &series.points).map(|at| at.1.abs());
+            let height = heights.filter(|y| y.is_finite()).fold(0.0, f64::max);
             for mark in &plot.marks {
                 seen += 1;
                 let (x, y) = mark.at;
                 assert!(
-                    is_answer(x) || is_answer(y) || is_on_a_curve(plot, (x, y)),
+                    is_answer(x, 0.0) || is_answer(y, height) || is_on_a_curve(plot, (x, y)),
                     "{}: the mark `{}` of `{}` at ({x}, {y}) is no answer and on no curve",
                     entry.about.id,
                     mark.label.english(),
@@ -63,13 +70,19 @@ fn end(bound: std::ops::Bound<f64>) -> Option<f64> {
     }
 }
 
-/// Within what the line between two computed points can miss of a curve.
+/// Within what the line between two computed points can miss of a curve: as much as the curve changes next to it.
 fn is_on_a_curve(plot: &Plot, (x, y): (f64, f64)) -> bool {
     let Some(axes) = Axes::of(plot) else { return false };
     let Some(place) = axes.y.of(y) else { return false };
     plot.series.iter().any(|series| {
-        let read = axes.read(series, x).and_then(|(y, _)| axes.y.of(y));
-        read.is_some_and(|read| (read - place).abs() < 5e-3)
+        let Some(read) = axes.read(series, x).and_then(|(y, _)| axes.y.of(y)) else { return false };
+        let at = series.points.windows(2).position(|pair| (pair[0].0 - x) * (pair[1].0 - x) <= 0.0);
+        let at = at.unwrap_or(0);
+        let near = &series.points[at.saturating_sub(1)..(at + 3).min(series.points.len())];
+        let heights: Vec<f64> = near.iter().filter_map(|at| axes.y.of(at.1)).collect();
+        let most = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        (read - place).abs() <= (most - least).clamp(1e-6, 0.05)
     })
 }
 
@@ -107,6 +120,35 @@ fn words_of_drawings_stand_over_no_other_words_and_over_no_head_of_an_arrow() {
     }
     println!("{placed} words have a place, {listed} are listed");
     assert!(placed > 10 * listed, "{placed} words have a place, {listed} are listed");
+}
+
+#[test]
+fn words_of_figures_stand_over_no_other_words() {
+    let mut faults = Vec::new();
+    for (entry, solution) in solutions() {
+        for exhibit in solution.exhibits.iter().filter(|exhibit| exhibit.frames().0 > 0) {
+            let Some(picture) = figure(exhibit, &Locale::english()) else { continue };
+            let boxes: Vec<(f64, f64, f64, &str)> = picture
+                .parts
+                .iter()
+                .filter_map(|part| match part {
+                    Part::Words { at, text, .. } => {
+                        Some((at.0, at.0 + 0.5 * WORDS * text.chars().count() as f64, at.1, text.as_str()))
+                    }
+                    _ => None,
+                })
+                .collect();
+            for (n, one) in boxes.iter().enumerate() {
+                for other in &boxes[n + 1..] {
+                    if one.0 < other.1 && other.0 < one.1 && (one.2 - other.2).abs() < 0.8 * WORDS {
+                        faults
+                            .push(format!("{} {}: {} and {}", entry.about.id, picture.title, one.3, other.3));
+                    }
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{} words:\n{}", faults.len(), faults.join("\n"));
 }
 
 #[test]
@@ -169,7 +211,7 @@ fn what_is_seen_is_exported() {
     person.types("<tab>]]aa<right>++P").types(&name("seen.csv")).types("<enter>");
     assert!(person.sees().contains("what is seen is in"), "{}", person.sees());
     let csv = std::fs::read_to_string(name("seen.csv")).expect("it is written");
-    assert!(csv.starts_with("series,Speed [rpm],") && csv.contains("dB over 1 mm"), "{csv}");
+    assert!(csv.starts_with("series,speed of the machine [rpm],") && csv.contains("dB over 1 mm"), "{csv}");
     let speeds: Vec<f64> =
         csv.lines().skip(1).filter_map(|line| line.split(',').nth(1)?.parse().ok()).collect();
     let bench = person.model.bench.as_ref().expect("a problem");

@@ -388,3 +388,4 @@ write-a-name-that-ends-in-svg-or-csv = escreva um nome que termine em .svg ou .c
 write-a-name-that-ends-in-svg = escreva um nome que termine em .svg
 what-is-seen-is-in-file = o que se vê está em { $file }
 no-plot-or-drawing-is-on-the-screen = não há gráfico nem desenho na tela
+go-round = dar a volta

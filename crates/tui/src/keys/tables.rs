@@ -130,7 +130,7 @@ pub(super) const PLOT: &[Binding] = &[
 /// Keys of a drawing or a film.
 pub(super) const DRAWING: &[Binding] = &[
     bind(Action::Play, &[typed(' ')], "let a film move, or hold it", "film"),
-    bind(Action::Left, LEFT, "round a scene in space, to its left", "turn"),
+    bind(Action::Left, LEFT, "round a scene in space, to its left", "go round"),
     bind(Action::Right, RIGHT, "round a scene in space, to its right", ""),
     bind(Action::Up, UP, "above a scene in space", ""),
     bind(Action::Down, DOWN, "below a scene in space", ""),

@@ -1,6 +1,6 @@
 //! The lines at the edges: what is worked on, what the field means, what keys do.
 
-use dalembert_core::{Shape, Text};
+use dalembert_core::{Exhibit, Shape, Text};
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -167,6 +167,10 @@ fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
         Action::Play | Action::PreviousFrame => has_film,
         Action::Toggle if place == Place::Cells => in_tab(Tab::Check),
         Action::Left if place == Place::Cells => !in_tab(Tab::Check),
+        Action::Left if place == Place::Drawing => {
+            let sketch = model.shown_bench().and_then(|bench| bench.sketch());
+            matches!(sketch, Some(Exhibit::Scene(_)))
+        }
         Action::Reveal => model.shown_bench().is_some_and(|bench| bench.reading.revealed.is_some()),
         Action::Enter if place == Place::Working => {
             model.shown_bench().is_some_and(|bench| bench.reading.symbol.is_some())
