@@ -94,7 +94,7 @@ fn words_of_drawings_stand_over_no_other_words_and_over_no_head_of_an_arrow() {
             let Some(sketch) = exhibit.sketch(0) else { continue };
             for (size, ascii) in [((38, 14), false), ((38, 14), true), ((60, 26), false), ((110, 44), false)]
             {
-                let look = Look { ascii, colors: Colors::None };
+                let look = Look { ascii, colors: Colors::None, ..Look::default() };
                 let area = Rect::new(0, 0, size.0, size.1);
                 let mut buffer = Buffer::empty(area);
                 let words = drawing::render(&sketch, &look, &Locale::english(), area, &mut buffer);

@@ -218,7 +218,7 @@ fn pair(action: Action, place: Place) -> Option<(Action, Action)> {
         Action::NextTab => (Action::PreviousTab, action),
         Action::PreviousFrame => (action, Action::NextFrame),
         Action::Right if place == Place::Working => (Action::Left, action),
-        Action::Left if place == Place::Cells => (action, Action::Right),
+        Action::Left if matches!(place, Place::Cells | Place::Drawing) => (action, Action::Right),
         _ => return None,
     })
 }
