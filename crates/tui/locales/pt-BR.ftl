@@ -373,7 +373,6 @@ line-line-the-program-has-ended-already = linha { $line }: o programa já termin
 the-session-is-not-recorded-error = a sessão não é gravada: { $error }
 the-session-has-stopped-the-keys-are-yours = a sessão parou: as teclas são suas
 the-session-has-ended-the-keys-are-yours = a sessão terminou: as teclas são suas
-turn = girar
 round-a-scene-in-space-to-its-left = em volta de uma cena no espaço, para a esquerda dela
 round-a-scene-in-space-to-its-right = em volta de uma cena no espaço, para a direita dela
 above-a-scene-in-space = por cima de uma cena no espaço
