@@ -12,6 +12,7 @@ use dalembert_core::{Language, Locale, Text};
     version,
     after_help = "Without arguments: the workbench in a terminal, a worked problem elsewhere. Exit status: 0 solved; 1 refused, or a check failed; 2 bad input or usage."
 )]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
 pub(crate) struct Arguments {
     /// A problem file or the id of an analysis, to open in the workbench
     #[arg(value_name = "FILE")]

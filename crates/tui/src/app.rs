@@ -11,7 +11,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use crossterm::{Command, clipboard::CopyToClipboard};
+use crossterm::{Command, clipboard::CopyToClipboard, event::MouseEventKind};
 use dalembert_core::{Entry, Language, Text, registry};
 
 use self::watch::Watched;
@@ -267,7 +267,7 @@ impl World {
                 }
             }
             let mut waiting: Vec<Effect> = Vec::new();
-            for input in inputs {
+            for input in without_haste(inputs) {
                 stale = true;
                 let msg = match input {
                     Input::Key(key) => Msg::Key(key),
@@ -519,4 +519,26 @@ fn at_home(path: PathBuf) -> PathBuf {
         (Ok(rest), Some(home)) => Path::new(&home).join(rest),
         _ => path,
     }
+}
+
+/// Of the equal turns of the wheel that waited together no more than move a screenful: nobody counts the others, and
+/// the next key does not wait for them.
+fn without_haste(mut inputs: Vec<Input>) -> Vec<Input> {
+    const TURNS: usize = 10;
+    let mut turns = 0;
+    let mut last = None;
+    inputs.retain(|input| {
+        let turned = match input {
+            Input::Mouse(event)
+                if matches!(event.kind, MouseEventKind::ScrollUp | MouseEventKind::ScrollDown) =>
+            {
+                Some(*event)
+            }
+            _ => None,
+        };
+        turns = if turned.is_some() && turned == last { turns + 1 } else { 1 };
+        last = turned;
+        turns <= TURNS
+    });
+    inputs
 }

@@ -105,7 +105,9 @@ impl Sketch<'_> {
         let mut heads: Vec<(u16, u16)> = heads.map(|at| dots.cell_of(fit.dot(*at))).collect();
         heads.sort_unstable();
         heads.dedup();
-        heads.iter().for_each(|cell| words.reserve(*cell));
+        for cell in &heads {
+            words.reserve(*cell);
+        }
         let mut listed = Vec::new();
         for (at, text) in self.labels {
             let short = look.shortened(text, area.width.into());

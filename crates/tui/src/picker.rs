@@ -28,8 +28,8 @@ const FEW: usize = 12;
 pub struct Listing {
     /// The analysis.
     pub entry: &'static Entry,
-    /// Its published cases.
-    pub cases: Vec<Case>,
+    /// Its published cases; read when somebody first asks for them, or the first screen would wait for all.
+    cases: OnceCell<Vec<Case>>,
     /// They compared with what was printed, once that is done.
     pub judged: Option<Vec<Judged>>,
     /// Everything that the filter looks in; made when somebody types the first filter.
@@ -121,8 +121,12 @@ pub struct Preview {
 impl Listing {
     /// The listing of an analysis.
     pub fn of(entry: &'static Entry) -> Self {
-        let cases = cases::cases(entry).unwrap_or_default();
-        Self { entry, cases, judged: None, index: OnceCell::new() }
+        Self { entry, cases: OnceCell::new(), judged: None, index: OnceCell::new() }
+    }
+
+    /// Its published cases.
+    pub fn cases(&self) -> &[Case] {
+        self.cases.get_or_init(|| cases::cases(self.entry).unwrap_or_default())
     }
 
     /// Its title.
@@ -253,7 +257,7 @@ impl Contents<'_> {
                 exercises
                     .filter_map(|exercise| {
                         let listing = self.place(&exercise.analysis)?;
-                        let cases = &self.listings[listing].cases;
+                        let cases = self.listings[listing].cases();
                         let case = match exercise.case.as_str() {
                             "" => 0,
                             name => cases.iter().position(|case| case.name == name)?,
@@ -283,7 +287,7 @@ impl Contents<'_> {
     /// How far an exercise is done.
     pub fn progress(self, leaf: Leaf) -> Progress {
         let Some(listing) = self.listings.get(leaf.listing) else { return Progress::NotBegun };
-        let case = leaf.case.and_then(|case| listing.cases.get(case));
+        let case = leaf.case.and_then(|case| listing.cases().get(case));
         case.map_or(Progress::NotBegun, |case| self.remembered.progress(listing.entry.about.id, &case.name))
     }
 

@@ -184,7 +184,7 @@ fn judged_later(model: &Model, entry: &'static Entry) -> Vec<Judged> {
         return judged;
     }
     let cases =
-        known.map_or_else(|| cases::cases(entry).unwrap_or_default(), |listing| listing.cases.clone());
+        known.map_or_else(|| cases::cases(entry).unwrap_or_default(), |listing| listing.cases().to_vec());
     cases.into_iter().map(|case| Judged { case, verdicts: None }).collect()
 }
 

@@ -31,9 +31,9 @@ pub(crate) fn run(asked: &Replay, set: Set, console: &Console) -> Result<ExitCod
         let played = match replay::play(&session, folder) {
             Err(replay::Failure::NotSeen { line, text, screen }) => {
                 print(&screen)?;
-                return Err(unmet(replay::Failure::NotSeen { line, text, screen }));
+                return Err(unmet(&replay::Failure::NotSeen { line, text, screen }));
             }
-            played => played.map_err(unmet)?,
+            played => played.map_err(|failure| unmet(&failure))?,
         };
         match &asked.pictures {
             Some(folder) => keep(&played, folder)?,
@@ -42,7 +42,7 @@ pub(crate) fn run(asked: &Replay, set: Set, console: &Console) -> Result<ExitCod
         return Ok(ExitCode::SUCCESS);
     }
     let (file, analysis) = match &session.open {
-        Some(named) => replay::to_open(named, folder).map_err(unmet)?,
+        Some(named) => replay::to_open(named, folder).map_err(|failure| unmet(&failure))?,
         None => (None, None),
     };
     if !console.interactive {
@@ -65,7 +65,7 @@ pub(crate) fn run(asked: &Replay, set: Set, console: &Console) -> Result<ExitCod
 }
 
 /// What could not be opened is bad input, what is not on the screen a failed check.
-fn unmet(failure: replay::Failure) -> Failure {
+fn unmet(failure: &replay::Failure) -> Failure {
     match failure {
         replay::Failure::NothingToOpen(_) => Failure::input(failure.text()),
         _ => Failure::Unmet(failure.text()),
@@ -76,7 +76,10 @@ fn unmet(failure: replay::Failure) -> Failure {
 fn shown(played: &Played) -> String {
     match played.pictures.as_slice() {
         [] => played.last.clone(),
-        pictures => pictures.iter().map(|picture| format!("== {}\n{}", picture.name, picture.text)).collect(),
+        pictures => {
+            let named = pictures.iter().map(|picture| format!("== {}\n{}", picture.name, picture.text));
+            named.collect::<Vec<_>>().concat()
+        }
     }
 }
 

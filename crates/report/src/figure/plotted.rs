@@ -118,7 +118,7 @@ impl Area<'_> {
         for part in self.axes.readout(cursor, locale) {
             match lines.last_mut() {
                 Some(line) if width(line) + 30.0 + width(&part) <= self.right => {
-                    *line += &format!("   {part}")
+                    *line += &format!("   {part}");
                 }
                 _ => lines.push(part),
             }

@@ -63,7 +63,7 @@ impl Index {
         ]);
         let books = about.sources.iter().map(|source| format!("{} {}", source.short, source.full));
         let words = both(about.summary).into_iter().chain([about.keywords.to_owned()]).chain(books);
-        let cases = listing.cases.iter().map(|case| folded(&format!("{}\n{}", case.name, case.source)));
+        let cases = listing.cases().iter().map(|case| folded(&format!("{}\n{}", case.name, case.source)));
         let joined = |texts: &mut dyn Iterator<Item = String>| folded(&texts.collect::<Vec<_>>().join("\n"));
         Self {
             names: joined(&mut names.into_iter()),

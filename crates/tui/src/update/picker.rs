@@ -53,7 +53,7 @@ pub(super) fn preview(model: &mut Model) -> Vec<Effect> {
     if model.picker.preview.as_ref().is_some_and(|preview| preview.id == id && preview.case == case) {
         return Vec::new();
     }
-    let record = listing.cases.get(case).and_then(|case| case.record(entry).ok());
+    let record = listing.cases().get(case).and_then(|case| case.record(entry).ok());
     let generation = model.next_generation();
     model.picker.preview = Some(Preview { id, case, generation, solution: None });
     record
@@ -65,7 +65,7 @@ pub(super) fn preview(model: &mut Model) -> Vec<Effect> {
 /// What is chosen is solved, so the person rests on it: its cases are compared with what was printed.
 pub(super) fn judge(model: &Model) -> Vec<Effect> {
     let listing = chosen_leaf(model).and_then(|leaf| model.listings.get(leaf.listing));
-    let unjudged = listing.filter(|listing| listing.judged.is_none() && !listing.cases.is_empty());
+    let unjudged = listing.filter(|listing| listing.judged.is_none() && !listing.cases().is_empty());
     unjudged.map(|listing| Effect::Judge(listing.entry)).into_iter().collect()
 }
 
@@ -101,7 +101,7 @@ fn chosen_leaf(model: &Model) -> Option<Leaf> {
 fn step(model: &mut Model, by: isize) -> Vec<Effect> {
     match (model.picker.case, chosen_leaf(model)) {
         (Some(case), Some(leaf)) => {
-            let last = model.listings[leaf.listing].cases.len().saturating_sub(1);
+            let last = model.listings[leaf.listing].cases().len().saturating_sub(1);
             model.picker.case = Some(case.saturating_add_signed(by).min(last));
         }
         _ => {
@@ -114,7 +114,7 @@ fn step(model: &mut Model, by: isize) -> Vec<Effect> {
 
 fn to_cases(model: &mut Model) -> Vec<Effect> {
     if let Some(leaf) = chosen_leaf(model)
-        && !model.listings[leaf.listing].cases.is_empty()
+        && !model.listings[leaf.listing].cases().is_empty()
     {
         model.picker.case = Some(leaf.case.unwrap_or(0));
     }
@@ -185,7 +185,7 @@ fn mark(model: &mut Model) -> Vec<Effect> {
     };
     let listing = &model.listings[leaf.listing];
     let progress = if model.contents().progress(leaf).is_done() { Progress::Opened } else { Progress::Done };
-    let (analysis, case) = (listing.entry.about.id.to_owned(), listing.cases[case].name.clone());
+    let (analysis, case) = (listing.entry.about.id.to_owned(), listing.cases()[case].name.clone());
     remember(model, Change::Reach { analysis, case, progress })
 }
 
@@ -220,7 +220,7 @@ fn enter(model: &mut Model) -> Vec<Effect> {
     let listing = &model.listings[leaf.listing];
     let (entry, case) = (listing.entry, model.picker.case.or(leaf.case));
     model.picker.typing = false;
-    let wanted = case.and_then(|case| listing.cases.get(case));
+    let wanted = case.and_then(|case| listing.cases().get(case));
     let is_wanted = |bench: &&Bench| {
         bench.entry.about.id == entry.about.id
             && wanted.is_none_or(|case| bench.title.is_empty() && bench.form.draft == case.draft)

@@ -80,7 +80,7 @@ fn of_heading(model: &Model, heading: Heading, area: Rect, buffer: &mut Buffer) 
     }
     for leaf in contents.leaves(heading) {
         let Some(listing) = model.listings.get(leaf.listing) else { continue };
-        let case = leaf.case.and_then(|case| listing.cases.get(case));
+        let case = leaf.case.and_then(|case| listing.cases().get(case));
         let (name, more) = match (heading, case) {
             (Heading::Set(_), Some(case)) => {
                 let progress = word(contents.progress(leaf).name(), model);
@@ -159,13 +159,13 @@ fn cases(
     lines: &mut Vec<Line<'static>>,
 ) -> usize {
     let look = &model.look;
-    if listing.cases.is_empty() {
+    if listing.cases().is_empty() {
         lines.push(Line::styled(word("no published case", model), look.dim()));
         return 0;
     }
     let mut head = vec![
         Span::styled(word("Cases", model), look.title()),
-        Span::styled(format!(": {}", listing.cases.len()), look.dim()),
+        Span::styled(format!(": {}", listing.cases().len()), look.dim()),
     ];
     let sums = sums(model, listing);
     if !sums.is_empty() {
@@ -176,7 +176,7 @@ fn cases(
     }
     lines.push(Line::from(head));
     let mut shown = lines.len();
-    for (n, case) in listing.cases.iter().enumerate() {
+    for (n, case) in listing.cases().iter().enumerate() {
         let is_chosen = chosen == Some(n);
         if is_chosen {
             shown = lines.len();
