@@ -242,7 +242,7 @@ fn draw_palette(
             let line = Line::from(vec![
                 Span::styled(format!("{pointer} "), look.border(true)),
                 Span::styled(name, style),
-                Span::styled(format!("  {key}"), look.key()),
+                Span::styled(format!("  {key}"), look.dim()),
             ]);
             buffer.set_line(inner.x, y, &line, inner.width);
         }
