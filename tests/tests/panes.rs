@@ -1,9 +1,10 @@
-//! Every pane: how it looks, and that its keys are all told.
+//! Every pane: how it looks, that keys reach it, that it cuts no word in silence, and that its keys are all told.
 
 use std::collections::HashSet;
 
+use dalembert_core::{Entry, registry};
 use dalembert_tests::person::Person;
-use dalembert_tui::keys::Place;
+use dalembert_tui::{bench::Tab, keys::Place};
 use insta::assert_snapshot;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
@@ -34,6 +35,9 @@ fn every_pane_of_the_fan_at_every_size() {
         ("working", "]<tab><right>"),
         ("plot", "]]<tab><home><right>"),
         ("drawing", "]]]<tab>"),
+        ("check", "]]]]<tab><down>106,2<enter>"),
+        ("sensitivity", "]]]]]<tab>"),
+        ("study", "]]]]]]<tab>"),
         ("sources", "[<tab>"),
         ("field_wrong", "<end><del>12 kg<enter>"),
         ("choices", "<down><down><enter>"),
@@ -55,6 +59,94 @@ fn the_list_at_every_size() {
         "vibration/shaft-clearance",
     ];
     assert_snapshot!("list_everywhere", everywhere(|person| person.knows(&course), "<down><down>"));
+}
+
+/// Words of a wide and tall screen, where nothing is cut, hold every word of the smaller ones: one that is not among
+/// them was cut, and says so.
+#[test]
+fn a_word_is_whole_or_marked_as_cut() {
+    let mut faults = Vec::new();
+    for entry in one_of_each_topic() {
+        let whole = texts(entry, 300, 300);
+        for (columns, rows) in SIZES {
+            for ((tab, screen), (_, whole)) in texts(entry, columns, rows).iter().zip(&whole) {
+                let known: HashSet<&str> = words(whole).collect();
+                // The frames have the names of tabs, and the foot has hints that depend on the room.
+                let inner = screen.lines().filter(|line| line.starts_with('│')).flat_map(words);
+                let is_word = |word: &&str| word.chars().any(char::is_alphabetic) && !word.contains('…');
+                let cut = inner.filter(is_word).find(|word| !known.contains(word));
+                faults.extend(cut.map(|word| format!("{} {tab:?} {columns}×{rows}: {word}", entry.about.id)));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// The tabs of text of an analysis, and its form beside each.
+fn texts(entry: &Entry, columns: u16, rows: u16) -> Vec<(Tab, String)> {
+    let mut person = Person::at(columns, rows).opens(entry.about.id);
+    let mut shown = Vec::new();
+    loop {
+        let bench = person.model.bench.as_ref().expect("a problem is open");
+        let (tab, last) = (bench.tab, bench.tabs().last() == Some(&bench.tab));
+        if !tab.is_picture() {
+            shown.push((tab, person.sees()));
+        }
+        if last {
+            return shown;
+        }
+        person.types("]");
+    }
+}
+
+/// Words and what stands in for their rest; curves and frames beside them are none of them.
+fn words(screen: &str) -> impl Iterator<Item = &str> {
+    screen.split(|c: char| !c.is_alphanumeric() && c != '…').filter(|word| !word.is_empty())
+}
+
+/// The first analysis of each topic: what belongs to one topic is drawn alike.
+fn one_of_each_topic() -> impl Iterator<Item = &'static Entry> {
+    let mut seen = HashSet::new();
+    registry().iter().copied().filter(move |entry| seen.insert((entry.family(), entry.about.topic)))
+}
+
+#[test]
+fn keys_reach_every_tab_plot_and_drawing() {
+    for entry in one_of_each_topic() {
+        let mut person = Person::at(80, 24).opens(entry.about.id);
+        let shown = |person: &Person| {
+            let bench = person.model.bench.as_ref().expect("a problem is open");
+            (bench.tab, bench.plot, bench.drawing)
+        };
+        let problem = person.model.bench.as_ref().expect("a problem is open");
+        let tabs = problem.tabs();
+        let (plots, drawings) = (problem.plots().count(), problem.drawings().count());
+        let (mut seen, mut plots_seen, mut drawings_seen) = (Vec::new(), HashSet::new(), HashSet::new());
+        for _ in 0..tabs.len() {
+            let (tab, ..) = shown(&person);
+            seen.push(tab);
+            if tab.is_picture() {
+                person.types("<tab>");
+                for _ in 0..plots.max(drawings) {
+                    let (_, plot, drawing) = shown(&person);
+                    if tab == Tab::Plot {
+                        plots_seen.insert(plot)
+                    } else {
+                        drawings_seen.insert(drawing)
+                    };
+                    person.types("n");
+                }
+                person.types("<tab>");
+            }
+            person.types("]");
+        }
+        assert_eq!(
+            (seen, plots_seen.len(), drawings_seen.len()),
+            (tabs, plots, drawings),
+            "{}",
+            entry.about.id
+        );
+    }
 }
 
 /// A key that no table of the place has changes nothing on the screen, where characters are no text.

@@ -25,6 +25,40 @@ fn leaves(pty: &mut Pty) {
     assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
 }
 
+/// A student works the fan by hand: nothing is given away, a right answer is confirmed, a wrong one is not, and what
+/// follows from it says so; then the working is read up to where it went wrong.
+#[test]
+fn homework_is_tried_by_hand_and_checked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut pty = at_work("vibration/rotating-unbalance", folder.path());
+    pty.expect("19.456");
+    pty.types("t]]]]<tab>");
+    pty.expect("ours is covered");
+    assert!(!pty.screen().contains("19.456"), "{}", pty.screen());
+    // ωₙ = √(3 E I / L³ / m), by hand to four digits.
+    let natural = (3.0 * 200e9 * 1.3e-6 / 1.2_f64.powi(3) / 40.0).sqrt();
+    pty.types(&format!("<down>{natural:.1}<enter>"));
+    pty.expect(&format!("= {natural:.2} rad/s"));
+    // ζ from another formula, and the amplitude that it leads to.
+    pty.types("<down><down>0.707<enter>");
+    pty.expect("not right");
+    let ratio = 1000.0 * PI / 30.0 / natural;
+    let amplitude = 0.1 / 40.0 * ratio * ratio / (1.0 - ratio * ratio).hypot(2.0 * 0.707 * ratio) * 1e3;
+    pty.types(&format!("<down><down>{amplitude:.3}<enter>"));
+    pty.expect("it follows from your own answer to");
+    // The working, as far as the step that was missed, and no farther.
+    pty.types("[[[");
+    pty.expect("k = ?");
+    pty.types("    ");
+    pty.expect("= 8.12");
+    pty.expect("ζ = ?");
+    assert!(!pty.screen().contains("0.061694"), "{}", pty.screen());
+    pty.types("]]]<up><up>0.0617<enter>");
+    pty.expect("= 0.061694");
+    pty.types("t");
+    leaves(&mut pty);
+}
+
 /// A lecturer shows what resonance is: a result is pinned, the speed is raised before everybody's eyes, the working
 /// is uncovered step by step, modes move, and the students' language is a key away.
 #[test]

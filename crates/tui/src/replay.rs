@@ -18,7 +18,7 @@
 //! | `language en` or `pt-BR` | the language of the interface |
 //! | `look colour`, `plain` or `ascii` | sixteen colours, none, or nothing outside ASCII |
 //! | `open ID` or `FILE` | begins on an analysis, or on a problem file beside the session |
-//! | `type KEYS` | keys, as [`keys_of`](crate::keys::notation::keys_of) reads them |
+//! | `type KEYS` | keys, as [`keys_of`] reads them |
 //! | `paste "TEXT"` | a text, with `\n`, `\t`, `\"` and `\\` |
 //! | `resize COLUMNSxROWS` | the window has another size |
 //! | `wait MILLISECONDS ms`, `wait solved` | lets time pass; films move |

@@ -61,6 +61,9 @@ fn heading(words: &'static str, look: &Look, locale: &Locale, width: usize, line
     lines.extend(words.into_iter().map(|line| Line::styled(line, look.title())));
 }
 
+/// So many cells hold a number with its unit.
+const A_NUMBER: usize = 20;
+
 /// How cases are put into words.
 #[derive(Clone, Copy)]
 struct Words<'a> {
@@ -197,8 +200,10 @@ fn compared(verdicts: &[Verdict], space: &[Span<'static>], words: &Words, lines:
             ];
             lines.push(Line::from([space, &[mark], &answers].concat()));
         } else {
-            // A number and its unit stay together.
-            let held = |text: &str| text.replace(' ', "\u{A0}");
+            // A number and its unit stay together; sentences and lists need not.
+            let held = |text: &str| {
+                if text.width() <= A_NUMBER { text.replace(' ', "\u{A0}") } else { text.to_owned() }
+            };
             let (theirs, mine) = (held(&theirs(one)), held(&mine(one)));
             let words = format!("{}: {printed} {theirs}, {ours} {mine}, {}", name(one), outcome(one));
             lines.extend(wrap::hanging([space, &[mark]].concat(), &words, Style::new(), width));

@@ -12,7 +12,7 @@ use dalembert_report::show_answer_in;
 use ratatui::{crossterm::event::KeyEvent, layout::Rect};
 use tui_input::InputRequest;
 
-use super::{ask, export, files, remembering, request, too_long, type_in};
+use super::{ask, export, files, picker, remembering, request, too_long, type_in};
 use crate::{
     bench::{Bench, Focus, State, Tab},
     dialog::{Choice, Chosen, Dialog, Purpose, Sheet},
@@ -21,7 +21,7 @@ use crate::{
     glyphs::filter_untrusted,
     keys::{Action, Key, Place},
     layout,
-    model::{Effect, Model, Screen},
+    model::{Effect, Model},
     plot,
     solver::{Job, Outcome, Work},
     view,
@@ -310,7 +310,7 @@ fn form(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::MoveRowDown => {
             return after(model, |bench| bench.form.move_row(1), "this row cannot go further");
         }
-        Action::Back => model.screen = Screen::Picker,
+        Action::Back => return picker::come_back(model),
         _ => {}
     }
     Vec::new()

@@ -4,7 +4,7 @@ use super::{open_case, problems, remember};
 use crate::{
     bench::Bench,
     keys::Action,
-    model::{Effect, Model},
+    model::{Effect, Model, Screen},
     picker::{Heading, Leaf, Preview, Row},
     remembered::{Change, Progress},
     solver::{Job, Work},
@@ -89,6 +89,19 @@ pub(super) fn begin(model: &mut Model) {
     let family = |row: &Row| matches!(row, Row::Heading(Heading::Family(_)));
     let leaf = rows.iter().position(|row| matches!(row, Row::Leaf(_)));
     model.picker.chosen = leaf.or_else(|| rows.iter().position(family)).unwrap_or(0);
+}
+
+/// Back to the list, to the analysis of the problem that is left, where it is shown.
+pub(super) fn come_back(model: &mut Model) -> Vec<Effect> {
+    model.screen = Screen::Picker;
+    let left = model.bench.as_ref().map(|bench| bench.entry.about.id);
+    let is_left = |leaf: Leaf| Some(model.listings[leaf.listing].entry.about.id) == left;
+    if !chosen_leaf(model).is_some_and(is_left) {
+        let rows = model.picker.rows(model.contents());
+        let row = rows.iter().position(|row| matches!(row, Row::Leaf(leaf) if is_left(*leaf)));
+        model.picker.chosen = row.unwrap_or(model.picker.chosen);
+    }
+    preview(model)
 }
 
 fn chosen_leaf(model: &Model) -> Option<Leaf> {
