@@ -864,23 +864,7 @@ fn a_table_is_read_from_the_file_it_names() {
 fn every_word_of_the_interface_is_translated() {
     use dalembert_core::text::is_translated;
     use dalembert_tui::bench::Tab;
-    let places = [
-        Place::Picker,
-        Place::Filter,
-        Place::Form,
-        Place::Edit,
-        Place::Pane,
-        Place::Working,
-        Place::Plot,
-        Place::Drawing,
-        Place::List,
-        Place::Prompt,
-        Place::Sheet,
-        Place::Help,
-        Place::Cells,
-        Place::Cell,
-    ];
-    let of_places = places.into_iter().flat_map(|place| {
+    let of_places = Place::ALL.into_iter().flat_map(|place| {
         let names = place.bindings().flat_map(|binding| [binding.name, binding.hint]);
         names.chain([place.name()]).collect::<Vec<_>>()
     });

@@ -26,6 +26,8 @@ use crate::{
 
 /// So many actions are offered at once: few, for the sake of slow lines, and always as many rows.
 const OFFERED: usize = 4;
+/// Cells for the keys of an action in the help: three of them, with modifiers.
+const KEYS: usize = 20;
 /// The widest box.
 const WIDEST: u16 = 76;
 
@@ -177,7 +179,7 @@ fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
                 [] => model.keys.key(place, Action::Palette),
                 keys => keys.iter().map(|key| key.name()).collect::<Vec<_>>().join("  "),
             };
-            let keys = padded(&keys, 18.min(room / 2), look);
+            let keys = padded(&keys, KEYS.min(room / 2), look);
             let left = room.saturating_sub(width(&keys) + 3);
             for (n, text) in wrapped(&say(binding.name), left).into_iter().enumerate() {
                 let keys = if n == 0 { keys.clone() } else { " ".repeat(width(&keys)) };
