@@ -19,7 +19,7 @@ mod path;
 pub mod printer;
 mod reading;
 mod record;
-mod replay;
+mod retrace;
 pub mod sensitivity;
 mod sheet;
 mod solution;

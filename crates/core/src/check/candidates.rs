@@ -7,7 +7,7 @@ use dalembert_units::{self as units, Dim, Kind, Unit};
 use super::{Change, Slip, search::Wrong};
 use crate::{
     AnswerValue, Entry, Number, Record, Refusal, Solution, SolveError, Stop,
-    replay::{ancestors, replay},
+    retrace::{ancestors, retrace},
     trace::{Function, Id, Op},
     vary::{self, Again, Input},
 };
@@ -172,7 +172,7 @@ impl Tries<'_, '_> {
                 .iter()
                 .map(|(other, cause)| (*cause, Number::Scalar(self.wrong[*other].theirs)))
                 .collect();
-            let numbers = replay(solution, &set, None);
+            let numbers = retrace(solution, &set, None);
             let mut values = vec![f64::NAN; self.wrong.len()];
             values[at] = scalar(numbers[id as usize]);
             let names = causes.iter().map(|(other, _)| self.wrong[*other].name.to_owned()).collect();
@@ -206,10 +206,10 @@ impl Tries<'_, '_> {
                 (Change::Times(0.5, "2"), scaled(value, 0.5)),
             ];
             let of_formula =
-                others.iter().map(|(change, id, op)| (change, replay(solution, &[], Some((*id, op)))));
+                others.iter().map(|(change, id, op)| (change, retrace(solution, &[], Some((*id, op)))));
             let of_result = results
                 .iter()
-                .map(|(change, number)| (change, replay(solution, &[(step.result, *number)], None)));
+                .map(|(change, number)| (change, retrace(solution, &[(step.result, *number)], None)));
             for (change, numbers) in of_formula.chain(of_result) {
                 stop.check()?;
                 tries += 1;
