@@ -1,9 +1,11 @@
 //! Plots, tables and drawings: what a solution shows beside its numbers. Plain data in SI.
 
+mod clip;
 mod space;
 
 use std::borrow::Cow;
 
+pub use self::clip::clipped;
 pub use self::space::{Scene, SpacePoint, SpaceShape, View};
 use crate::Text;
 

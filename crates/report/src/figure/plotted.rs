@@ -1,6 +1,6 @@
 //! A plot as a picture.
 
-use dalembert_core::{Locale, Plot, Series, Text};
+use dalembert_core::{Locale, Plot, Series, Text, exhibit::clipped};
 
 use super::{
     Seen,
@@ -95,7 +95,7 @@ impl Area<'_> {
 
     /// The same, for a point inside the axes.
     fn inside(&self, at: (f64, f64)) -> Option<(f64, f64)> {
-        self.place(at).filter(|at| cut(*at, *at, &self.corners()).is_some())
+        self.place(at).filter(|at| clipped(*at, *at, &self.corners()).is_some())
     }
 
     /// The corners of the axes, with a little room for rounding.
@@ -286,46 +286,17 @@ impl Legend {
 /// The pieces of a line between two corners; points that touch no other stay alone.
 fn pieces(points: &[(f64, f64)], corners: &[(f64, f64); 2]) -> Vec<Vec<(f64, f64)>> {
     if let [at] = points {
-        return cut(*at, *at, corners).map(|_| vec![vec![*at]]).unwrap_or_default();
+        return clipped(*at, *at, corners).map(|_| vec![vec![*at]]).unwrap_or_default();
     }
     let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
     for pair in points.windows(2) {
-        let Some((from, to)) = cut(pair[0], pair[1], corners) else { continue };
+        let Some((from, to)) = clipped(pair[0], pair[1], corners) else { continue };
         match pieces.last_mut() {
             Some(piece) if piece.last() == Some(&from) => piece.push(to),
             _ => pieces.push(vec![from, to]),
         }
     }
     pieces
-}
-
-/// The part of a straight line between two corners (Liang and Barsky); its ends stay what they were where they lie inside.
-fn cut(
-    from: (f64, f64),
-    to: (f64, f64),
-    [least, most]: &[(f64, f64); 2],
-) -> Option<((f64, f64), (f64, f64))> {
-    let (across, down) = (to.0 - from.0, to.1 - from.1);
-    let (mut first, mut last) = (0.0f64, 1.0f64);
-    for (toward, room) in [
-        (-across, from.0 - least.0),
-        (across, most.0 - from.0),
-        (-down, from.1 - least.1),
-        (down, most.1 - from.1),
-    ] {
-        if toward == 0.0 {
-            if room < 0.0 {
-                return None;
-            }
-        } else if toward < 0.0 {
-            first = first.max(room / toward);
-        } else {
-            last = last.min(room / toward);
-        }
-    }
-    let at = |share: f64| (from.0 + across * share, from.1 + down * share);
-    let ends = (if first > 0.0 { at(first) } else { from }, if last < 1.0 { at(last) } else { to });
-    (first <= last).then_some(ends)
 }
 
 /// The points of a curve that can be told apart: of those within half a pixel across, the first, the least, the

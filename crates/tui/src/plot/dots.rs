@@ -1,5 +1,6 @@
 //! Lines made of dots, several to a cell.
 
+use dalembert_core::exhibit::clipped;
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 
 use super::Marker;
@@ -178,7 +179,7 @@ fn inside(corners: &[(f64, f64)], (x, y): (f64, f64)) -> bool {
     corners.windows(2).filter(|pair| crosses(pair[0], pair[1])).count() % 2 == 1
 }
 
-/// The part of a line inside `0 ≤ x ≤ width, 0 ≤ y ≤ height` (Liang and Barsky).
+/// The part of a line inside `0 ≤ x ≤ width, 0 ≤ y ≤ height`.
 fn clip(from: (f64, f64), to: (f64, f64), (width, height): (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
     if ![from.0, from.1, to.0, to.1].into_iter().all(f64::is_finite) {
         return None;
@@ -186,23 +187,7 @@ fn clip(from: (f64, f64), to: (f64, f64), (width, height): (f64, f64)) -> Option
     // A line far longer than any screen is cut to a length whose arithmetic is exact enough.
     let far = |at: f64| at.clamp(-1e9, 1e9);
     let (from, to) = ((far(from.0), far(from.1)), (far(to.0), far(to.1)));
-    let (across, down) = (to.0 - from.0, to.1 - from.1);
-    let (mut first, mut last) = (0.0f64, 1.0f64);
-    for (toward, room) in
-        [(-across, from.0), (across, width - from.0), (-down, from.1), (down, height - from.1)]
-    {
-        if toward == 0.0 {
-            if room < 0.0 {
-                return None;
-            }
-        } else if toward < 0.0 {
-            first = first.max(room / toward);
-        } else {
-            last = last.min(room / toward);
-        }
-    }
-    let at = |share: f64| (from.0 + across * share, from.1 + down * share);
-    (first <= last).then(|| (at(first), at(last)))
+    clipped(from, to, &[(0.0, 0.0), (width, height)])
 }
 
 #[cfg(test)]
