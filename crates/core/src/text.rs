@@ -168,6 +168,13 @@ impl Locale {
         self.style.digits = digits;
         self
     }
+
+    /// The same locale for a screen that shows nothing outside ASCII, or for one that does.
+    #[must_use]
+    pub fn ascii(mut self, ascii: bool) -> Self {
+        self.style.ascii = ascii;
+        self
+    }
 }
 
 impl Default for Locale {

@@ -127,17 +127,8 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         })),
     })?;
     let (sender, messages) = mpsc::channel();
-    let (outcomes, waker) = (sender.clone(), session.waker());
-    let solver = Solver::new(move |outcome| {
-        // A loop that has ended takes no more outcomes.
-        let _ = outcomes.send(Msg::Solved(outcome));
-        waker.wake();
-    });
-    let (outcomes, waker) = (sender.clone(), session.waker());
-    let asker = Solver::new(move |outcome| {
-        let _ = outcomes.send(Msg::Asked(outcome));
-        waker.wake();
-    });
+    let solver = Solver::new(teller(&sender, &session, Msg::Solved));
+    let asker = Solver::new(teller(&sender, &session, Msg::Asked));
     let look = Look::new(&capabilities);
     let mut model = Model::new(registry(), language, look, capabilities.marker);
     model.adopt(&settings);
@@ -146,12 +137,8 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     model.playing &= !basic;
     model.readonly = readonly;
     model.faults = Fault::allowed();
-    let (judged, waker) = (sender.clone(), session.waker());
-    let judges = judges(move |id, cases| {
-        let _ = judged.send(Msg::Judged(id, cases));
-        waker.wake();
-    });
-    let (memory, forgetful) = recall(&mut model, &session, sender);
+    let judges = judges(teller(&sender, &session, |(id, cases)| Msg::Judged(id, cases)));
+    let (memory, forgetful) = recall(&mut model, teller(&sender, &session, Msg::Trouble));
     let mut world = World {
         session,
         solver,
@@ -438,18 +425,18 @@ impl World {
 
     /// Lets the person edit a file, and reads it.
     fn edit(&mut self, file: Editing) -> Msg {
-        let file = match file {
+        let (file, path) = match file {
             Editing::Text(text) => match editor::copy(&text) {
-                Ok(path) => Editing::Copy(path),
+                Ok(path) => (Editing::Copy(path.clone()), path),
                 Err(error) => return Msg::Trouble(error),
             },
-            there => there,
+            Editing::Copy(path) => (Editing::Copy(path.clone()), path),
+            Editing::Own(path) => (Editing::Own(path.clone()), path),
         };
-        let (Editing::Own(path) | Editing::Copy(path)) = &file else { return Msg::Tick };
         let command = editor::command(self.editor.as_deref());
-        let ended = self.session.lend(|| editor::run(&command, path));
+        let ended = self.session.lend(|| editor::run(&command, &path));
         let result = match ended {
-            Ok(true) => files::read(path).map_err(EditError::File),
+            Ok(true) => files::read(&path).map_err(EditError::File),
             Ok(false) => Err(EditError::Editor(command)),
             Err(error) => return Msg::Notice(error.to_string()),
         };
@@ -480,8 +467,7 @@ fn is_remote() -> bool {
 /// what could not be read.
 fn recall(
     model: &mut Model,
-    session: &Session,
-    sender: mpsc::Sender<Msg>,
+    told: impl Fn(files::FileError) + Send + 'static,
 ) -> (Option<Memory>, Vec<files::FileError>) {
     let mut trouble = Vec::new();
     if let Some(folder) = files::sets_path() {
@@ -500,13 +486,22 @@ fn recall(
     if model.readonly {
         return (None, trouble);
     }
-    let waker = session.waker();
-    let told = move |error| {
-        let _ = sender.send(Msg::Trouble(error));
-        waker.wake();
-    };
     // Without a thread nothing is remembered, which does no harm now.
     (Memory::of(path, told).ok(), trouble)
+}
+
+/// Tells the loop of something from another thread.
+fn teller<T>(
+    messages: &mpsc::Sender<Msg>,
+    session: &Session,
+    msg: impl Fn(T) -> Msg + Send + Sync + 'static,
+) -> impl Fn(T) + Send + Sync + 'static {
+    let (messages, waker) = (messages.clone(), session.waker());
+    move |told| {
+        // A loop that has ended takes no more messages.
+        let _ = messages.send(msg(told));
+        waker.wake();
+    }
 }
 
 fn not_recorded(model: &mut Model, error: &io::Error) {

@@ -5,10 +5,10 @@
 
 mod study;
 
-use std::collections::BTreeSet;
+use std::{borrow::Borrow, collections::BTreeSet};
 
 use dalembert_core::{
-    Entry, Record, Refusal, Solution, SolveError, Stop,
+    Answer, Entry, Record, Refusal, Solution, SolveError, Stop,
     check::{self, Slip, Verdict},
     sensitivity::{self, Influence},
     study::{Plan, Studied},
@@ -138,16 +138,13 @@ impl Question {
 impl Check {
     /// What was typed for an answer.
     pub fn text(&self, name: &str) -> &str {
-        self.typed.iter().find(|(known, _)| known == name).map_or("", |(_, text)| text)
+        text_of(&self.typed, name)
     }
 
     /// Takes a text for an answer.
     pub fn set(&mut self, name: &str, text: String) {
         self.slips = None;
-        match self.typed.iter_mut().find(|(known, _)| known == name) {
-            Some((_, old)) => *old = text,
-            None => self.typed.push((name.to_owned(), text)),
-        }
+        put(&mut self.typed, name, text);
     }
 
     /// How the person's answer of that name compares with ours; `None` where there is none.
@@ -166,15 +163,12 @@ impl Check {
 impl Sensitivity {
     /// The tolerance that was typed for an input, as it was typed.
     pub fn text(&self, path: &str) -> &str {
-        self.tolerances.iter().find(|(known, _)| known == path).map_or("", |(_, text)| text)
+        text_of(&self.tolerances, path)
     }
 
     /// Takes a tolerance.
     pub fn set(&mut self, path: &str, text: String) {
-        match self.tolerances.iter_mut().find(|(known, _)| known == path) {
-            Some((_, old)) => *old = text,
-            None => self.tolerances.push((path.to_owned(), text)),
-        }
+        put(&mut self.tolerances, path, text);
     }
 
     /// The tolerances that can be read, as shares.
@@ -197,8 +191,37 @@ impl Sensitivity {
 }
 
 /// The answers that are numbers.
-pub fn numbers(solution: &Solution) -> Vec<&dalembert_core::Answer> {
+pub fn numbers(solution: &Solution) -> Vec<&Answer> {
     solution.answers.iter().filter(|answer| answer.si().is_some()).collect()
+}
+
+/// The one of these answers that was chosen, the last where there are fewer now.
+pub fn number_at(solution: &Solution, at: usize) -> Option<&Answer> {
+    let numbers = numbers(solution);
+    numbers.get(at.min(numbers.len().checked_sub(1)?)).copied()
+}
+
+/// The place so many further than `at` among `of`, round and round.
+pub(crate) fn turned(at: usize, by: isize, of: usize) -> usize {
+    let last = of.saturating_sub(1);
+    (at.min(last) as isize + by).rem_euclid(of.max(1) as isize) as usize
+}
+
+/// What was typed for a key; empty where nothing was.
+fn text_of<'t, K: Borrow<Q>, Q: PartialEq + ?Sized>(typed: &'t [(K, String)], key: &Q) -> &'t str {
+    typed.iter().find(|(known, _)| known.borrow() == key).map_or("", |(_, text)| text)
+}
+
+/// Takes a text for a key.
+fn put<K: Borrow<Q>, Q: PartialEq + ToOwned<Owned = K> + ?Sized>(
+    typed: &mut Vec<(K, String)>,
+    key: &Q,
+    text: String,
+) {
+    match typed.iter_mut().find(|(known, _)| (*known).borrow() == key) {
+        Some((_, old)) => *old = text,
+        None => typed.push((key.to_owned(), text)),
+    }
 }
 
 fn unless_stopped<T>(result: Result<T, SolveError>) -> Option<Result<T, SolveError>> {

@@ -33,7 +33,7 @@ pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffe
     if area.is_empty() {
         return Placed::default();
     }
-    let locale = Locale { style: dalembert_units::Style { ascii: look.ascii, ..locale.style }, ..*locale };
+    let locale = locale.ascii(look.ascii);
     if area.height >= 6 {
         let most = if area.height > 10 { 2 } else { 1 };
         for line in wrap::title(&drawing.title.render(&locale), area.width.into(), most, look) {

@@ -45,7 +45,7 @@ pub fn render(
     if area.is_empty() {
         return;
     }
-    let locale = Locale { style: dalembert_units::Style { ascii: look.ascii, ..locale.style }, ..*locale };
+    let locale = locale.ascii(look.ascii);
     let marker = if look.ascii { Marker::Ascii } else { state.marker };
     let Some(axes) = Axes::seen(plot, pinned, &state.view) else {
         let words = dalembert_core::Text::new("nothing to draw").render(&locale);
@@ -69,7 +69,7 @@ pub(crate) fn place_at(
     area: Rect,
     column: u16,
 ) -> Option<(f64, u16)> {
-    let locale = Locale { style: dalembert_units::Style { ascii: look.ascii, ..locale.style }, ..*locale };
+    let locale = locale.ascii(look.ascii);
     let marker = if look.ascii { Marker::Ascii } else { state.marker };
     let axes = Axes::seen(plot, None, &state.view)?;
     let canvas = Frame::of(&axes, state, Setting { area, marker, look, locale: &locale }).canvas;

@@ -181,7 +181,7 @@ pub fn judge(entry: &'static Entry) -> Vec<Judged> {
 /// A thread that compares cases with what was printed; `report` is called from it. The newest wish comes first, and of
 /// old ones only a few are kept: the others are wished again when somebody looks.
 pub fn judges(
-    report: impl Fn(&'static str, Vec<Judged>) + Send + 'static,
+    report: impl Fn((&'static str, Vec<Judged>)) + Send + 'static,
 ) -> io::Result<mpsc::Sender<&'static Entry>> {
     let (wishes, incoming) = mpsc::channel::<&'static Entry>();
     thread::Builder::new().name("cases".into()).spawn(move || {
@@ -192,7 +192,7 @@ pub fn judges(
                 let Some(newest) = waiting.pop() else { break };
                 waiting.retain(|other| other.about.id != newest.about.id);
                 waiting.drain(..waiting.len().saturating_sub(MOST_WISHES));
-                report(newest.about.id, judge(newest));
+                report((newest.about.id, judge(newest)));
             }
         }
     })?;

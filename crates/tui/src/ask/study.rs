@@ -1,17 +1,20 @@
 //! A study as it is typed: a few cells, of which the kind of the study says which.
 
-use dalembert_core::SolveError;
 use dalembert_core::{
-    Record, Scale, Solution, Text, check,
+    Answer, Record, Scale, Solution, SolveError, Text, check,
     study::{Distribution, Plan, Studied},
     vary::{self, Input},
 };
 use dalembert_units::{Decimal, Style, write_quantity};
 
-use super::{USUAL, numbers};
+use super::{USUAL, number_at, numbers, put, text_of, turned};
 
 /// Points of a curve, unless the person says otherwise.
 const POINTS: usize = 201;
+/// The ends of the range of an input, unless the person says otherwise, as shares of what it is.
+const RANGE: [f64; 2] = [0.5, 1.5];
+/// The values of a family of curves, unless the person says otherwise, as shares of what the input is.
+const FAMILY: [f64; 3] = [0.5, 1.0, 2.0];
 /// Samples, unless the person says otherwise.
 const SAMPLES: usize = 2000;
 
@@ -133,21 +136,18 @@ impl Study {
 
     /// What was typed in a cell.
     pub fn text(&self, cell: Cell) -> &str {
-        self.typed.iter().find(|(known, _)| *known == cell).map_or("", |(_, text)| text)
+        text_of(&self.typed, &cell)
     }
 
     /// Takes a text for a cell.
     pub fn set(&mut self, cell: Cell, text: String) {
-        self.typed.retain(|(known, _)| *known != cell);
-        self.typed.push((cell, text));
+        put(&mut self.typed, &cell, text);
     }
 
     /// Chooses what stands so many places further in a cell.
     pub fn choose(&mut self, cell: Cell, by: isize, record: &Record, solution: &Solution) {
         let inputs = vary::inputs(record).len();
-        let turn = |at: usize, of: usize| {
-            if of == 0 { 0 } else { (at.min(of - 1) as isize + by).rem_euclid(of as isize) as usize }
-        };
+        let turn = |at: usize, of: usize| turned(at, by, of);
         match cell {
             Cell::Kind => {
                 let all = [Kind::Sweep, Kind::Find, Kind::Scatter];
@@ -199,19 +199,18 @@ impl Study {
                 Some(answer) => Text::new(answer.label),
                 None => words(""),
             },
-            Cell::From => of_input(input, 0.5),
-            Cell::To => of_input(input, 1.5),
+            Cell::From => of_input(input, RANGE[0]),
+            Cell::To => of_input(input, RANGE[1]),
             Cell::Points => words(&POINTS.to_string()),
             Cell::Spread if self.log => Text::new("by equal ratios"),
             Cell::Spread => Text::new("by equal differences"),
-            Cell::Family => match self.family.checked_sub(1).and_then(|at| inputs.get(at)) {
+            Cell::Family => match self.family_of(&inputs) {
                 Some(input) => input.label.clone(),
                 None => Text::new("no other input"),
             },
-            Cell::Values => match self.family.checked_sub(1).and_then(|at| inputs.get(at)) {
+            Cell::Values => match self.family_of(&inputs) {
                 Some(input) => {
-                    let values =
-                        [0.5, 1.0, 2.0].map(|share| write_quantity(share * input.si, &input.unit, style));
+                    let values = FAMILY.map(|share| write_quantity(share * input.si, &input.unit, style));
                     words(&values.join("; "))
                 }
                 None => words(""),
@@ -248,11 +247,12 @@ impl Study {
             "" => Ok(share * input.si),
             typed => input.read(typed).map_err(|why| (cell, why)),
         };
-        let range = |input: &Input| Ok([value(input, Cell::From, 0.5)?, value(input, Cell::To, 1.5)?]);
+        let range =
+            |input: &Input| Ok([value(input, Cell::From, RANGE[0])?, value(input, Cell::To, RANGE[1])?]);
         Ok(match self.kind {
             Kind::Sweep => {
                 let input = input.ok_or_else(none)?;
-                let family = match self.family.checked_sub(1).and_then(|at| inputs.get(at)) {
+                let family = match self.family_of(&inputs) {
                     Some(other) => Some((other.path.clone(), self.values(other)?)),
                     None => None,
                 };
@@ -285,14 +285,18 @@ impl Study {
     }
 
     /// The answer that is studied.
-    pub fn answer_of<'s>(&self, solution: &'s Solution) -> Option<&'s dalembert_core::Answer> {
-        let numbers = numbers(solution);
-        numbers.get(self.answer.min(numbers.len().checked_sub(1)?)).copied()
+    pub fn answer_of<'s>(&self, solution: &'s Solution) -> Option<&'s Answer> {
+        number_at(solution, self.answer)
+    }
+
+    /// The input of which every value gives a curve.
+    fn family_of<'i>(&self, inputs: &'i [Input]) -> Option<&'i Input> {
+        inputs.get(self.family.checked_sub(1)?)
     }
 
     fn values(&self, input: &Input) -> Result<Vec<f64>, (Cell, Text)> {
         match self.text(Cell::Values).trim() {
-            "" => Ok([0.5, 1.0, 2.0].map(|share| share * input.si).to_vec()),
+            "" => Ok(FAMILY.map(|share| share * input.si).to_vec()),
             typed => {
                 let read = |text: &str| input.read(text.trim()).map_err(|why| (Cell::Values, why));
                 typed.split(';').filter(|text| !text.trim().is_empty()).map(read).collect()

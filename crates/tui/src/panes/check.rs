@@ -1,7 +1,6 @@
 //! The person's own answers, each beside what is said of it.
 
 use dalembert_core::{Answer, Locale, Solution, Text, check::Verdict};
-use dalembert_units::Style as Digits;
 use ratatui::{
     style::{Modifier, Style},
     text::{Line, Span},
@@ -31,7 +30,7 @@ pub fn page(
     width: u16,
 ) -> Page {
     let width = usize::from(width).max(1);
-    let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
+    let locale = &locale.ascii(look.ascii);
     let mut page = Page::default();
     let words = "Type what you found; ours is covered until yours is right.";
     let words = wrap::words(&Text::new(words).render(locale), width).into_iter();
@@ -53,7 +52,7 @@ pub fn page(
             focused: focused && under_cursor,
             verdict: check.verdict(solution, &answer.name.to_string()),
         };
-        one.line(&columns, look, locale, &mut page.lines);
+        one.line(&columns, look, &mut page.lines);
         one.said(solution, check, look, locale, width, &mut page.lines);
     }
     page
@@ -74,7 +73,7 @@ struct One<'a> {
 }
 
 impl One<'_> {
-    fn line(&self, columns: &Columns, look: &Look, locale: &Locale, lines: &mut Vec<Line<'static>>) {
+    fn line(&self, columns: &Columns, look: &Look, lines: &mut Vec<Line<'static>>) {
         let pointer = if self.focused { look.glyph(Glyph::Pointer) } else { " " };
         let name = if self.focused { look.title() } else { Style::new() };
         let mut label = wrap::words(self.label, columns.label);
@@ -112,7 +111,6 @@ impl One<'_> {
             Some(Verdict::Wrong | Verdict::Unread(_)) => (look.glyph(Glyph::Bad), look.error()),
         };
         line.push_span(Span::styled(format!(" {glyph}"), style));
-        let _ = locale;
         lines.push(line);
     }
 

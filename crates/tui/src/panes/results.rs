@@ -47,7 +47,7 @@ pub fn page(
     width: u16,
 ) -> Page {
     let width = usize::from(width).max(1);
-    let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
+    let locale = &locale.ascii(look.ascii);
     let mut lines = Vec::new();
     if !solution.defects.is_empty() {
         let words = Text::new("A fault of the program, not of your inputs; do not trust these results:");

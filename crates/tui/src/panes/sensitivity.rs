@@ -4,7 +4,7 @@ use dalembert_core::{
     Locale, Solution, Text,
     sensitivity::{Influence, Sensitivity},
 };
-use dalembert_units::{Style as Digits, Unit, write_number, write_quantity};
+use dalembert_units::{Unit, write_number, write_quantity};
 use ratatui::{
     style::Style,
     text::{Line, Span},
@@ -13,7 +13,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{Page, check::typed_in, columns::padded, results, wrap};
 use crate::{
-    ask::{Ask, USUAL, numbers},
+    ask::{Ask, USUAL, number_at},
     glyphs::filter_untrusted,
     look::{Glyph, Look},
 };
@@ -28,12 +28,9 @@ const CHANGE: usize = 8;
 /// The influences on the chosen answer; the page starts at each input.
 pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: &Locale, width: u16) -> Page {
     let cells = usize::from(width).max(1);
-    let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
+    let locale = &locale.ascii(look.ascii);
     let mut page = Page::default();
-    let answers = numbers(solution);
-    let Some(answer) = answers.get(ask.sensitivity.answer.min(answers.len().saturating_sub(1))) else {
-        return page;
-    };
+    let Some(answer) = number_at(solution, ask.sensitivity.answer) else { return page };
     let title = format!("{} {} {}", look.glyph(Glyph::Left), answer.label(locale), look.glyph(Glyph::Right));
     let title = format!("{title}  {}", answer.shown(locale));
     page.lines.extend(wrap::words(&title, cells).into_iter().map(|line| Line::styled(line, look.title())));

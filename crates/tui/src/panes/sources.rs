@@ -4,7 +4,7 @@ use dalembert_core::{
     Answer, Entry, Locale, Refusal, SolveError, Text,
     cases::{Case, Outcome, Truth, Verdict},
 };
-use dalembert_units::{Decimal, Style as Digits};
+use dalembert_units::Decimal;
 use ratatui::{
     style::Style,
     text::{Line, Span},
@@ -36,7 +36,7 @@ pub fn lines(
     width: u16,
 ) -> Page {
     let width = usize::from(width).max(1);
-    let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
+    let locale = &locale.ascii(look.ascii);
     let words = Words { answers, look, locale, width };
     let mut page = Page::default();
     heading("Published cases", look, locale, width, &mut page.lines);

@@ -1,7 +1,6 @@
 //! A study: its cells, and what it found.
 
 use dalembert_core::{Locale, Record, Solution, Text};
-use dalembert_units::Style as Digits;
 use ratatui::{
     style::Style,
     text::{Line, Span},
@@ -26,7 +25,7 @@ pub fn page(
     width: u16,
 ) -> Page {
     let cells = usize::from(width).max(1);
-    let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
+    let locale = &locale.ascii(look.ascii);
     let study = &ask.study;
     let mut page = Page::default();
     let all = study.cells();

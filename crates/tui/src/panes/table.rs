@@ -1,7 +1,7 @@
 //! A table of a solution, in aligned columns.
 
 use dalembert_core::{Cell, Column, Locale, TableExhibit};
-use dalembert_units::{Style as Digits, Unit, unit, write_number};
+use dalembert_units::{Unit, unit, write_number};
 use ratatui::{
     style::Style,
     text::{Line, Span},
@@ -25,7 +25,7 @@ const NAMES: usize = 12;
 /// shortened.
 pub fn lines(table: &TableExhibit, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
     let width = usize::from(width).max(1);
-    let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
+    let locale = &locale.ascii(look.ascii);
     let title = wrap::words(&table.title.render(locale), width);
     let mut lines: Vec<Line<'static>> =
         title.into_iter().map(|line| Line::styled(line, look.title())).collect();

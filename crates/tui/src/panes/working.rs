@@ -4,7 +4,6 @@ use dalembert_core::{
     Locale, Solution, Text,
     printer::{self, WrittenStep},
 };
-use dalembert_units::Style as Digits;
 use ratatui::{
     style::Style,
     text::{Line, Span},
@@ -34,7 +33,7 @@ pub fn lines(solution: &Solution, look: &Look, locale: &Locale, width: u16) -> P
 /// with the cursor stand the symbols it is made of.
 pub fn read(solution: &Solution, reading: &Reading, look: &Look, locale: &Locale, width: u16) -> Page {
     let width = usize::from(width).max(1);
-    let locale = &Locale { style: Digits { ascii: look.ascii, ..locale.style }, ..*locale };
+    let locale = &locale.ascii(look.ascii);
     let mut page = Page::default();
     let digits = solution.steps.len().to_string().len();
     let revealed = reading.steps(solution);

@@ -148,8 +148,7 @@ fn question(bench: &Bench) -> Option<Question> {
         }
         Tab::Sensitivity => {
             let sensitivity = &bench.ask.sensitivity;
-            let numbers = ask::numbers(solution);
-            let answer = numbers.get(sensitivity.answer.min(numbers.len().checked_sub(1)?))?;
+            let answer = ask::number_at(solution, sensitivity.answer)?;
             Some(Question::Sensitivity {
                 entry: bench.entry,
                 record: record()?,
@@ -199,10 +198,7 @@ fn choose(model: &mut Model, by: isize) -> Vec<Effect> {
         Tab::Sensitivity => {
             let of = ask::numbers(solution).len();
             let sensitivity = &mut bench.ask.sensitivity;
-            if of > 0 {
-                sensitivity.answer =
-                    (sensitivity.answer.min(of - 1) as isize + by).rem_euclid(of as isize) as usize;
-            }
+            sensitivity.answer = ask::turned(sensitivity.answer, by, of);
             sensitivity.found = None;
         }
         Tab::Study => {
