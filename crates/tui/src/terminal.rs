@@ -38,6 +38,7 @@
 //! Invariants: nothing here knows the model or the screens. Input bytes are decoded here, by [`decode`], and not by
 //! crossterm, whose reader loses the rest of a burst, never leaves an open paste, and panics on some mouse reports.
 
+mod backend;
 pub mod decode;
 mod fault;
 mod guard;

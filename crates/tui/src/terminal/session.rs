@@ -9,10 +9,12 @@ use std::{
     time::Duration,
 };
 
-use ratatui::{Frame, Terminal, backend::CrosstermBackend, layout::Rect};
+use ratatui::{Frame, Terminal, layout::Rect};
 
 use super::{
-    Input, TerminalError, Waker, failed, guard,
+    Input, TerminalError, Waker,
+    backend::Frugal,
+    failed, guard,
     input::{Reader, Waited},
     panics,
     shared::{Autosave, Shared},
@@ -42,7 +44,7 @@ pub struct Options {
 /// It belongs to the thread that made it; a panic of that thread gives the terminal back before its message is
 /// printed, a panic of any other becomes an [`Input::Notice`].
 pub struct Session {
-    terminal: Terminal<CrosstermBackend<FrameBytes>>,
+    terminal: Terminal<Frugal<FrameBytes>>,
     bytes: FrameBytes,
     reader: Reader,
     shared: Arc<Shared>,
@@ -59,8 +61,7 @@ impl Session {
         let autosave: Option<Autosave> = autosave;
         let shared = Arc::new(Shared::new(mouse, autosave, waker));
         let bytes = FrameBytes::default();
-        let terminal =
-            Terminal::new(CrosstermBackend::new(bytes.clone())).map_err(failed("tell its size"))?;
+        let terminal = Terminal::new(Frugal::new(bytes.clone())).map_err(failed("tell its size"))?;
         panics::watch(&shared);
         signals::watch(&shared, guard::parent()).map_err(failed("let its signals be watched"))?;
         shared.take().map_err(failed("switch to raw mode"))?;
@@ -200,7 +201,7 @@ impl Drop for Session {
 
 /// Collects the bytes of a frame; [`Session::draw`] writes them when it is whole.
 #[derive(Clone, Default)]
-struct FrameBytes(Rc<RefCell<Vec<u8>>>);
+pub(super) struct FrameBytes(pub(super) Rc<RefCell<Vec<u8>>>);
 
 impl FrameBytes {
     /// As one synchronized update (mode 2026), so that a terminal never shows half a frame; or as it is.
