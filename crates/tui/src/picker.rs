@@ -10,7 +10,7 @@ use std::{
 use dalembert_core::{
     Entry, Locale, Solution, Text,
     cases::{self, Case},
-    exercises::Exercises,
+    exercises::{Exercise, Exercises},
 };
 use tui_input::Input;
 
@@ -206,7 +206,7 @@ impl Picker {
     }
 }
 
-impl Contents<'_> {
+impl<'m> Contents<'m> {
     /// The headings of the first level that have something under them.
     pub fn headings(self) -> Vec<Heading> {
         let mut headings = vec![Heading::Pinned, Heading::Recent, Heading::Exercises];
@@ -224,7 +224,8 @@ impl Contents<'_> {
     pub fn below(self, heading: Heading) -> Vec<Heading> {
         match heading {
             Heading::Exercises => {
-                (0..self.sets.len()).map(Heading::Set).filter(|set| !self.leaves(*set).is_empty()).collect()
+                let known = |set: &usize| self.exercises(*set).next().is_some();
+                (0..self.sets.len()).filter(known).map(Heading::Set).collect()
             }
             Heading::Family(family) => {
                 let of_family = self.listings.iter().filter(|listing| listing.entry.family() == family);
@@ -253,18 +254,15 @@ impl Contents<'_> {
                 recent.filter_map(by_id).collect()
             }
             Heading::Set(set) => {
-                let exercises = self.sets.get(set).into_iter().flat_map(|set| &set.list);
-                exercises
-                    .filter_map(|exercise| {
-                        let listing = self.place(&exercise.analysis)?;
-                        let cases = self.listings[listing].cases();
-                        let case = match exercise.case.as_str() {
-                            "" => 0,
-                            name => cases.iter().position(|case| case.name == name)?,
-                        };
-                        Some(leaf(listing, Some(case)))
-                    })
-                    .collect()
+                let of_case = |(listing, exercise): (usize, &Exercise)| {
+                    let cases = self.listings[listing].cases();
+                    let case = match exercise.case.as_str() {
+                        "" => 0,
+                        name => cases.iter().position(|case| case.name == name)?,
+                    };
+                    Some(leaf(listing, Some(case)))
+                };
+                self.exercises(set).filter_map(of_case).collect()
             }
             Heading::Topic(..) => {
                 let places = 0..self.listings.len();
@@ -274,14 +272,31 @@ impl Contents<'_> {
         }
     }
 
+    /// The exercises of a list whose analyses are known, each with the place of that.
+    ///
+    /// No case is read for it, or the first screen would wait for all that are named in a list.
+    fn exercises(self, set: usize) -> impl Iterator<Item = (usize, &'m Exercise)> {
+        let exercises = self.sets.get(set).into_iter().flat_map(|set| &set.list);
+        exercises.filter_map(move |exercise| Some((self.place(&exercise.analysis)?, exercise)))
+    }
+
     /// How many analyses or exercises stand under a heading, and how many of these are done.
     pub fn count(self, heading: Heading) -> (usize, usize) {
-        let leaves = self.leaves(heading);
-        let done = leaves.iter().filter(|leaf| self.progress(**leaf).is_done()).count();
+        let (own, done) = match heading {
+            Heading::Set(set) => {
+                let is_done = |(listing, exercise): &(usize, &Exercise)| {
+                    let first = || self.listings[*listing].cases().first().map_or("", |case| &case.name);
+                    let case = if exercise.case.is_empty() { first() } else { &exercise.case };
+                    self.remembered.progress(&exercise.analysis, case).is_done()
+                };
+                (self.exercises(set).count(), self.exercises(set).filter(is_done).count())
+            }
+            _ => (self.leaves(heading).len(), 0),
+        };
         self.below(heading)
             .into_iter()
             .map(|inner| self.count(inner))
-            .fold((leaves.len(), done), |(all, done), (more, more_done)| (all + more, done + more_done))
+            .fold((own, done), |(all, done), (more, more_done)| (all + more, done + more_done))
     }
 
     /// How far an exercise is done.
