@@ -11,6 +11,7 @@
 //! races. The terminal alone is missing.
 
 use std::{
+    collections::BTreeSet,
     ops::{Deref, DerefMut},
     path::PathBuf,
 };
@@ -23,7 +24,10 @@ use dalembert_tui::{
     keys::notation::keys_of,
     stage::Stage,
 };
-use ratatui::style::Modifier;
+use ratatui::{
+    buffer::Cell,
+    style::{Color, Modifier},
+};
 
 /// A person at a screen.
 pub struct Person {
@@ -115,6 +119,24 @@ impl Person {
         self.stage.text()
     }
 
+    /// The colours and attributes of the screen: a letter for each cell, and below what the letters mean. Plain cells are
+    /// blank.
+    pub fn sees_ink(&mut self) -> String {
+        let inks: Vec<Vec<String>> = {
+            let buffer = self.draws();
+            let row = |y| (0..buffer.area.width).map(|x| ink(&buffer[(x, y)])).collect();
+            (0..buffer.area.height).map(row).collect()
+        };
+        let known: BTreeSet<&str> =
+            inks.iter().flatten().map(String::as_str).filter(|ink| !ink.is_empty()).collect();
+        let known: Vec<(char, &str)> = ('a'..='z').chain('A'..='Z').zip(known).collect();
+        let letter =
+            |ink: &String| known.iter().find(|(_, known)| known == ink).map_or(' ', |(letter, _)| *letter);
+        let rows =
+            inks.iter().map(|row| row.iter().map(letter).collect::<String>().trim_end().to_owned() + "\n");
+        rows.chain(known.iter().map(|(letter, ink)| format!("{letter}: {ink}\n"))).collect()
+    }
+
     /// Whether the first place of a text on the screen is drawn dim: passed over, not current.
     pub fn sees_dim(&mut self, text: &str) -> bool {
         let screen = self.sees();
@@ -123,6 +145,15 @@ impl Person {
         let column = line[..line.find(text).unwrap_or(0)].chars().count();
         self.draws()[(column as u16, row as u16)].modifier.contains(Modifier::DIM)
     }
+}
+
+/// How a cell is drawn, in words; empty for a plain one.
+fn ink(cell: &Cell) -> String {
+    let mut words: Vec<String> = cell.modifier.iter_names().map(|(name, _)| name.to_lowercase()).collect();
+    let shown = |color: Color| (color != Color::Reset).then(|| color.to_string().to_lowercase());
+    words.extend(shown(cell.fg));
+    words.extend(shown(cell.bg).map(|ground| format!("on {ground}")));
+    words.join(" ")
 }
 
 impl Deref for Person {

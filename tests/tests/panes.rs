@@ -11,20 +11,24 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 const FAN: &str = "vibration/rotating-unbalance";
 const SIZES: [(u16, u16); 3] = [(80, 24), (120, 36), (200, 60)];
 
-/// The screens of a person for the same keys: at three sizes, in Portuguese, and in ASCII.
+/// The screens of a person for the same keys, at every size: in English with its colours, in Portuguese, in ASCII.
 fn everywhere(before: impl Fn(Person) -> Person, keys: &str) -> String {
-    let people = SIZES
-        .map(|(columns, rows)| (format!("{columns}×{rows}"), Person::at(columns, rows)))
-        .into_iter()
-        .chain([
-            ("80×24 em português".to_owned(), Person::in_portuguese(80, 24)),
-            ("80×24 in ASCII".to_owned(), Person::in_ascii(80, 24)),
-        ]);
-    let screens = people.map(|(what, person)| {
-        let screen = before(person).types(keys).sees();
-        format!("== {what}\n{screen}")
+    let screens = SIZES.map(|(columns, rows)| {
+        let after = |person: Person| {
+            let mut person = before(person);
+            person.types(keys);
+            person
+        };
+        let mut english = after(Person::at(columns, rows));
+        let (screen, ink) = (english.sees(), english.sees_ink());
+        let portuguese = after(Person::in_portuguese(columns, rows)).sees();
+        let ascii = after(Person::in_ascii(columns, rows)).sees();
+        let size = format!("{columns}×{rows}");
+        format!(
+            "== {size}\n{screen}== {size} colours\n{ink}== {size} em português\n{portuguese}== {size} in ASCII\n{ascii}"
+        )
     });
-    screens.collect::<Vec<_>>().concat()
+    screens.concat()
 }
 
 #[test]
@@ -47,6 +51,21 @@ fn every_pane_of_the_fan_at_every_size() {
         ("palette", ":comp"),
     ] {
         assert_snapshot!(format!("fan_{name}"), everywhere(|person| person.opens(FAN), keys));
+    }
+}
+
+/// What the fan has none of: tables, rows within rows, what turns in space, films, polar diagrams, marks of weights.
+#[test]
+fn every_other_pane_at_every_size() {
+    for (name, id, keys) in [
+        ("table", "vibration/modal-analysis", "]]]]<tab>"),
+        ("rows", "vibration/rotor-dynamics", "<down><down><down><enter>"),
+        ("scene", "rigid-body/free-triaxial", "]]]<tab>i<right>"),
+        ("film", "virtual-work/engine", "]]]<tab> ."),
+        ("polar", "balancing/two-plane", "]]<tab>"),
+        ("field_job", "balancing/field", "<tab>"),
+    ] {
+        assert_snapshot!(format!("other_{name}"), everywhere(|person| person.opens(id), keys));
     }
 }
 
