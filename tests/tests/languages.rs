@@ -12,7 +12,12 @@ use std::{
 };
 
 use dalembert as _;
-use dalembert_core::{DrawnShape, Exhibit, Field, Shape, Stop, Text, cases, exhibit::Cell, registry, text};
+use dalembert_core::{
+    DrawnShape, Exhibit, Field, Shape, Stop, Text,
+    cases::{self, Case, Hold},
+    exhibit::Cell,
+    registry, text,
+};
 use dalembert_plugins as _;
 use dalembert_report as _;
 use dalembert_tui as _;
@@ -27,6 +32,7 @@ fn every_sentence_has_its_portuguese() {
         sentences.add(of, entry.about.topic);
         sentences.fields(of, entry.fields(), &mut BTreeSet::new());
         for case in cases::cases(entry).unwrap() {
+            sentences.case(of, &case);
             let Ok(record) = case.record(entry) else { continue };
             if let Ok(solution) = entry.solve(&record, &Stop::new()) {
                 sentences.solution(of, &solution);
@@ -57,6 +63,32 @@ fn every_sentence_has_its_portuguese() {
         .map(|(sentence, of)| format!("[{of}] {} = {sentence}", text::key(sentence)))
         .collect();
     assert!(missing.is_empty(), "{} sentences have no Portuguese:\n{}", missing.len(), missing.join("\n"));
+}
+
+/// What people read of a case.
+fn words_of(case: &Case) -> Vec<Text> {
+    let reasons = case.expect.iter().filter_map(|expected| match &expected.how {
+        Hold::Within(_, why) | Hold::Disputed(why) => Some(why.clone()),
+        Hold::ToTheLastPlace => None,
+    });
+    [case.title(), case.source.clone(), case.note.clone()].into_iter().chain(reasons).collect()
+}
+
+/// Long sentences that begin alike would be translated alike.
+#[test]
+fn every_sentence_of_a_case_has_a_key_of_its_own() {
+    let mut known: BTreeMap<String, String> = BTreeMap::new();
+    for entry in registry() {
+        for text in cases::cases(entry).unwrap().iter().flat_map(words_of) {
+            let english = text.english();
+            let first = known.entry(text::key(&english)).or_insert_with(|| english.clone());
+            assert!(
+                *first == english || text::key(&english).is_empty(),
+                "{}: {first}\n{english}",
+                entry.about.id
+            );
+        }
+    }
 }
 
 #[test]
@@ -138,6 +170,10 @@ impl Sentences {
         if !fields.is_empty() && seen.insert(fields.as_ptr() as usize) {
             self.fields(of, fields, seen);
         }
+    }
+
+    fn case(&mut self, of: &str, case: &Case) {
+        words_of(case).iter().for_each(|text| self.text(of, text));
     }
 
     fn solution(&mut self, of: &str, solution: &dalembert_core::Solution) {

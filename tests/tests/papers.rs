@@ -28,7 +28,7 @@ fn worked_out(entry: &'static Entry, locale: &Locale) -> Document {
     };
     let worked = Worked {
         entry,
-        case: &case.name,
+        case: &case.title(),
         source: &case.source,
         note: &case.note,
         draft: &case.draft,

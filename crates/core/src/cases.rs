@@ -4,21 +4,21 @@ use dalembert_units::{self as units, Dim};
 use toml_edit::{Item, TableLike};
 
 use crate::{
-    Answer, AnswerValue, Draft, Entry, Locale, Number, Record, Refusal, Solution, SolveError, Stop,
+    Answer, AnswerValue, Draft, Entry, Locale, Number, Record, Refusal, Solution, SolveError, Stop, Text,
     file::{self, FileError},
 };
 
 /// A problem with printed answers.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// What it is called.
+    /// What it is called in files; [`title`](Self::title) is for people.
     pub name: String,
     /// Where it was printed.
-    pub source: String,
+    pub source: Text,
     /// What kind of truth its answers are.
     pub truth: Truth,
     /// Remarks; may be empty.
-    pub note: String,
+    pub note: Text,
     /// Its inputs, as they are typed.
     pub draft: Draft,
     /// What was printed.
@@ -57,9 +57,9 @@ pub enum Hold {
     /// To half a unit in the last printed place.
     ToTheLastPlace,
     /// To a share of itself, because its source rounded on the way.
-    Within(f64, String),
+    Within(f64, Text),
     /// It is wrong, and why. Agreeing with it is a fault: the dispute is stale.
-    Disputed(String),
+    Disputed(Text),
 }
 
 /// A printed answer beside ours.
@@ -74,7 +74,7 @@ pub struct Verdict {
     /// How they compare.
     pub outcome: Outcome,
     /// Why they differ, where they do.
-    pub why: String,
+    pub why: Text,
 }
 
 /// How a printed answer and ours compare.
@@ -110,6 +110,11 @@ pub fn first(entry: &Entry) -> Option<Case> {
 }
 
 impl Case {
+    /// What it is called.
+    pub fn title(&self) -> Text {
+        Text::new(self.name.clone())
+    }
+
     /// Its inputs as understood.
     pub fn record(&self, entry: &Entry) -> Result<Record, SolveError> {
         self.draft.read(&entry.shape()).map_err(SolveError::Fields)
@@ -124,14 +129,14 @@ impl Case {
                 let agreed = ours.to_lowercase().contains(&words.to_lowercase());
                 let outcome = if agreed { Outcome::Agreed } else { Outcome::Differing };
                 let (answer, printed) = ("refusal".to_owned(), words.clone());
-                Ok(vec![Verdict { answer, printed, ours, outcome, why: String::new() }])
+                Ok(vec![Verdict { answer, printed, ours, outcome, why: Text::from("") }])
             }
             (Some(words), Ok(_)) => Ok(vec![Verdict {
                 answer: "refusal".into(),
                 printed: words.clone(),
                 ours: "an answer".into(),
                 outcome: Outcome::Differing,
-                why: String::new(),
+                why: Text::from(""),
             }]),
             (_, Err(err)) => Err(err),
             (None, Ok(solution)) => {
@@ -202,7 +207,8 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
     if expect.is_empty() && refused.is_none() {
         return Err(format!("{name}: nothing is expected"));
     }
-    Ok(Case { name, source, truth, note: text("note").unwrap_or_default(), draft, expect, refused })
+    let (source, note) = (Text::new(source), Text::new(text("note").unwrap_or_default()));
+    Ok(Case { name, source, truth, note, draft, expect, refused })
 }
 
 fn expected(answer: &str, item: &Item) -> Result<Expected, String> {
@@ -214,8 +220,8 @@ fn expected(answer: &str, item: &Item) -> Result<Expected, String> {
     let text = |key: &str| table.get(key).and_then(Item::as_str).map(str::to_owned);
     let printed = text("printed").ok_or("`printed` is missing")?;
     let how = match (text("disputed"), table.get("within").and_then(Item::as_float), text("because")) {
-        (Some(why), None, None) => Hold::Disputed(why),
-        (None, Some(share), Some(why)) if share < 0.05 => Hold::Within(share, why),
+        (Some(why), None, None) => Hold::Disputed(Text::new(why)),
+        (None, Some(share), Some(why)) if share < 0.05 => Hold::Within(share, Text::new(why)),
         (None, Some(_), Some(_)) => return Err("a share of 5 % or more holds nothing".into()),
         (None, None, None) => Hold::ToTheLastPlace,
         _ => return Err("write `disputed`, or `within` and `because`".into()),
@@ -231,12 +237,12 @@ fn verdict(expected: &Expected, solution: &Solution) -> Verdict {
     let (outcome, why) = match (&expected.how, near) {
         (Hold::Disputed(why), Some(false)) => (Outcome::Disputed, why.clone()),
         (Hold::Disputed(_), Some(true)) => {
-            (Outcome::Differing, "this dispute is stale: the printed value is ours".into())
+            (Outcome::Differing, Text::from("this dispute is stale: the printed value is ours"))
         }
         (Hold::Within(_, why), Some(true)) => (Outcome::Agreed, why.clone()),
-        (_, Some(true)) => (Outcome::Agreed, String::new()),
-        (_, None) => (Outcome::Differing, "the printed value cannot be compared with ours".into()),
-        _ => (Outcome::Differing, String::new()),
+        (_, Some(true)) => (Outcome::Agreed, Text::from("")),
+        (_, None) => (Outcome::Differing, Text::from("the printed value cannot be compared with ours")),
+        _ => (Outcome::Differing, Text::from("")),
     };
     Verdict { answer: expected.answer.clone(), printed: expected.printed.clone(), ours, outcome, why }
 }

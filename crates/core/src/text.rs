@@ -59,6 +59,9 @@ pub struct Messages {
 
 inventory::collect!(Messages);
 
+/// A line of a translation file, and the message that it holds once somebody has asked for it.
+type Line = (&'static str, OnceLock<FluentBundle<FluentResource>>);
+
 /// Registers the translations of a crate: `messages!("../locales/pt-BR.ftl");`
 #[macro_export]
 macro_rules! messages {
@@ -73,6 +76,16 @@ impl Text {
     /// A sentence without arguments yet.
     pub fn new(template: impl Into<Cow<'static, str>>) -> Self {
         Self { template: template.into(), args: Vec::new() }
+    }
+
+    /// Words that are the same in every language: what a person typed.
+    pub fn verbatim(words: impl std::fmt::Display) -> Self {
+        Self::new("{words}").with("words", words)
+    }
+
+    /// Whether it says nothing.
+    pub fn is_empty(&self) -> bool {
+        self.template.is_empty()
     }
 
     /// The same sentence with `{name}` standing for a text as it is.
@@ -98,7 +111,7 @@ impl Text {
 
     /// The sentence as a person reads it. English where the language lacks it.
     pub fn render(&self, locale: &Locale) -> String {
-        if self.template.is_empty() {
+        if self.is_empty() {
             return String::new();
         }
         let args: Vec<(&str, String)> =
@@ -212,7 +225,9 @@ pub fn key(template: &str) -> String {
 
 /// Whether the sentence has a translation.
 pub fn is_translated(template: &str) -> bool {
-    catalogue().get_message(&key(template)).is_some_and(|message| message.value().is_some())
+    let key = key(template);
+    bundle(&key)
+        .is_some_and(|bundle| bundle.get_message(&key).is_some_and(|message| message.value().is_some()))
 }
 
 /// Faults of the translation files: what does not parse, and keys that stand twice with different words.
@@ -240,8 +255,9 @@ pub fn translation_faults() -> Vec<String> {
 }
 
 fn portuguese(template: &str, args: &[(&str, String)]) -> Option<String> {
-    let bundle = catalogue();
-    let message = bundle.get_message(&key(template))?;
+    let key = key(template);
+    let bundle = bundle(&key)?;
+    let message = bundle.get_message(&key)?;
     let mut fluent = FluentArgs::new();
     for (name, value) in args {
         fluent.set(*name, value.as_str());
@@ -251,21 +267,27 @@ fn portuguese(template: &str, args: &[(&str, String)]) -> Option<String> {
     errors.is_empty().then(|| text.into_owned())
 }
 
-fn catalogue() -> &'static FluentBundle<FluentResource> {
-    static CATALOGUE: OnceLock<FluentBundle<FluentResource>> = OnceLock::new();
-    CATALOGUE.get_or_init(|| {
+/// The message of a key, read when it is first asked for: to read all of them takes longer than to begin a session.
+fn bundle(key: &str) -> Option<&'static FluentBundle<FluentResource>> {
+    let (line, bundle) = catalogue().get(key)?;
+    Some(bundle.get_or_init(|| {
         let portuguese = LanguageIdentifier::from_bytes(b"pt-BR").expect("pt-BR names a language");
         let mut bundle = FluentBundle::new_concurrent(vec![portuguese]);
         // Isolation marks round every argument would break the widths of terminal cells.
         bundle.set_use_isolating(false);
-        for messages in inventory::iter::<Messages>() {
-            // A file with faults still serves its good messages; the faults fail a test.
-            let resource = match FluentResource::try_new(messages.portuguese.to_owned()) {
-                Ok(resource) | Err((resource, _)) => resource,
-            };
-            bundle.add_resource_overriding(resource);
-        }
+        // A faulty line serves nobody; it fails a test.
+        let (Ok(resource) | Err((resource, _))) = FluentResource::try_new((*line).to_owned());
+        bundle.add_resource_overriding(resource);
         bundle
+    }))
+}
+
+/// The lines of all translation files by their keys: a message is a line.
+fn catalogue() -> &'static HashMap<&'static str, Line> {
+    static CATALOGUE: OnceLock<HashMap<&str, Line>> = OnceLock::new();
+    CATALOGUE.get_or_init(|| {
+        let lines = inventory::iter::<Messages>().flat_map(|messages| messages.portuguese.lines());
+        lines.filter_map(|line| Some((line.split_once(" = ")?.0, (line, OnceLock::new())))).collect()
     })
 }
 

@@ -16,11 +16,11 @@ pub(crate) struct Problem {
     /// Its analysis.
     pub(crate) entry: &'static Entry,
     /// The name of the case, or the title of the file.
-    pub(crate) name: String,
+    pub(crate) name: Text,
     /// Where the case was printed.
-    pub(crate) source: String,
+    pub(crate) source: Text,
     /// Remarks.
-    pub(crate) note: String,
+    pub(crate) note: Text,
     /// What was typed.
     pub(crate) draft: Draft,
     /// What was understood.
@@ -73,7 +73,7 @@ fn of_analysis(entry: &'static Entry, case: Option<u32>, changes: &[String]) -> 
         return Err(Failure::input(why.with("id", entry.about.id).with("number", number).with("have", have)));
     };
     let shape = entry.shape();
-    let mut draft = case.draft;
+    let mut draft = case.draft.clone();
     let mut errors = change(&mut draft, &shape, changes);
     let record =
         draft.read(&shape).map_err(|found| errors.extend(found.iter().map(|err| named(err, &draft, &shape))));
@@ -81,9 +81,9 @@ fn of_analysis(entry: &'static Entry, case: Option<u32>, changes: &[String]) -> 
         Ok(record) if errors.is_empty() => Ok(Problem {
             entry,
             // With other inputs it is no longer the published problem.
-            name: if changes.is_empty() { case.name } else { String::new() },
-            source: if changes.is_empty() { case.source } else { String::new() },
-            note: if changes.is_empty() { case.note } else { String::new() },
+            name: if changes.is_empty() { case.title() } else { Text::from("") },
+            source: if changes.is_empty() { case.source } else { Text::from("") },
+            note: if changes.is_empty() { case.note } else { Text::from("") },
             draft,
             record,
             show: Vec::new(),
@@ -124,12 +124,11 @@ fn of_file(path: &Path, changes: &[String], console: &Console) -> Result<Problem
             Failure::InFile(snippet::show(path, &text, &places, console))
         }
     })?;
-    let note = String::new();
     Ok(Problem {
         entry: problem.entry,
-        name: problem.title,
-        source: String::new(),
-        note,
+        name: Text::verbatim(problem.title),
+        source: Text::from(""),
+        note: Text::from(""),
         draft,
         record,
         show: problem.show,

@@ -33,7 +33,7 @@ pub fn json(worked: &Worked<'_>, locale: &Locale) -> Json {
     }
     json!({
         "analysis": worked.entry.about.id,
-        "case": worked.case,
+        "case": worked.case.english(),
         "inputs": given,
         "answers": answers,
         "checks": checks,

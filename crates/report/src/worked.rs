@@ -22,11 +22,11 @@ pub struct Worked<'a> {
     /// Its analysis.
     pub entry: &'static Entry,
     /// The name of the published case or the title of the problem file; may be empty.
-    pub case: &'a str,
+    pub case: &'a Text,
     /// Where the case was printed; may be empty.
-    pub source: &'a str,
+    pub source: &'a Text,
     /// Remarks; may be empty.
-    pub note: &'a str,
+    pub note: &'a Text,
     /// What was typed.
     pub draft: &'a Draft,
     /// What was understood.
@@ -40,12 +40,9 @@ pub fn document(worked: &Worked<'_>, locale: &Locale) -> Document {
     let about = worked.entry.about;
     let say = |words: &'static str| Text::from(words).render(locale);
     let mut blocks = vec![Block::Paragraph(say(about.summary))];
-    let case = match (worked.case, worked.source) {
-        (case, "") => case.to_owned(),
-        ("", source) => source.to_owned(),
-        (case, source) => format!("{case} — {source}"),
-    };
-    blocks.extend([case.as_str(), worked.note].into_iter().filter(|text| !text.is_empty()).map(paragraph));
+    let [case, source, note] = [worked.case, worked.source, worked.note].map(|text| text.render(locale));
+    let case = [case, source].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" — ");
+    blocks.extend([case, note].into_iter().filter(|text| !text.is_empty()).map(Block::Paragraph));
     blocks.push(Block::Heading(say("Given data")));
     blocks.extend(given(worked, locale));
     match worked.outcome {
@@ -106,10 +103,6 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
         });
         blocks.push(Block::Items(checks.collect()));
     }
-}
-
-fn paragraph(text: &str) -> Block {
-    Block::Paragraph(text.to_owned())
 }
 
 fn given(worked: &Worked<'_>, locale: &Locale) -> Vec<Block> {

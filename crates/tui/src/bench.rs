@@ -295,9 +295,9 @@ impl Bench {
     /// What it is called: its title, or the case it began as, which it is no more once an input was changed.
     pub fn name(&self) -> Text {
         match &self.origin {
-            _ if !self.title.is_empty() => Text::new("{title}").with("title", &self.title),
-            Some(case) if case.draft == self.form.draft => Text::new("{title}").with("title", &case.name),
-            Some(case) => Text::new("{title} (changed)").with("title", &case.name),
+            _ if !self.title.is_empty() => Text::verbatim(&self.title),
+            Some(case) if case.draft == self.form.draft => case.title(),
+            Some(case) => Text::new("{title} (changed)").with_text("title", case.title()),
             None => Text::from(""),
         }
     }

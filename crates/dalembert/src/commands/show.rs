@@ -72,8 +72,9 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
         ..Line::default()
     };
     let case = |(n, case): (usize, &Case)| {
-        let note = if case.note.is_empty() { String::new() } else { format!(". {}", case.note) };
-        format!("{}: {} — {} ({}){note}", n + 1, case.name, case.source, say(case.truth.name()))
+        let [name, source, note] = [&case.title(), &case.source, &case.note].map(|text| text.render(locale));
+        let note = if note.is_empty() { note } else { format!(". {note}") };
+        format!("{}: {name} — {source} ({}){note}", n + 1, say(case.truth.name()))
     };
     Document {
         title: say(about.title),
@@ -221,17 +222,17 @@ fn described(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale
     let case = |case: &Case| {
         let expected = |expected: &cases::Expected| {
             let (how, why) = match &expected.how {
-                Hold::ToTheLastPlace => ("to the last place", ""),
-                Hold::Within(_, why) => ("within", why.as_str()),
-                Hold::Disputed(why) => ("disputed", why.as_str()),
+                Hold::ToTheLastPlace => ("to the last place", String::new()),
+                Hold::Within(_, why) => ("within", why.english()),
+                Hold::Disputed(why) => ("disputed", why.english()),
             };
             (expected.answer.clone(), json!({ "printed": expected.printed, "held": how, "why": why }))
         };
         json!({
             "name": case.name,
-            "source": case.source,
+            "source": case.source.english(),
             "truth": case.truth.name(),
-            "note": case.note,
+            "note": case.note.english(),
             "expect": case.expect.iter().map(expected).collect::<Map<_, _>>(),
             "refused": case.refused,
         })

@@ -38,8 +38,8 @@ pub(crate) fn run(verify: &Verify, console: &Console) -> Result<ExitCode, Failur
 /// A case with its verdicts.
 struct Held {
     entry: &'static Entry,
-    name: String,
-    source: String,
+    name: Text,
+    source: Text,
     truth: &'static str,
     verdicts: Vec<Verdict>,
 }
@@ -71,7 +71,7 @@ fn held(entry: &'static Entry) -> Vec<Held> {
             printed: String::new(),
             ours: String::new(),
             outcome: Outcome::Differing,
-            why,
+            why: Text::verbatim(why),
         }]
     };
     let verdicts = |case: &Case| match guarded(entry, || case.verify(entry)) {
@@ -85,13 +85,19 @@ fn held(entry: &'static Entry) -> Vec<Held> {
             .map(|case| Held {
                 entry,
                 verdicts: verdicts(&case),
-                name: case.name,
+                name: case.title(),
                 source: case.source,
                 truth: case.truth.name(),
             })
             .collect(),
         Err(why) => {
-            vec![Held { entry, name: String::new(), source: String::new(), truth: "", verdicts: failed(why) }]
+            vec![Held {
+                entry,
+                name: Text::from(""),
+                source: Text::from(""),
+                truth: "",
+                verdicts: failed(why),
+            }]
         }
     }
 }
@@ -101,13 +107,13 @@ fn rows(held: &[Held], counts: &Counts) -> serde_json::Value {
         case.verdicts.iter().map(|verdict| {
             json!({
                 "analysis": case.entry.about.id,
-                "case": case.name,
-                "source": case.source,
+                "case": case.name.english(),
+                "source": case.source.english(),
                 "answer": verdict.answer,
                 "printed": verdict.printed,
                 "ours": verdict.ours,
                 "verdict": verdict.outcome.name(),
-                "why": verdict.why,
+                "why": verdict.why.english(),
             })
         })
     });
@@ -120,13 +126,18 @@ fn rows(held: &[Held], counts: &Counts) -> serde_json::Value {
 }
 
 fn document(held: &[Held], counts: &Counts, console: &Console) -> Document {
-    let say = |words: &'static str| Text::from(words).render(&console.locale);
+    let render = |text: &Text| text.render(&console.locale);
+    let say = |words: &'static str| render(&Text::from(words));
     let mut blocks = Vec::new();
     for of_analysis in held.chunk_by(|a, b| std::ptr::eq(a.entry, b.entry)) {
         blocks.push(Block::Heading(of_analysis[0].entry.about.id.to_owned()));
         for case in of_analysis {
             let truth = if case.truth.is_empty() { String::new() } else { format!(" ({})", say(case.truth)) };
-            blocks.push(Block::Paragraph(format!("{} — {}{truth}", case.name, case.source)));
+            blocks.push(Block::Paragraph(format!(
+                "{} — {}{truth}",
+                render(&case.name),
+                render(&case.source)
+            )));
             let mut lines = Vec::new();
             let widest =
                 case.verdicts.iter().map(|verdict| say(verdict.outcome.name()).len()).max().unwrap_or(0);
@@ -140,7 +151,7 @@ fn document(held: &[Held], counts: &Counts, console: &Console) -> Document {
                     ..Line::default()
                 });
                 if !verdict.why.is_empty() {
-                    lines.push(Line { depth: 2, label: verdict.why.clone(), ..Line::default() });
+                    lines.push(Line { depth: 2, label: render(&verdict.why), ..Line::default() });
                 }
             }
             blocks.push(Block::Lines(lines));

@@ -126,7 +126,8 @@ fn replaced(text: &str, from: char, to: char, wanted: impl Fn(Option<char>, Opti
 
 fn case(judged: &Judged, n: usize, chosen: bool, words: &Words, lines: &mut Vec<Line<'static>>) {
     let Words { look, locale, width, .. } = *words;
-    let Case { name, source, note, truth, .. } = &judged.case;
+    let Case { source, note, truth, .. } = &judged.case;
+    let [name, source, note] = [&judged.case.title(), source, note].map(|text| text.render(locale));
     let pointer = if chosen { look.glyph(Glyph::Pointer) } else { " " };
     let head = vec![
         Span::styled(format!("{pointer} "), look.key()),
@@ -135,11 +136,11 @@ fn case(judged: &Judged, n: usize, chosen: bool, words: &Words, lines: &mut Vec<
     let indent = head.iter().map(Span::width).sum::<usize>();
     let space = |more: usize| vec![Span::raw(" ".repeat((indent + more).min(width / 4)))];
     let name_style = if chosen { look.focus() } else { look.title() };
-    lines.extend(wrap::hanging(head, name, name_style, width));
+    lines.extend(wrap::hanging(head, &name, name_style, width));
     let kind = Text::new(kind(*truth)).render(locale);
     lines.extend(wrap::hanging(space(0), &format!("{source} ({kind})"), look.dim(), width));
     if !note.is_empty() {
-        lines.extend(wrap::hanging(space(0), note, look.dim(), width));
+        lines.extend(wrap::hanging(space(0), &note, look.dim(), width));
     }
     match &judged.verdicts {
         _ if words.answers.is_none() => {
@@ -210,7 +211,7 @@ fn compared(verdicts: &[Verdict], space: &[Span<'static>], words: &Words, lines:
         }
         if !one.why.is_empty() {
             let head = [space, &[Span::raw("    ")]].concat();
-            lines.extend(wrap::hanging(head, &one.why, look.dim(), width));
+            lines.extend(wrap::hanging(head, &one.why.render(locale), look.dim(), width));
         }
     }
 }

@@ -5,7 +5,7 @@
 //! and that more than letters within. Where a word is in no analysis, the letters of the filter may stand scattered in
 //! a title: `rotunb` finds `Rotating unbalance`.
 
-use dalembert_core::{Locale, Text};
+use dalembert_core::{Locale, Text, cases::Case};
 use nucleo_matcher::{
     Config, Matcher, Utf32Str,
     pattern::{AtomKind, CaseMatching, Normalization, Pattern},
@@ -27,7 +27,7 @@ pub(super) struct Index {
     names: String,
     /// Keywords, summaries and books.
     words: String,
-    /// Name and source of each case.
+    /// Name and source of each case, in both languages.
     cases: Vec<String>,
 }
 
@@ -63,12 +63,15 @@ impl Index {
         ]);
         let books = about.sources.iter().map(|source| format!("{} {}", source.short, source.full));
         let words = both(about.summary).into_iter().chain([about.keywords.to_owned()]).chain(books);
-        let cases = listing.cases().iter().map(|case| folded(&format!("{}\n{}", case.name, case.source)));
+        let of_case = |case: &Case| {
+            let both = |text: &Text| [text.english(), text.render(&Locale::portuguese())].join("\n");
+            folded(&format!("{}\n{}", both(&case.title()), both(&case.source)))
+        };
         let joined = |texts: &mut dyn Iterator<Item = String>| folded(&texts.collect::<Vec<_>>().join("\n"));
         Self {
             names: joined(&mut names.into_iter()),
             words: joined(&mut words.into_iter()),
-            cases: cases.collect(),
+            cases: listing.cases().iter().map(of_case).collect(),
         }
     }
 

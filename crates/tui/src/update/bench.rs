@@ -511,8 +511,7 @@ pub(super) fn load_case(model: &mut Model) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let Some(case) = bench.cases.get(bench.case).map(|judged| judged.case.clone()) else { return Vec::new() };
     let untouched = !bench.is_unsaved() && bench.file.is_none();
-    let said = Text::new("{case} is loaded; {key} brings the inputs back")
-        .with("case", filter_untrusted(&case.name));
+    let said = Text::new("{case} is loaded; {key} brings the inputs back").with_text("case", case.title());
     let said = said.with("key", model.keys.key(Place::Form, Action::Undo));
     bench.form.replace(case.draft.clone());
     bench.title.clear();

@@ -160,14 +160,15 @@ fn seen(bench: &Bench, tab: Tab, path: &Path, locale: &Locale) -> Option<String>
 
 fn files(bench: &Bench, paper: Paper, path: &Path, locale: &Locale) -> Option<Vec<(PathBuf, String)>> {
     let record = bench.form.draft.read(&bench.entry.shape()).ok()?;
-    let problem = bench.problem();
     let unchanged = |case: &&Case| bench.title.is_empty() && case.draft == bench.form.draft;
     let case = bench.origin.as_ref().filter(unchanged);
+    let title = case.map_or_else(|| Text::verbatim(&bench.title), Case::title);
+    let none = Text::from("");
     let worked = Worked {
         entry: bench.entry,
-        case: &problem.title,
-        source: case.map_or("", |case| case.source.as_str()),
-        note: case.map_or("", |case| case.note.as_str()),
+        case: &title,
+        source: case.map_or(&none, |case| &case.source),
+        note: case.map_or(&none, |case| &case.note),
         draft: &bench.form.draft,
         record: &record,
         outcome: Ok(bench.found.solution.as_ref()?),

@@ -157,7 +157,7 @@ fn of_leaf(model: &Model, row: Row, leaf: Leaf, chosen: bool, room: usize) -> Li
     let Some(listing) = contents.listings.get(leaf.listing) else { return Line::default() };
     let case = leaf.case.and_then(|case| listing.cases().get(case));
     let name = match (leaf.under, case) {
-        (Some(Heading::Set(_)), Some(case)) => filter_untrusted(&case.name).into_owned(),
+        (Some(Heading::Set(_)), Some(case)) => case.title().render(&model.locale),
         _ => listing.title(&model.locale),
     };
     let problems = model.problems();

@@ -84,7 +84,7 @@ fn of_heading(model: &Model, heading: Heading, area: Rect, buffer: &mut Buffer) 
         let (name, more) = match (heading, case) {
             (Heading::Set(_), Some(case)) => {
                 let progress = word(contents.progress(leaf).name(), model);
-                (filter_untrusted(&case.name).into_owned(), progress)
+                (case.title().render(&model.locale), progress)
             }
             _ => (listing.title(&model.locale), String::new()),
         };
@@ -190,9 +190,9 @@ fn cases(
             (true, None) => look.title(),
             (false, _) => Style::new(),
         };
-        let name = fit(&filter_untrusted(&case.name), room.saturating_sub(4), look);
+        let name = fit(&case.title().render(&model.locale), room.saturating_sub(4), look);
         let left = room.saturating_sub(width(&name) + 6);
-        let source = filter_untrusted(&case.source).into_owned();
+        let source = case.source.render(&model.locale);
         let mut line = Line::from(vec![
             Span::styled(format!("{pointer} "), look.key()),
             Span::styled(format!("{mark} "), style),
