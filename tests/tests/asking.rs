@@ -484,35 +484,90 @@ fn at(mut person: Person, tab: Tab) -> Person {
 #[test]
 fn which_input_matters_is_seen_as_bars() {
     let mut person = at(Person::at(80, 24).opens(FAN), Tab::Sensitivity);
-    for _ in 0..5 {
+    for _ in 0..4 {
         person.types("<right>");
     }
     assert_snapshot!("sensitivity", person.types("<down>2 %<enter>").sees());
     let mut person = at(Person::at(160, 50).opens(FAN), Tab::Sensitivity);
-    assert_snapshot!("sensitivity_wide", person.types("<right>").sees());
+    assert_snapshot!("sensitivity_wide", person.sees());
     let mut person = at(Person::in_portuguese(120, 36).opens(FAN), Tab::Sensitivity);
-    assert_snapshot!("sensitivity_portuguese", person.types("<right>").sees());
+    assert_snapshot!("sensitivity_portuguese", person.sees());
     let mut person = at(Person::in_ascii(80, 24).opens(FAN), Tab::Sensitivity);
-    assert_snapshot!("sensitivity_ascii", person.types("<right>e").sees());
+    assert_snapshot!("sensitivity_ascii", person.types("e").sees());
 }
 
 #[test]
 fn a_study_is_typed_and_its_curve_is_seen() {
     // The amplitude over the speed.
-    let keys =
-        "<down><right><right><right><right><right><down><left><down>500 rpm<down><enter>1500 rpm<enter>";
+    let keys = "<down><right><right><right><right><down><left><down>500 rpm<down><enter>1500 rpm<enter>";
     let mut person = at(Person::at(80, 24).opens(FAN), Tab::Study);
     assert_snapshot!("study", person.types(keys).types("e").sees());
     let mut person = at(Person::at(160, 50).opens(FAN), Tab::Study);
     assert_snapshot!("study_wide", person.types(keys).sees());
     assert!(person.model.bench.as_ref().unwrap().plots().count() > 1, "the plot is among the others");
     let mut person = at(Person::in_portuguese(120, 36).opens(FAN), Tab::Study);
-    assert_snapshot!("study_find_portuguese", person.types("<right><down><right><right><right><right><right><down>10 mm<enter><down><left><down>500 rpm<down><enter>3000 rpm<enter>").sees());
+    assert_snapshot!("study_find_portuguese", person.types("<right><down><right><right><right><right><down>10 mm<enter><down><left><down>500 rpm<down><enter>3000 rpm<enter>").sees());
     let mut person = at(Person::in_ascii(100, 36).opens(FAN), Tab::Study);
     assert_snapshot!("study_scatter_ascii", person.types("<left>").sees());
     let mut wrong = at(Person::at(110, 36).opens(FAN), Tab::Study);
     wrong.types("<down><down><down>3 s<enter>");
     assert!(wrong.sees().contains("is a time"), "{}", wrong.sees());
+}
+
+/// What stands on the screen behind the name of a cell.
+fn cell(person: &mut Person, name: &str) -> String {
+    let screen = person.sees();
+    let line = screen.lines().find_map(|line| Some(line.split_once(name)?.1));
+    let rest = line.unwrap_or_else(|| panic!("`{name}` is not on the screen:\n{screen}"));
+    rest.split(['▾', '│']).next().unwrap_or_default().trim().to_owned()
+}
+
+#[test]
+fn sensitivity_and_study_begin_with_the_input_under_the_cursor() {
+    let about = |person: &mut Person| (cell(person, "Over the input"), cell(person, "Answer"));
+    let pair = |input: &str, answer: &str| (input.to_owned(), answer.to_owned());
+    // The stiffness of the support does not rest on the mass that it carries, nor does the natural frequency on the
+    // speed.
+    let mut person = Person::at(120, 36).opens(FAN);
+    goes_to(&mut person, Tab::Study);
+    assert_eq!(about(&mut person), pair("Mass of the machine", "Natural frequency"));
+    person.types("[");
+    assert!(person.sees().contains("◀ Natural frequency ▶"), "{}", person.sees());
+    // On a heading: the first input below it. On the last line: the speed.
+    person.types("<down><down>]");
+    assert_eq!(about(&mut person), pair("Length", "Stiffness of the support"));
+    person.types("[<end>]");
+    assert_eq!(about(&mut person), pair("Speed of the machine", "Frequency ratio"));
+    assert!(person.types("[").sees().contains("◀ Frequency ratio ▶"), "{}", person.sees());
+    // An answer that nobody chose goes with the input.
+    person.types("]<tab><down><down><right>");
+    assert_eq!(about(&mut person), pair("Mass of the machine", "Natural frequency"));
+    // What was chosen stays, wherever the cursor of the form is, and so does what a text was typed for.
+    person.types("<up><right><right><tab><home><down>[]");
+    assert_eq!(about(&mut person), pair("Mass of the machine", "Damping ratio"));
+    let mut person = Person::at(120, 36).opens(FAN);
+    person.types("<end>");
+    goes_to(&mut person, Tab::Study);
+    person.types("<tab><down><down><down>900 rpm<enter><tab><home>[]");
+    assert_eq!(about(&mut person), pair("Speed of the machine", "Frequency ratio"));
+    assert_eq!(cell(&mut person, "Range from"), "900 rpm");
+    // The choice is of an input, not of a place among them: another support has other inputs.
+    person.types("<down><down><right>");
+    assert_eq!(about(&mut person), pair("Speed of the machine", "Frequency ratio"));
+}
+
+#[test]
+fn a_study_of_an_input_that_is_zero_has_a_range() {
+    let mut person = Person::at(120, 36).opens("vibration/free-vibration");
+    let form = &mut person.model.bench.as_mut().unwrap().form;
+    form.cursor = form.lines().iter().position(|line| line.path.ends_with(".velocity")).unwrap();
+    person.types("<del>0 m/s<enter>");
+    goes_to(&mut person, Tab::Study);
+    assert_eq!(
+        (cell(&mut person, "Range from"), cell(&mut person, "Range to")),
+        ("−0.5 m/s".into(), "0.5 m/s".into())
+    );
+    assert!(!person.sees().contains("no width"), "{}", person.sees());
 }
 
 #[test]

@@ -47,7 +47,7 @@ pub use crate::{
     },
     field::{Field, Insides, Limit, Measure, Shape, Variant},
     input::{FieldError, Inputs, Lift, Reference},
-    path::nearest,
+    path::{is_within, nearest},
     record::{Record, Table, Value},
     sheet::{Sheet, Term, Vect},
     solution::{Answer, AnswerValue, Check, Display, Name, Solution, Step},

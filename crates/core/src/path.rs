@@ -105,6 +105,11 @@ pub(crate) fn unknown<'k>(path: &str, name: &str, known: impl Iterator<Item = &'
     FieldError::new(path, why)
 }
 
+/// Whether a path leads to what stands at another, or to a part of it: `force.x` is within `force`.
+pub fn is_within(path: &str, of: &str) -> bool {
+    path.strip_prefix(of).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+}
+
 /// The known name that `name` was probably meant to be.
 pub fn nearest<'k>(name: &str, known: impl Iterator<Item = &'k str>) -> Option<&'k str> {
     // A pasted page is no slip of a name, and comparing it would take minutes.

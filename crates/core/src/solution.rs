@@ -7,7 +7,9 @@ use dalembert_units::{Dim, Unit};
 
 use crate::{
     Cite, Exhibit, Locale, Text,
-    trace::{Id, Number, Symbol, Trace},
+    path::is_within,
+    retrace::ancestors,
+    trace::{Id, Number, Op, Symbol, Trace},
 };
 
 /// Everything that a solve found.
@@ -98,6 +100,17 @@ impl Solution {
     /// The answer of that name.
     pub fn answer(&self, name: &str) -> Option<&Answer> {
         self.answers.iter().find(|answer| answer.name.is(name))
+    }
+
+    /// Whether an answer may change with the input at a path: it was made from it, or from what a numerical method
+    /// found, which may rest on any. Nothing is solved for this, so a condition on the input is not seen.
+    pub fn may_change(&self, answer: &Answer, input: &str) -> bool {
+        let AnswerValue::Number(_, id) = answer.value else { return true };
+        ancestors(self, id).into_iter().any(|id| match &self.trace.node(id).op {
+            Op::Given { path, .. } => is_within(input, path),
+            Op::Step(step) => self.steps[*step].formula.is_none(),
+            _ => false,
+        })
     }
 }
 

@@ -319,7 +319,7 @@ fn place_of(again: &Again, path: &str) -> usize {
 }
 
 /// An answer in words, with its place.
-pub(crate) fn named(answer: &Answer) -> Text {
+pub fn named(answer: &Answer) -> Text {
     match answer.name.to_string().strip_prefix(answer.name.base) {
         Some("") | None => Text::from(answer.label),
         Some(place) => Text::new("{label} {place}").with_text("label", answer.label).with("place", place),

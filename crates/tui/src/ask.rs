@@ -16,7 +16,7 @@ use dalembert_core::{
 };
 use tui_input::Input;
 
-pub use self::study::{Cell, Kind, Study};
+pub use self::study::{Cell, Kind, Study, Subject};
 
 /// What is asked, and what was found.
 #[derive(Debug, Default)]
@@ -53,8 +53,10 @@ pub struct Check {
 pub struct Sensitivity {
     /// The line under the cursor.
     pub cursor: usize,
-    /// The answer, by its place among those that are numbers.
-    pub answer: usize,
+    /// The input that it begins with, by its path: that of the cursor of the form when the tab was turned to.
+    pub begins: String,
+    /// The answer that the person chose, by its name.
+    pub answer: Option<String>,
     /// The tolerances that were typed, by the paths of inputs.
     pub tolerances: Vec<(String, String)>,
     /// What was found; `None` while it is sought.
@@ -161,6 +163,11 @@ impl Check {
 }
 
 impl Sensitivity {
+    /// The answers that are numbers, and the place of the one that is asked about.
+    pub fn answers<'s>(&self, solution: &'s Solution) -> (Vec<&'s Answer>, usize) {
+        chosen(solution, self.answer.as_deref(), &self.begins)
+    }
+
     /// The tolerance that was typed for an input, as it was typed.
     pub fn text(&self, path: &str) -> &str {
         text_of(&self.tolerances, path)
@@ -195,10 +202,13 @@ pub fn numbers(solution: &Solution) -> Vec<&Answer> {
     solution.answers.iter().filter(|answer| answer.si().is_some()).collect()
 }
 
-/// The one of these answers that was chosen, the last where there are fewer now.
-pub fn number_at(solution: &Solution, at: usize) -> Option<&Answer> {
+/// The answers that are numbers, and the place of the one that was chosen; of none, the first that may change with an
+/// input.
+fn chosen<'s>(solution: &'s Solution, name: Option<&str>, input: &str) -> (Vec<&'s Answer>, usize) {
     let numbers = numbers(solution);
-    numbers.get(at.min(numbers.len().checked_sub(1)?)).copied()
+    let named = name.and_then(|name| numbers.iter().position(|answer| answer.name.is(name)));
+    let at = named.or_else(|| numbers.iter().position(|answer| solution.may_change(answer, input)));
+    (numbers, at.unwrap_or(0))
 }
 
 /// The place so many further than `at` among `of`, round and round.

@@ -8,7 +8,7 @@ use dalembert_core::{
 };
 
 use crate::{
-    ask::{self, Ask},
+    ask::{self, Ask, Subject},
     files::Fingerprint,
     form::Form,
     keys::Place,
@@ -351,6 +351,12 @@ impl Bench {
             Tab::Results | Tab::Working | Tab::Sources => true,
         };
         Tab::ALL.into_iter().filter(has).collect()
+    }
+
+    /// What is studied; `None` while there are no inputs or answers to choose from.
+    pub fn subject(&self) -> Option<Subject<'_>> {
+        let record = self.form.draft.read(&self.entry.shape()).ok()?;
+        Some(self.ask.study.subject(&record, self.found.solution.as_ref()?))
     }
 
     /// The plot of the study.

@@ -2,12 +2,12 @@
 
 use dalembert_core::{
     Answer, Record, Scale, Solution, SolveError, Text, check,
-    study::{Distribution, Plan, Studied},
+    study::{Distribution, Plan, Studied, named},
     vary::{self, Input},
 };
 use dalembert_units::{Decimal, Style, write_quantity};
 
-use super::{USUAL, number_at, numbers, put, text_of, turned};
+use super::{USUAL, chosen, put, text_of, turned};
 
 /// Points of a curve, unless the person says otherwise.
 const POINTS: usize = 201;
@@ -25,12 +25,14 @@ pub struct Study {
     pub cursor: usize,
     /// What is asked.
     pub kind: Kind,
-    /// The place of the input among those that are numbers.
-    pub input: usize,
-    /// The place of the answer among those that are numbers.
-    pub answer: usize,
-    /// The place of the input of which every value gives a curve, counted from 1; 0 for none.
-    pub family: usize,
+    /// The input that it begins with, by its path: that of the cursor of the form when the tab was turned to.
+    pub begins: String,
+    /// The input that the person chose, by its path.
+    pub input: Option<String>,
+    /// The answer that the person chose, by its name.
+    pub answer: Option<String>,
+    /// The input of which every value gives a curve, by its path.
+    pub family: Option<String>,
     /// Whether points are spread by equal ratios.
     pub log: bool,
     /// Whether values lie normally within their tolerances.
@@ -39,6 +41,21 @@ pub struct Study {
     pub typed: Vec<(Cell, String)>,
     /// What was found; `None` while it is sought.
     pub found: Option<Result<Studied, SolveError>>,
+}
+
+/// What can be studied of a problem, and what is: what the person chose, or else what the study begins with.
+#[derive(Debug)]
+pub struct Subject<'s> {
+    /// The inputs that are numbers.
+    pub inputs: Vec<Input>,
+    /// The place of the one that the answer runs over.
+    pub input: usize,
+    /// The answers that are numbers.
+    pub answers: Vec<&'s Answer>,
+    /// The place of the one that is studied.
+    pub answer: usize,
+    /// The place of the input of which every value gives a curve.
+    pub family: Option<usize>,
 }
 
 /// What is asked.
@@ -122,7 +139,7 @@ impl Study {
             Kind::Find => &[Cell::Wanted, Cell::Input, Cell::From, Cell::To],
             Kind::Scatter => &[Cell::Distribution, Cell::Samples, Cell::Seed],
         });
-        if self.kind == Kind::Sweep && self.family > 0 {
+        if self.kind == Kind::Sweep && self.family.is_some() {
             cells.push(Cell::Values);
         }
         cells
@@ -144,26 +161,39 @@ impl Study {
         put(&mut self.typed, &cell, text);
     }
 
+    /// What it is about, with these inputs and answers.
+    pub fn subject<'s>(&self, record: &Record, solution: &'s Solution) -> Subject<'s> {
+        let inputs = vary::inputs(record);
+        let place = |path: &str| inputs.iter().position(|input| input.path == path);
+        let own = self.input.as_deref().and_then(place);
+        let input = own.or_else(|| place(&self.begins)).unwrap_or(0);
+        let path = inputs.get(input).map_or("", |input| &input.path);
+        let (answers, answer) = chosen(solution, self.answer.as_deref(), path);
+        let family = self.family.as_deref().and_then(place);
+        Subject { inputs, input, answers, answer, family }
+    }
+
     /// Chooses what stands so many places further in a cell.
-    pub fn choose(&mut self, cell: Cell, by: isize, record: &Record, solution: &Solution) {
-        let inputs = vary::inputs(record).len();
-        let turn = |at: usize, of: usize| turned(at, by, of);
+    pub fn choose(&mut self, cell: Cell, by: isize, of: &Subject<'_>) {
+        let path = |at: usize| of.inputs.get(at).map(|input| input.path.clone());
         match cell {
             Cell::Kind => {
                 let all = [Kind::Sweep, Kind::Find, Kind::Scatter];
                 let at = all.iter().position(|kind| *kind == self.kind).unwrap_or(0);
-                self.kind = all[turn(at, all.len())];
+                self.kind = all[turned(at, by, all.len())];
             }
             Cell::Input => {
-                self.input = turn(self.input, inputs);
+                self.input = path(turned(of.input, by, of.inputs.len()));
                 self.typed.retain(|(cell, _)| !matches!(cell, Cell::From | Cell::To));
             }
             Cell::Answer => {
-                self.answer = turn(self.answer, numbers(solution).len());
+                self.answer =
+                    of.answers.get(turned(of.answer, by, of.answers.len())).map(|answer| name(answer));
                 self.typed.retain(|(cell, _)| *cell != Cell::Wanted);
             }
             Cell::Family => {
-                self.family = turn(self.family, inputs + 1);
+                let at = of.family.map_or(0, |at| at + 1);
+                self.family = turned(at, by, of.inputs.len() + 1).checked_sub(1).and_then(path);
                 self.typed.retain(|(cell, _)| *cell != Cell::Values);
             }
             Cell::Spread => self.log = !self.log,
@@ -172,50 +202,43 @@ impl Study {
         }
     }
 
+    /// What it is about stays so: a text was typed for it.
+    pub fn keep(&mut self, (input, answer): (Option<String>, Option<String>)) {
+        (self.input, self.answer) = (input, answer);
+    }
+
     /// What stands in a cell: what was typed or chosen, or else what is taken for it.
-    pub fn shown(&self, cell: Cell, record: &Record, solution: &Solution, decimal: Decimal) -> Text {
-        let inputs = vary::inputs(record);
+    pub fn shown(&self, cell: Cell, of: &Subject<'_>, decimal: Decimal) -> Text {
         let words = |text: &str| Text::new(text.to_owned());
         let typed = self.text(cell);
         if !typed.trim().is_empty() {
             return words(typed);
         }
         let style = Style { decimal, ..Style::default() };
-        let of_input = |at: usize, share: f64| {
-            inputs.get(at).map_or_else(
-                || words(""),
-                |input| words(&write_quantity(share * input.si, &input.unit, style)),
-            )
-        };
-        let input = self.input.min(inputs.len().saturating_sub(1));
+        let written = |input: &Input, share: f64| write_quantity(part(input, share), &input.unit, style);
+        let end = |share: f64| of.input().map_or_else(|| words(""), |input| words(&written(input, share)));
         match cell {
             Cell::Kind => match self.kind {
                 Kind::Sweep => Text::new("sweep: the answer over an input"),
                 Kind::Find => Text::new("find: the input for a wanted answer"),
                 Kind::Scatter => Text::new("scatter: inputs within their tolerances"),
             },
-            Cell::Input => inputs.get(input).map_or_else(|| words(""), |input| input.label.clone()),
-            Cell::Answer => match self.answer_of(solution) {
-                Some(answer) => Text::new(answer.label),
-                None => words(""),
-            },
-            Cell::From => of_input(input, RANGE[0]),
-            Cell::To => of_input(input, RANGE[1]),
+            Cell::Input => of.input().map_or_else(|| words(""), |input| input.label.clone()),
+            Cell::Answer => of.answer().map_or_else(|| words(""), named),
+            Cell::From => end(RANGE[0]),
+            Cell::To => end(RANGE[1]),
             Cell::Points => words(&POINTS.to_string()),
             Cell::Spread if self.log => Text::new("by equal ratios"),
             Cell::Spread => Text::new("by equal differences"),
-            Cell::Family => match self.family_of(&inputs) {
+            Cell::Family => match of.family() {
                 Some(input) => input.label.clone(),
                 None => Text::new("no other input"),
             },
-            Cell::Values => match self.family_of(&inputs) {
-                Some(input) => {
-                    let values = FAMILY.map(|share| write_quantity(share * input.si, &input.unit, style));
-                    words(&values.join("; "))
-                }
-                None => words(""),
-            },
-            Cell::Wanted => match self.answer_of(solution).and_then(|answer| Some((answer, answer.si()?))) {
+            Cell::Values => of.family().map_or_else(
+                || words(""),
+                |input| words(&FAMILY.map(|share| written(input, share)).join("; ")),
+            ),
+            Cell::Wanted => match of.answer().and_then(|answer| Some((answer, answer.si()?))) {
                 Some((answer, si)) => words(&write_quantity(si, &answer.unit, style)),
                 None => words(""),
             },
@@ -230,29 +253,21 @@ impl Study {
     ///
     /// # Errors
     /// The first cell that cannot be read.
-    pub fn plan(
-        &self,
-        record: &Record,
-        solution: &Solution,
-        tolerances: &[(String, f64)],
-    ) -> Result<Plan, (Cell, Text)> {
-        let inputs = vary::inputs(record);
+    pub fn plan(&self, of: &Subject<'_>, tolerances: &[(String, f64)]) -> Result<Plan, (Cell, Text)> {
         let none = || (Cell::Input, Text::new("no input of this problem is a number"));
-        let input = inputs.get(self.input.min(inputs.len().saturating_sub(1)));
-        let answer = self
-            .answer_of(solution)
+        let answer = of
+            .answer()
             .ok_or_else(|| (Cell::Answer, Text::new("no answer of this problem is a single number")))?;
-        let name = answer.name.to_string();
         let value = |input: &Input, cell: Cell, share: f64| match self.text(cell).trim() {
-            "" => Ok(share * input.si),
+            "" => Ok(part(input, share)),
             typed => input.read(typed).map_err(|why| (cell, why)),
         };
         let range =
             |input: &Input| Ok([value(input, Cell::From, RANGE[0])?, value(input, Cell::To, RANGE[1])?]);
         Ok(match self.kind {
             Kind::Sweep => {
-                let input = input.ok_or_else(none)?;
-                let family = match self.family_of(&inputs) {
+                let input = of.input().ok_or_else(none)?;
+                let family = match of.family() {
                     Some(other) => Some((other.path.clone(), self.values(other)?)),
                     None => None,
                 };
@@ -262,16 +277,16 @@ impl Study {
                     points: self.count(Cell::Points, POINTS)?,
                     scale: if self.log { Scale::Log } else { Scale::Linear },
                     family,
-                    answer: name,
+                    answer: name(answer),
                 }
             }
             Kind::Find => {
-                let input = input.ok_or_else(none)?;
+                let input = of.input().ok_or_else(none)?;
                 let wanted = match self.text(Cell::Wanted).trim() {
                     "" => answer.si().unwrap_or(f64::NAN),
                     typed => check::value(answer, typed).map_err(|why| (Cell::Wanted, why))?,
                 };
-                Plan::Find { input: input.path.clone(), range: range(input)?, answer: name, wanted }
+                Plan::Find { input: input.path.clone(), range: range(input)?, answer: name(answer), wanted }
             }
             Kind::Scatter => Plan::Scatter {
                 tolerances: tolerances.to_vec(),
@@ -279,24 +294,14 @@ impl Study {
                 distribution: if self.normal { Distribution::Normal } else { Distribution::Uniform },
                 samples: self.count(Cell::Samples, SAMPLES)?,
                 seed: self.count(Cell::Seed, 1)? as u64,
-                answer: name,
+                answer: name(answer),
             },
         })
     }
 
-    /// The answer that is studied.
-    pub fn answer_of<'s>(&self, solution: &'s Solution) -> Option<&'s Answer> {
-        number_at(solution, self.answer)
-    }
-
-    /// The input of which every value gives a curve.
-    fn family_of<'i>(&self, inputs: &'i [Input]) -> Option<&'i Input> {
-        inputs.get(self.family.checked_sub(1)?)
-    }
-
     fn values(&self, input: &Input) -> Result<Vec<f64>, (Cell, Text)> {
         match self.text(Cell::Values).trim() {
-            "" => Ok(FAMILY.map(|share| share * input.si).to_vec()),
+            "" => Ok(FAMILY.map(|share| part(input, share)).to_vec()),
             typed => {
                 let read = |text: &str| input.read(text.trim()).map_err(|why| (Cell::Values, why));
                 typed.split(';').filter(|text| !text.trim().is_empty()).map(read).collect()
@@ -314,4 +319,35 @@ impl Study {
                 .ok_or_else(|| (cell, Text::new("write a whole number from 1 to 10000"))),
         }
     }
+}
+
+impl<'s> Subject<'s> {
+    /// The input that the answer runs over.
+    pub fn input(&self) -> Option<&Input> {
+        self.inputs.get(self.input)
+    }
+
+    /// The answer that is studied.
+    pub fn answer(&self) -> Option<&'s Answer> {
+        self.answers.get(self.answer).copied()
+    }
+
+    /// The input of which every value gives a curve.
+    pub fn family(&self) -> Option<&Input> {
+        self.inputs.get(self.family?)
+    }
+
+    /// The path of the input and the name of the answer.
+    pub fn names(&self) -> (Option<String>, Option<String>) {
+        (self.input().map(|input| input.path.clone()), self.answer().map(name))
+    }
+}
+
+fn name(answer: &Answer) -> String {
+    answer.name.to_string()
+}
+
+/// An input that is so large a share of what it is; of one that is zero, off by that share of its unit.
+fn part(input: &Input, share: f64) -> f64 {
+    if input.si == 0.0 { (share - 1.0) * input.unit.factor } else { share * input.si }
 }

@@ -13,7 +13,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{Page, check::typed_in, columns::padded, results, wrap};
 use crate::{
-    ask::{Ask, USUAL, number_at},
+    ask::{Ask, USUAL},
     glyphs::filter_untrusted,
     look::{Glyph, Look},
 };
@@ -30,7 +30,8 @@ pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: 
     let cells = usize::from(width).max(1);
     let locale = &locale.ascii(look.ascii);
     let mut page = Page::default();
-    let Some(answer) = number_at(solution, ask.sensitivity.answer) else { return page };
+    let (answers, at) = ask.sensitivity.answers(solution);
+    let Some(answer) = answers.get(at) else { return page };
     let title = format!("{} {} {}", look.glyph(Glyph::Left), answer.label(locale), look.glyph(Glyph::Right));
     let title = format!("{title}  {}", answer.shown(locale));
     page.lines.extend(wrap::words(&title, cells).into_iter().map(|line| Line::styled(line, look.title())));

@@ -1,6 +1,6 @@
 //! A study: its cells, and what it found.
 
-use dalembert_core::{Locale, Record, Solution, Text};
+use dalembert_core::{Locale, Text};
 use ratatui::{
     style::Style,
     text::{Line, Span},
@@ -9,21 +9,13 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{Page, check::typed_in, columns::padded, results, wrap};
 use crate::{
-    ask::Ask,
+    ask::{Ask, Subject},
     glyphs::filter_untrusted,
     look::{Glyph, Look},
 };
 
 /// The cells and what was found; the page starts at each cell.
-pub fn page(
-    solution: &Solution,
-    record: &Record,
-    ask: &Ask,
-    focused: bool,
-    look: &Look,
-    locale: &Locale,
-    width: u16,
-) -> Page {
+pub fn page(of: &Subject<'_>, ask: &Ask, focused: bool, look: &Look, locale: &Locale, width: u16) -> Page {
     let cells = usize::from(width).max(1);
     let locale = &locale.ascii(look.ascii);
     let study = &ask.study;
@@ -31,7 +23,7 @@ pub fn page(
     let all = study.cells();
     let label = all.iter().map(|cell| cell.name().render(locale).width()).max().unwrap_or(0).min(cells / 2);
     let room = cells.saturating_sub(label + 6).max(1);
-    let plan = study.plan(record, solution, &ask.sensitivity.shares());
+    let plan = study.plan(of, &ask.sensitivity.shares());
     for cell in all {
         page.starts.push(page.lines.len());
         let under_cursor = focused && cell == study.cell();
@@ -45,7 +37,7 @@ pub fn page(
         match ask.edit.as_ref().filter(|_| under_cursor) {
             Some(input) => line.extend(typed_in(input, room.min(24))),
             None => {
-                let shown = study.shown(cell, record, solution, locale.style.decimal).render(locale);
+                let shown = study.shown(cell, of, locale.style.decimal).render(locale);
                 let shown = look.shortened(&filter_untrusted(&shown), room);
                 let typed = cell.is_choice() || !study.text(cell).trim().is_empty();
                 let style = match (under_cursor, typed) {

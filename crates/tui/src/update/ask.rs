@@ -1,12 +1,12 @@
 //! Keys of what is asked of a problem: the person's own answers, which input matters, studies.
 
-use dalembert_core::{Refusal, SolveError, check::Verdict};
+use dalembert_core::{Refusal, SolveError, check::Verdict, is_within, vary};
 use ratatui::crossterm::event::{KeyCode, KeyEvent};
 use tui_input::{Input, InputRequest};
 
 use super::{bench::bring_in, remember_done, request, type_in};
 use crate::{
-    ask::{self, Cell, Question, Reply},
+    ask::{self, Ask, Cell, Question, Reply},
     bench::{Bench, Focus, State, Tab},
     form,
     keys::Action,
@@ -76,6 +76,9 @@ pub(super) fn typed(model: &mut Model) -> Vec<Effect> {
             bench.ask.study.found = None;
         }
         Some(Under::Cell(cell)) => {
+            if let Some(names) = bench.subject().map(|subject| subject.names()) {
+                bench.ask.study.keep(names);
+            }
             bench.ask.study.set(cell, text);
             bench.ask.study.found = None;
         }
@@ -91,6 +94,25 @@ pub(super) fn renew(model: &mut Model) -> Vec<Effect> {
     let Some(question) = question(bench) else { return Vec::new() };
     bench.ask.awaited = Some(generation);
     vec![Effect::Ask(Job { generation, work: Work::Ask(question) })]
+}
+
+/// The tab is turned to: what nobody has chosen there is the input under the cursor of the form, or the first one, and
+/// an answer that may change with it.
+pub(super) fn turn_to(bench: &mut Bench) {
+    let (Some(line), Ok(record)) = (bench.form.line(), bench.form.draft.read(&bench.entry.shape())) else {
+        return;
+    };
+    let inputs = vary::inputs(&record);
+    let here = inputs.iter().find(|input| is_within(&input.path, &line.path)).or(inputs.first());
+    let here = here.map_or_else(String::new, |input| input.path.clone());
+    let Ask { sensitivity, study, .. } = &mut bench.ask;
+    match bench.tab {
+        Tab::Sensitivity if sensitivity.begins != here => {
+            (sensitivity.begins, sensitivity.found) = (here, None);
+        }
+        Tab::Study if study.begins != here => (study.begins, study.found) = (here, None),
+        _ => {}
+    }
 }
 
 /// Takes what was found.
@@ -148,18 +170,17 @@ fn question(bench: &Bench) -> Option<Question> {
         }
         Tab::Sensitivity => {
             let sensitivity = &bench.ask.sensitivity;
-            let answer = ask::number_at(solution, sensitivity.answer)?;
+            let (answers, at) = sensitivity.answers(solution);
             Some(Question::Sensitivity {
                 entry: bench.entry,
                 record: record()?,
-                answer: answer.name.to_string(),
+                answer: answers.get(at)?.name.to_string(),
                 tolerances: sensitivity.shares(),
             })
         }
         Tab::Study => {
-            let record = record()?;
-            let plan = bench.ask.study.plan(&record, solution, &bench.ask.sensitivity.shares()).ok()?;
-            Some(Question::Study { entry: bench.entry, record, plan })
+            let plan = bench.ask.study.plan(&bench.subject()?, &bench.ask.sensitivity.shares()).ok()?;
+            Some(Question::Study { entry: bench.entry, record: record()?, plan })
         }
         _ => None,
     }
@@ -196,16 +217,18 @@ fn choose(model: &mut Model, by: isize) -> Vec<Effect> {
     let Some(solution) = &bench.found.solution else { return Vec::new() };
     match bench.tab {
         Tab::Sensitivity => {
-            let of = ask::numbers(solution).len();
             let sensitivity = &mut bench.ask.sensitivity;
-            sensitivity.answer = ask::turned(sensitivity.answer, by, of);
+            let (answers, at) = sensitivity.answers(solution);
+            let at = ask::turned(at, by, answers.len());
+            sensitivity.answer = answers.get(at).map(|answer| answer.name.to_string());
             sensitivity.found = None;
         }
         Tab::Study => {
             let Ok(record) = bench.form.draft.read(&bench.entry.shape()) else { return Vec::new() };
-            let cell = bench.ask.study.cell();
-            bench.ask.study.choose(cell, by, &record, solution);
-            bench.ask.study.found = None;
+            let study = &mut bench.ask.study;
+            let subject = study.subject(&record, solution);
+            study.choose(study.cell(), by, &subject);
+            study.found = None;
         }
         _ => return Vec::new(),
     }

@@ -493,6 +493,7 @@ fn turn(model: &mut Model, by: isize) -> Vec<Effect> {
 pub(super) fn show_tab(model: &mut Model, tab: Tab) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     bench.tab = tab;
+    ask::turn_to(bench);
     let (columns, rows) = model.size;
     if layout::bench(Rect::new(0, 0, columns, rows), bench.focus, bench.expanded || model.look.basic)
         .pane

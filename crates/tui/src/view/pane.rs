@@ -184,9 +184,8 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
                 if tab == Tab::Sensitivity {
                     panes::sensitivity::page(solution, &bench.ask, focused, look, locale, width)
                 } else {
-                    let record = bench.form.draft.read(&bench.entry.shape()).ok();
-                    record.map_or_else(Page::default, |record| {
-                        panes::study::page(solution, &record, &bench.ask, focused, look, locale, width)
+                    bench.subject().map_or_else(Page::default, |subject| {
+                        panes::study::page(&subject, &bench.ask, focused, look, locale, width)
                     })
                 }
             }
