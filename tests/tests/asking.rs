@@ -3,6 +3,11 @@
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
+use std::{
+    thread,
+    time::{Duration, Instant},
+};
+
 use dalembert_core::{
     AnswerValue, Display, Draft, Entry, Number, Record, Scale, Solution, Stop, cases,
     check::{self, Verdict},
@@ -12,7 +17,13 @@ use dalembert_core::{
 };
 use dalembert_plugins as _;
 use dalembert_tests::person::Person;
-use dalembert_tui::bench::Tab;
+use dalembert_tui::{
+    Effect, Msg,
+    ask::Question,
+    bench::Tab,
+    keys::{Place, notation::keys_of},
+    update,
+};
 use dalembert_units::{Style, write_quantity};
 use insta::assert_snapshot;
 
@@ -473,6 +484,103 @@ fn a_study_is_stopped() {
         Plan::Find { input: "speed".into(), range: [50.0, 300.0], answer: "amplitude".into(), wanted: 0.01 };
     assert!(study::study(fan.entry, &fan.record, &plan, &stop).is_err());
     assert!(sensitivity::sensitivity(fan.entry, &fan.record, "amplitude", (&[], 0.01), &stop).is_err());
+}
+
+/// What a key leads to, while nobody does it.
+fn presses(person: &mut Person, key: &str) -> Vec<Effect> {
+    let key = keys_of(key).unwrap().remove(0);
+    update(&mut person.model, Msg::Key(key))
+}
+
+#[test]
+fn escape_stops_what_is_asked_and_turning_to_it_asks_again() {
+    for (tab, keys, change) in [
+        (Tab::Study, "", "<right>"),
+        (Tab::Sensitivity, "", "<right>"),
+        (Tab::Sensitivity, "<down>", "3"),
+        (Tab::Check, "<down>99 rad/", "s"),
+    ] {
+        let mut person = at(Person::at(120, 36).opens(FAN), tab);
+        person.types(keys);
+        assert!(matches!(presses(&mut person, change)[..], [Effect::Ask(_)]), "{tab:?}");
+        let screen = person.sees();
+        assert!(screen.contains("solving; Esc stops it"), "{screen}");
+        assert!(screen.matches("solving").count() > 1 || screen.contains("looking for a slip"), "{screen}");
+        // What is typed ends first.
+        if person.model.place() == Place::Cell {
+            assert!(matches!(presses(&mut person, "<esc>")[..], []), "{tab:?}");
+            assert!(person.sees().contains("solving; Esc stops it"), "{}", person.sees());
+        }
+        assert!(matches!(presses(&mut person, "<esc>")[..], [Effect::Cancel]), "{tab:?}");
+        let screen = person.sees();
+        assert!(screen.contains(&format!("{} is stopped", tab.name())), "{screen}");
+        assert!(!screen.contains("solving") && !screen.contains("looking for"), "{screen}");
+        assert!(screen.contains(if tab == Tab::Check { "not right" } else { " stopped " }), "{screen}");
+        person.types("[]");
+        let screen = person.sees();
+        assert!(!screen.contains("stopped"), "{screen}");
+        let found = ["no slip we know", "all tolerances together", "as it stands", "wanted"];
+        assert!(found.iter().any(|words| screen.contains(words)), "{screen}");
+        // The next one goes back to the inputs.
+        person.types("<esc>");
+        assert_eq!(person.model.place(), Place::Form);
+    }
+}
+
+#[test]
+fn what_another_tab_waited_for_is_asked_again() {
+    let mut person = at(Person::at(120, 36).opens(FAN), Tab::Sensitivity);
+    presses(&mut person, "<right>");
+    person.types("]");
+    assert!(person.sees().contains("as it stands"), "{}", person.sees());
+    person.types("[");
+    assert!(person.sees().contains("all tolerances together"), "{}", person.sees());
+    // Of a problem that was put aside as well.
+    presses(&mut person, "<right>");
+    let mut person = person.opens("vibration/free-vibration");
+    person.types("b");
+    let screen = person.sees();
+    assert!(screen.contains("all tolerances together") && !screen.contains("solving"), "{screen}");
+}
+
+#[test]
+fn every_question_ends_soon_after_it_is_stopped() {
+    // Released, the program is more than five times as fast.
+    const SOON: Duration = Duration::from_millis(if cfg!(debug_assertions) { 250 } else { 50 });
+    let mut stopped = 0;
+    for entry in registry() {
+        let id = entry.about.id;
+        let record = cases::first(entry).unwrap().record(entry).unwrap();
+        let solution = Box::new(entry.solve(&record, &Stop::new()).unwrap());
+        let answer = solution.answers.iter().find(|answer| answer.si().is_some()).unwrap().name.to_string();
+        let scatter = Plan::Scatter {
+            tolerances: Vec::new(),
+            usual: 0.01,
+            distribution: Distribution::Uniform,
+            samples: study::MOST_POINTS,
+            seed: 1,
+            answer: answer.clone(),
+        };
+        let typed = vec![(answer.clone(), "1.2345e6".to_owned())];
+        for question in [
+            Question::Study { entry, record: record.clone(), plan: scatter },
+            Question::Sensitivity { entry, record: record.clone(), answer, tolerances: Vec::new() },
+            Question::Slips { entry, record: record.clone(), solution, typed },
+        ] {
+            let stop = Stop::new();
+            thread::scope(|scope| {
+                let asked = scope.spawn(|| question.answer(&stop));
+                thread::sleep(Duration::from_millis(20));
+                let under_way = !asked.is_finished();
+                stop.stop();
+                let begun = Instant::now();
+                asked.join().unwrap();
+                stopped += usize::from(under_way);
+                assert!(begun.elapsed() < SOON, "{id}: {:?}", begun.elapsed());
+            });
+        }
+    }
+    assert!(stopped > 20, "{stopped}");
 }
 
 fn at(mut person: Person, tab: Tab) -> Person {

@@ -154,6 +154,25 @@ fn escape_stops_a_solve() {
     assert!(!pty.screen().contains("stopped"), "{}", pty.screen());
 }
 
+/// So does what a tab asks beside the results, which stay.
+#[test]
+fn escape_stops_what_a_tab_asks() {
+    let mut pty = started(Launch::new(pty::program()).env("DALEMBERT_FAULTS", "1"));
+    pty.expect("19.456");
+    pty.types("[[<tab>");
+    pty.expect("as it stands");
+    pty.types(":fault long<enter>");
+    pty.expect("solving; Esc stops it");
+    pty.types("<esc>");
+    pty.expect("Study is stopped");
+    assert!(!pty.screen().contains("solving"), "{}", pty.screen());
+    assert!(pty.screen().contains("Over the input"), "{}", pty.screen());
+    // The thread is free again.
+    pty.types("<right>");
+    pty.expect("Wanted value");
+    pty.expect("Mass of the machine = 40 kg");
+}
+
 #[test]
 fn copies_go_to_the_clipboard_of_the_terminal() {
     let mut pty = started(Launch::new(pty::program()));

@@ -190,6 +190,7 @@ where-why = { $where }: { $why }
 solving = resolvendo
 solving-esc-stops-it = resolvendo; Esc interrompe
 stopped = interrompido
+tab-is-stopped-the-next-change-there-begins-it-again = { $tab }: trabalho interrompido; a próxima mudança ali recomeça
 the-solve-is-stopped-the-next-change-of-an-input-solves-again = a solução foi interrompida; a próxima mudança de um dado resolve de novo
 there-is-nothing-to-show-here = aqui não há nada a mostrar
 there-is-no-solution = não há solução

@@ -31,6 +31,7 @@ count-of-all-steps-are-covered-space-in-this-tab-reveals-the-next-one = { $count
 made-of = feito de
 no-other-symbol = sem outro símbolo
 type-what-you-found-ours-is-covered-until-yours-is-right = Digite o que você achou; a nossa resposta fica coberta até a sua estar certa.
+not-right-looking-for-a-slip-that-gives-this = não está certo; procurando um deslize que dê isto
 not-right-no-slip-we-know-gives-this = não está certo; nenhum deslize conhecido dá isto
 not-right-this-would-give-it = não está certo; isto o daria:
 for-1 = com +1 %

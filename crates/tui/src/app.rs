@@ -308,6 +308,8 @@ impl World {
                 Effect::Quit => return true,
                 Effect::Solve(job) => {
                     self.awaited = Some((job.generation, Instant::now()));
+                    // What was asked belongs to older inputs.
+                    self.asker.cancel();
                     self.solver.submit(job);
                     continue;
                 }
@@ -318,6 +320,7 @@ impl World {
                 Effect::Cancel => {
                     self.awaited = None;
                     self.solver.cancel();
+                    self.asker.cancel();
                     continue;
                 }
                 Effect::Judge(entry) => {

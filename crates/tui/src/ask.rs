@@ -16,6 +16,8 @@ use dalembert_core::{
 };
 use tui_input::Input;
 
+use crate::bench::Tab;
+
 pub use self::study::{Cell, Kind, Study, Subject};
 
 /// What is asked, and what was found.
@@ -29,8 +31,8 @@ pub struct Ask {
     pub study: Study,
     /// The cell that is being typed in.
     pub edit: Option<Input>,
-    /// The number of the job that is under way.
-    pub awaited: Option<u64>,
+    /// The number of the job that is under way, and the tab that asked.
+    pub awaited: Option<(u64, Tab)>,
 }
 
 /// The person's own answers.
@@ -133,6 +135,33 @@ impl Question {
                 unless_stopped(dalembert_core::study::study(entry, record, plan, stop))
                     .map(|found| Reply::Study(Box::new(found)))
             }
+        }
+    }
+}
+
+impl Ask {
+    /// Whether a tab waits for its answer. One that has none and does not wait was stopped.
+    pub fn waits(&self, tab: Tab) -> bool {
+        self.awaited.is_some_and(|(_, asked)| asked == tab)
+    }
+
+    /// Whether a tab has its answer.
+    pub fn is_answered(&self, tab: Tab) -> bool {
+        match tab {
+            Tab::Check => self.check.slips.is_some(),
+            Tab::Sensitivity => self.sensitivity.found.is_some(),
+            Tab::Study => self.study.found.is_some(),
+            _ => false,
+        }
+    }
+
+    /// The answer of a tab counts no more.
+    pub fn forget(&mut self, tab: Tab) {
+        match tab {
+            Tab::Check => self.check.slips = None,
+            Tab::Sensitivity => self.sensitivity.found = None,
+            Tab::Study => self.study.found = None,
+            _ => {}
         }
     }
 }

@@ -424,6 +424,11 @@ impl Bench {
         self.found.state != State::Current || self.found.failure.is_some()
     }
 
+    /// Whether a job is under way for it.
+    pub fn is_working(&self) -> bool {
+        matches!(self.found.state, State::Solving(_)) || self.ask.awaited.is_some()
+    }
+
     fn is_empty(&self, error: &FieldError) -> bool {
         let place = self.form.draft.at(&self.entry.shape(), &error.path);
         matches!(place, Ok((Draft::Leaf(text), _)) if text.trim().is_empty())

@@ -10,7 +10,8 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{Page, columns::padded, wrap};
 use crate::{
-    ask::Check,
+    ask::Ask,
+    bench::Tab,
     glyphs::filter_untrusted,
     look::{Glyph, Look},
 };
@@ -18,18 +19,10 @@ use crate::{
 /// Cells of the narrowest and of the widest cell to type in.
 const CELL: (usize, usize) = (10, 24);
 
-/// The answers with what was typed for each; the page starts at each answer. `edit` is the text of the cell under the
-/// cursor while it is typed in, `focused` whether the keys act here.
-pub fn page(
-    solution: &Solution,
-    check: &Check,
-    edit: Option<&Input>,
-    focused: bool,
-    look: &Look,
-    locale: &Locale,
-    width: u16,
-) -> Page {
+/// The answers with what was typed for each; the page starts at each answer. `focused`: whether the keys act here.
+pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: &Locale, width: u16) -> Page {
     let width = usize::from(width).max(1);
+    let check = &ask.check;
     let locale = &locale.ascii(look.ascii);
     let mut page = Page::default();
     let words = "Type what you found; ours is covered until yours is right.";
@@ -48,12 +41,12 @@ pub fn page(
             answer,
             label,
             text: check.text(&answer.name.to_string()),
-            edit: edit.filter(|_| under_cursor),
+            edit: ask.edit.as_ref().filter(|_| under_cursor),
             focused: focused && under_cursor,
             verdict: check.verdict(solution, &answer.name.to_string()),
         };
         one.line(&columns, look, &mut page.lines);
-        one.said(solution, check, look, locale, width, &mut page.lines);
+        one.said(solution, ask, look, locale, width, &mut page.lines);
     }
     page
 }
@@ -118,7 +111,7 @@ impl One<'_> {
     fn said(
         &self,
         solution: &Solution,
-        check: &Check,
+        ask: &Ask,
         look: &Look,
         locale: &Locale,
         width: usize,
@@ -134,7 +127,13 @@ impl One<'_> {
                 say(&verdict.text().render(&locale.digits(2)), look.warning());
             }
             Some(Verdict::Unread(why)) => say(&filter_untrusted(&why.render(locale)), look.dim()),
-            Some(Verdict::Wrong) => match &check.slips {
+            Some(Verdict::Wrong) => match &ask.check.slips {
+                None if ask.waits(Tab::Check) => {
+                    say(
+                        &Text::new("not right; looking for a slip that gives this").render(locale),
+                        look.error(),
+                    );
+                }
                 None => say(&Text::new("not right").render(locale), look.error()),
                 Some(all) => {
                     let slips =
@@ -152,7 +151,7 @@ impl One<'_> {
                 }
             },
         }
-        if self.verdict == Some(Verdict::Right) || check.seen.contains(&name) {
+        if self.verdict == Some(Verdict::Right) || ask.check.seen.contains(&name) {
             let shown = format!("= {}", self.answer.shown(locale));
             lines.extend(wrap::hanging(vec![Span::raw("    ")], &shown, look.answer(), width));
         }

@@ -14,6 +14,7 @@ use unicode_width::UnicodeWidthStr;
 use super::{Page, check::typed_in, columns::padded, results, wrap};
 use crate::{
     ask::{Ask, USUAL},
+    bench::Tab,
     glyphs::filter_untrusted,
     look::{Glyph, Look},
 };
@@ -37,7 +38,8 @@ pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: 
     page.lines.extend(wrap::words(&title, cells).into_iter().map(|line| Line::styled(line, look.title())));
     let found = match &ask.sensitivity.found {
         None => {
-            page.lines.push(Line::styled(Text::new("solving").render(locale), look.dim()));
+            let state = if ask.waits(Tab::Sensitivity) { "solving" } else { "stopped" };
+            page.lines.push(Line::styled(Text::new(state).render(locale), look.dim()));
             return page;
         }
         Some(Err(error)) => {
@@ -70,8 +72,12 @@ pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: 
             row.details(&answer.unit, &columns, look, locale, &mut page.lines);
         }
     }
-    let spread = found.spread();
     page.lines.push(Line::default());
+    if ask.waits(Tab::Sensitivity) {
+        page.lines.push(Line::styled(Text::new("solving").render(locale), look.dim()));
+        return page;
+    }
+    let spread = found.spread();
     let together =
         Text::new("all tolerances together: ± {worst} at worst, ± {likely} if they are independent")
             .with("worst", write_quantity(spread.worst, &answer.unit, locale.digits(3).style))

@@ -10,6 +10,7 @@ use unicode_width::UnicodeWidthStr;
 use super::{Page, check::typed_in, columns::padded, results, wrap};
 use crate::{
     ask::{Ask, Subject},
+    bench::Tab,
     glyphs::filter_untrusted,
     look::{Glyph, Look},
 };
@@ -60,9 +61,11 @@ pub fn page(of: &Subject<'_>, ask: &Ask, focused: bool, look: &Look, locale: &Lo
         }
     }
     page.lines.push(Line::default());
+    let dim = |word: &'static str| Line::styled(Text::new(word).render(locale), look.dim());
     match &study.found {
         _ if plan.is_err() => {}
-        None => page.lines.push(Line::styled(Text::new("solving").render(locale), look.dim())),
+        _ if ask.waits(Tab::Study) => page.lines.push(dim("solving")),
+        None => page.lines.push(dim("stopped")),
         Some(Err(error)) => page.lines.extend(results::refusal(None, error, look, locale, width)),
         Some(Ok(found)) => {
             for text in &found.says {

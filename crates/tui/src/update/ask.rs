@@ -6,7 +6,7 @@ use tui_input::{Input, InputRequest};
 
 use super::{bench::bring_in, remember_done, request, type_in};
 use crate::{
-    ask::{self, Ask, Cell, Question, Reply},
+    ask::{self, Cell, Question, Reply},
     bench::{Bench, Focus, State, Tab},
     form,
     keys::Action,
@@ -89,39 +89,58 @@ pub(super) fn typed(model: &mut Model) -> Vec<Effect> {
 
 /// Asks again what the shown tab is to say of the present inputs.
 pub(super) fn renew(model: &mut Model) -> Vec<Effect> {
-    let generation = model.next_generation();
-    let Some(bench) = &mut model.bench else { return Vec::new() };
-    let Some(question) = question(bench) else { return Vec::new() };
-    bench.ask.awaited = Some(generation);
-    vec![Effect::Ask(Job { generation, work: Work::Ask(question) })]
+    match model.shown_bench().and_then(question) {
+        Some(question) => begin_job(model, Work::Ask(question)),
+        None => Vec::new(),
+    }
 }
 
-/// The tab is turned to: what nobody has chosen there is the input under the cursor of the form, or the first one, and
-/// an answer that may change with it.
-pub(super) fn turn_to(bench: &mut Bench) {
-    let (Some(line), Ok(record)) = (bench.form.line(), bench.form.draft.read(&bench.entry.shape())) else {
-        return;
-    };
-    let inputs = vary::inputs(&record);
-    let here = inputs.iter().find(|input| is_within(&input.path, &line.path)).or(inputs.first());
-    let here = here.map_or_else(String::new, |input| input.path.clone());
-    let Ask { sensitivity, study, .. } = &mut bench.ask;
-    match bench.tab {
-        Tab::Sensitivity if sensitivity.begins != here => {
-            (sensitivity.begins, sensitivity.found) = (here, None);
-        }
-        Tab::Study if study.begins != here => (study.begins, study.found) = (here, None),
-        _ => {}
+/// Has something done for the shown tab, beside the solver. Only the newest job is worked on: another tab that waits
+/// asks again when it is turned to.
+pub(super) fn begin_job(model: &mut Model, work: Work) -> Vec<Effect> {
+    let generation = model.next_generation();
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    if !bench.ask.waits(bench.tab) {
+        stop(bench);
     }
+    bench.ask.awaited = Some((generation, bench.tab));
+    vec![Effect::Ask(Job { generation, work })]
+}
+
+/// Gives up the job that is under way, and what was found before it; the tab that waited.
+pub(super) fn stop(bench: &mut Bench) -> Option<Tab> {
+    let (_, tab) = bench.ask.awaited.take()?;
+    bench.ask.forget(tab);
+    Some(tab)
+}
+
+/// The tab is turned to: it asks what it has no answer to. What nobody has chosen there is the input under the cursor
+/// of the form, or the first one, and an answer that may change with it.
+pub(super) fn turn_to(model: &mut Model) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let tab = bench.tab;
+    if let (Some(line), Ok(record)) = (bench.form.line(), bench.form.draft.read(&bench.entry.shape())) {
+        let inputs = vary::inputs(&record);
+        let here = inputs.iter().find(|input| is_within(&input.path, &line.path)).or(inputs.first());
+        let here = here.map_or_else(String::new, |input| input.path.clone());
+        let begins = match tab {
+            Tab::Sensitivity => Some(&mut bench.ask.sensitivity.begins),
+            Tab::Study => Some(&mut bench.ask.study.begins),
+            _ => None,
+        };
+        if begins.is_some_and(|begins| std::mem::replace(begins, here.clone()) != here) {
+            bench.ask.forget(tab);
+        }
+    }
+    if bench.ask.is_answered(tab) || bench.ask.waits(tab) { Vec::new() } else { renew(model) }
 }
 
 /// Takes what was found.
 pub(super) fn take(model: &mut Model, outcome: Outcome) {
     let Some(bench) = &mut model.bench else { return };
-    if bench.ask.awaited != Some(outcome.generation) {
+    let Some((_, tab)) = bench.ask.awaited.take_if(|(number, _)| *number == outcome.generation) else {
         return;
-    }
-    bench.ask.awaited = None;
+    };
     match outcome.reply {
         Some(Reply::Slips(slips)) => bench.ask.check.slips = Some(slips),
         Some(Reply::Sensitivity(found)) => bench.ask.sensitivity.found = Some(found),
@@ -129,7 +148,7 @@ pub(super) fn take(model: &mut Model, outcome: Outcome) {
         // A fault of the program: what was asked has no answer.
         None => {
             let failed = SolveError::from(Refusal::because("this failed (a fault of the program)"));
-            match bench.tab {
+            match tab {
                 Tab::Sensitivity => bench.ask.sensitivity.found = Some(Err(failed)),
                 Tab::Study => bench.ask.study.found = Some(Err(failed)),
                 _ => bench.ask.check.slips = Some(Vec::new()),
@@ -141,10 +160,10 @@ pub(super) fn take(model: &mut Model, outcome: Outcome) {
 /// The inputs are others: what was found for them counts no more.
 pub(super) fn forget(bench: &mut Bench) {
     bench.ask.awaited = None;
-    bench.ask.check.slips = None;
     bench.ask.check.praised = false;
-    bench.ask.sensitivity.found = None;
-    bench.ask.study.found = None;
+    for tab in [Tab::Check, Tab::Sensitivity, Tab::Study] {
+        bench.ask.forget(tab);
+    }
 }
 
 fn question(bench: &Bench) -> Option<Question> {

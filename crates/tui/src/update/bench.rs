@@ -50,8 +50,8 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
         }
         Action::PreviousTab => return turn(model, -1),
         Action::Copy => return copy(model),
-        // Only what is typed in a field goes back by the same key: that is solved anew, and ends the job as well.
-        Action::Back if place != Place::Edit && is_solving(model) => return stop(model),
+        // Where a text is typed the key ends that first.
+        Action::Back if !place.is_text() && is_working(model) => return stop(model),
         Action::Rename => {
             let title = model.bench.as_ref().map_or_else(String::new, |bench| bench.title.clone());
             model.dialog = Some(Dialog::prompt(Purpose::Title, title));
@@ -128,16 +128,21 @@ pub(super) fn changed(model: &mut Model) -> Vec<Effect> {
 }
 
 /// Whether a job is under way for the problem.
-fn is_solving(model: &Model) -> bool {
-    model.bench.as_ref().is_some_and(|bench| matches!(bench.found.state, State::Solving(_)))
+fn is_working(model: &Model) -> bool {
+    model.bench.as_ref().is_some_and(Bench::is_working)
 }
 
-/// Ends the job that is under way.
+/// Ends the jobs that are under way.
 fn stop(model: &mut Model) -> Vec<Effect> {
-    if let Some(bench) = &mut model.bench {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let asked = ask::stop(bench);
+    if matches!(bench.found.state, State::Solving(_)) {
         bench.found.state = State::Stopped;
+        model.say("the solve is stopped; the next change of an input solves again");
+    } else if let Some(tab) = asked {
+        let said = Text::new("{tab} is stopped; the next change there begins it again");
+        model.say(said.with_text("tab", tab.name()));
     }
-    model.say("the solve is stopped; the next change of an input solves again");
     vec![Effect::Cancel]
 }
 
@@ -493,7 +498,6 @@ fn turn(model: &mut Model, by: isize) -> Vec<Effect> {
 pub(super) fn show_tab(model: &mut Model, tab: Tab) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     bench.tab = tab;
-    ask::turn_to(bench);
     let (columns, rows) = model.size;
     if layout::bench(Rect::new(0, 0, columns, rows), bench.focus, bench.expanded || model.look.basic)
         .pane
@@ -505,7 +509,7 @@ pub(super) fn show_tab(model: &mut Model, tab: Tab) -> Vec<Effect> {
         bench.judging = true;
         return vec![Effect::Judge(bench.entry)];
     }
-    ask::renew(model)
+    ask::turn_to(model)
 }
 
 pub(super) fn load_case(model: &mut Model) -> Vec<Effect> {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use dalembert_core::Text;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::{act as act_there, bench, export, files, problems};
+use super::{act as act_there, ask, bench, export, files, problems};
 use crate::{
     bench::State,
     dialog::{Answer, Chosen, Dialog, Purpose, offered},
@@ -174,6 +174,12 @@ fn enter(model: &mut Model) -> Vec<Effect> {
 fn command(model: &mut Model, typed: &str, chosen: usize) -> Vec<Effect> {
     if let Some(kind) = typed.trim().strip_prefix("fault ").filter(|_| model.faults) {
         return match kind.parse::<Fault>() {
+            Ok(fault)
+                if fault.belongs_to_solver()
+                    && model.shown_bench().is_some_and(|bench| bench.tab.has_cells()) =>
+            {
+                ask::begin_job(model, Work::Fault(fault))
+            }
             Ok(fault) if fault.belongs_to_solver() => {
                 let generation = model.next_generation();
                 if let Some(bench) = &mut model.bench {

@@ -56,10 +56,12 @@ pub(super) fn bring(model: &mut Model, number: u64) -> Vec<Effect> {
     }
     model.screen = Screen::Bench;
     // Only the newest job is worked on: what this one waited for may never come.
-    match &model.bench {
-        Some(bench) if matches!(bench.found.state, State::Solving(_)) => bench::changed(model),
-        _ => Vec::new(),
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    if matches!(bench.found.state, State::Solving(_)) {
+        return bench::changed(model);
     }
+    bench.ask.awaited = None;
+    super::ask::turn_to(model)
 }
 
 /// Shows the problem that was opened after this one; after the last, the first. From the list, back to this one.

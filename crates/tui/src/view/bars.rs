@@ -316,7 +316,7 @@ fn file_name(model: &Model, bench: &Bench) -> String {
         None => String::new(),
     };
     let solving = match bench.found.state {
-        State::Solving(_) => format!("{}  ", word("solving; Esc stops it", model)),
+        _ if bench.is_working() => format!("{}  ", word("solving; Esc stops it", model)),
         State::Stopped => format!("{}  ", word("stopped", model)),
         _ => String::new(),
     };

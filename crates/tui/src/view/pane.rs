@@ -166,15 +166,7 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
         Tab::Check => match solution {
             Some(solution) if !bench.is_stale() => {
                 let focused = bench.focus == Focus::Pane;
-                panes::check::page(
-                    solution,
-                    &bench.ask.check,
-                    bench.ask.edit.as_ref(),
-                    focused,
-                    look,
-                    locale,
-                    width,
-                )
+                panes::check::page(solution, &bench.ask, focused, look, locale, width)
             }
             _ => Page { lines: why_not(model, bench, width), starts: Vec::new() },
         },
