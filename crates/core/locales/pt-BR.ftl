@@ -241,3 +241,5 @@ refused-of-all-have-no-answer = { $refused } de { $all } não têm resposta
 how-answer-scatters = Como { $answer } se dispersa
 share-of-the-samples = parcela das amostras
 a-thread-of-this-study-failed = uma parte deste estudo falhou
+the-printed-value-cannot-be-compared-with-ours = o valor impresso não pode ser comparado com o nosso
+this-dispute-is-stale-the-printed-value-is-ours = esta divergência caducou: o valor impresso é o nosso

@@ -35,7 +35,7 @@ const LONGEST_SUM: usize = 4;
 
 /// A step as it is read.
 pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
-    let writer = |values| Writer { solution, values, general: false, style: locale.style };
+    let writer = |values| Writer { solution, values, general: false, radians: false, style: locale.style };
     let (formula, mut substitution, mut terms) = (
         step.formula.map_or_else(String::new, |id| writer(false).expression(id)),
         step.formula.map_or_else(String::new, |id| writer(true).expression(id)),
@@ -61,7 +61,7 @@ pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
 
 /// A number of the trace as a formula of symbols.
 pub fn formula(solution: &Solution, id: Id, locale: &Locale) -> String {
-    Writer { solution, values: false, general: false, style: locale.style }.expression(id)
+    Writer { solution, values: false, general: false, radians: false, style: locale.style }.expression(id)
 }
 
 impl Answer {
@@ -165,12 +165,15 @@ pub fn number(value: Number, unit: &units::Unit, style: Style) -> String {
 /// The row index that stands for all rows, in the general term of a long sum.
 const SUMMED: u16 = u16::MAX;
 
+#[derive(Clone, Copy)]
 struct Writer<'s> {
     solution: &'s Solution,
     /// Whether values stand in place of symbols.
     values: bool,
     /// Whether the innermost row of a symbol is written as the index of a sum.
     general: bool,
+    /// Whether values that hold an angle are written in radians, as formulas take them.
+    radians: bool,
     style: Style,
 }
 
@@ -273,9 +276,10 @@ impl Writer<'_> {
         };
         let (over, under) = (arranged(over), arranged(under));
         let alone = over.len() == 1 && under.is_empty();
+        let writer = self.of_factors(&[&over[..], &under[..]].concat());
         let top: Vec<String> =
-            over.iter().map(|id| if alone { self.alone(*id) } else { self.factor(*id) }).collect();
-        let bottom: Vec<String> = under.iter().map(|id| self.factor(*id)).collect();
+            over.iter().map(|id| if alone { self.alone(*id) } else { writer.factor(*id) }).collect();
+        let bottom: Vec<String> = under.iter().map(|id| writer.factor(*id)).collect();
         let top = if top.is_empty() { "1".to_owned() } else { top.join(self.times()) };
         let text = match &bottom[..] {
             [] => top,
@@ -283,6 +287,20 @@ impl Writer<'_> {
             many => format!("{top} / ({})", many.join(self.times())),
         };
         (text, negative)
+    }
+
+    /// The writer of the factors of a product. Where an angle meets another dimension, or is taken in another unit, the
+    /// numbers of a reader's calculator give the result only in radians: `20.944 rad/s × 0.1 m`, not `200 rpm × 0.1 m`.
+    fn of_factors(self, factors: &[Id]) -> Self {
+        let dimensional = factors.iter().filter(|id| self.solution.trace.node(**id).dim != units::Dim::NONE);
+        let mut of_factors = dimensional.map(|id| self.unit_of(*id).map(|unit| &unit.text));
+        let first = of_factors.next().flatten();
+        Self { radians: self.radians || of_factors.any(|unit| unit.is_none() || unit != first), ..self }
+    }
+
+    /// The same in radians.
+    fn in_radians(self) -> Self {
+        Self { radians: true, ..self }
     }
 
     fn factors(&self, id: Id, divide: bool, negative: &mut bool, over: &mut Vec<Id>, under: &mut Vec<Id>) {
@@ -319,7 +337,7 @@ impl Writer<'_> {
             Op::Literal => self.literal(id),
             Op::Given { .. } | Op::Step(_) if self.is_negative(id) => format!("({})", self.named(id)),
             Op::Given { .. } | Op::Step(_) => self.named(id),
-            Op::Power(base, n) => format!("{}{}", self.base(*base), self.power(*n)),
+            Op::Power(base, n) => format!("{}{}", self.in_radians().base(*base), self.power(*n)),
             Op::Root(of, n) => {
                 let sign = match (*n, self.style.ascii) {
                     (2, false) => "√".to_owned(),
@@ -389,7 +407,7 @@ impl Writer<'_> {
             _ => unreachable!("only inputs and steps have names"),
         };
         if self.values {
-            return number(self.solution.trace.cleaned(id), unit, self.style);
+            return number(self.solution.trace.cleaned(id), &self.written_in(unit), self.style);
         }
         let mut symbol = *symbol;
         if self.general
@@ -398,6 +416,15 @@ impl Writer<'_> {
             *innermost = SUMMED;
         }
         symbol_in(&symbol, self.style)
+    }
+
+    /// The unit of a value as it was typed or found in, or the SI unit that has radians in its place.
+    fn written_in(&self, unit: &units::Unit) -> units::Unit {
+        if self.radians && unit.dim.angle != 0 && !unit.is_decimal() {
+            si_unit(unit.dim)
+        } else {
+            unit.clone()
+        }
     }
 
     fn unit_of(&self, id: Id) -> Option<&units::Unit> {
@@ -440,10 +467,12 @@ impl Writer<'_> {
         if self.style.ascii { format!("^{n}") } else { units::superscript(n.into()) }
     }
 
+    /// What a function is of: an angle of its own in the unit that it has.
     fn argument(&self, id: Id) -> String {
+        let writer = Self { radians: false, ..*self };
         match self.op(id) {
-            Op::Given { .. } | Op::Step(_) if !self.values => format!(" {}", self.factor(id)),
-            _ => format!("({})", self.expression(id)),
+            Op::Given { .. } | Op::Step(_) if !self.values => format!(" {}", writer.factor(id)),
+            _ => format!("({})", writer.expression(id)),
         }
     }
 
@@ -451,7 +480,7 @@ impl Writer<'_> {
         let name = ["x", "y", "z"][usize::from(axis.min(2))];
         match (self.op(of), self.value(of)) {
             (Op::Given { .. } | Op::Step(_), Number::Vector(value)) if self.values => {
-                let unit = self.unit_of(of).cloned().unwrap_or(units::Unit::ONE);
+                let unit = self.unit_of(of).map_or(units::Unit::ONE, |unit| self.written_in(unit));
                 let text = units::write_quantity(value[usize::from(axis.min(2))], &unit, self.style);
                 if value[usize::from(axis.min(2))] < 0.0 { format!("({text})") } else { text }
             }
@@ -506,7 +535,7 @@ impl Writer<'_> {
 
     /// A term with its innermost row replaced by the index of summation.
     fn general(&self, id: Id) -> String {
-        let writer = Writer { values: false, general: true, ..*self };
+        let writer = Self { values: false, general: true, ..*self };
         if self.tightness(id) == Tight::Sum { writer.factor(id) } else { writer.expression(id) }
     }
 
@@ -528,7 +557,9 @@ impl Writer<'_> {
     }
 }
 
-/// The SI unit of a dimension.
+/// The SI unit of a dimension, as the field writes it.
 fn si_unit(dim: units::Dim) -> units::Unit {
-    units::unit(&dim.to_string()).unwrap_or(units::Unit::ONE)
+    let usual =
+        units::Kind::of_dim(dim).units().first().map_or_else(|| dim.to_string(), |unit| (*unit).to_owned());
+    units::unit(&usual).unwrap_or(units::Unit::ONE)
 }

@@ -105,6 +105,11 @@ impl Unit {
         }
     }
 
+    /// Whether it is an SI unit or a decimal multiple of one: `rad/s` and `mrad` are, `rpm`, `deg` and `in` are not.
+    pub fn is_decimal(&self) -> bool {
+        self.mantissa == 1.0
+    }
+
     /// For the screen: `N·m²`. Empty for a pure number.
     pub fn pretty(&self) -> String {
         write::unit_text(self, false)

@@ -923,3 +923,390 @@ joint = Junta
 # Topics
 rigid-rotors = Rotores rígidos
 engines-and-linkages = Motores e mecanismos
+
+### Published cases
+
+# field.toml
+grinding-wheel-one-plane = Rebolo, um plano
+s-s-rao-mechanical-vibrations-5th-ed-example-9-1 = S. S. Rao, Mechanical Vibrations, 5ª ed., exemplo 9.1
+the-unbalanced-wheel-has-4-mil-at-45-a-trial-weight-of-4-oz-20-clockwise-of-the-mark-makes-it-8-mil = O rebolo desbalanceado tem 4 mils a 45°; uma massa de teste de 4 oz, a 20° da marca no sentido horário, leva a vibração a 8 mils a 145°. O livro imprime a massa e onde ela vai, no sentido anti-horário.
+the-book-rounds-components-on-the-way = o livro arredonda as componentes pelo caminho
+turbine-rotor-two-planes = Rotor de turbina, dois planos
+s-s-rao-mechanical-vibrations-5th-ed-example-9-2 = S. S. Rao, Mechanical Vibrations, 5ª ed., exemplo 9.2
+printed-are-the-original-unbalances-in-both-planes-the-corrections-lie-opposite = O livro imprime os desbalanceamentos originais nos dois planos; as correções ficam opostas.
+the-program-of-the-book-works-in-single-precision = o programa do livro trabalha em precisão simples
+two-planes-existing-unbalances = Dois planos, desbalanceamentos existentes
+j-j-uicker-g-r-pennock-j-e-shigley-theory-of-machines-and-mechanisms-4th-ed-ch-15-example-of = J. J. Uicker, G. R. Pennock, J. E. Shigley, Theory of Machines and Mechanisms, 4ª ed., cap. 15, exemplo de balanceamento em dois planos
+numbers-without-units-in-the-book-grams-stand-for-its-units-of-weight-printed-are-the-existing = Números sem unidades no livro; os gramas ocupam o lugar das suas unidades de peso. Estão impressos os desbalanceamentos existentes; as correções ficam opostas.
+flywheel-trial-weight-clockwise-of-the-mark = Volante, massa de teste no sentido horário a partir da marca
+exercise-in-the-manner-of-s-s-rao-mechanical-vibrations-ch-9 = exercício no estilo de S. S. Rao, Mechanical Vibrations, cap. 9
+n-0-2-mm-at-40-with-0-2-kg-at-65-clockwise-0-5-mm-at-150-no-answer-is-printed-by-hand-m-v-r-v = 0,2 mm a 40°; com 0,2 kg a 65° no sentido horário, 0,5 mm a 150°. Nenhuma resposta está impressa; à mão, m V/(R − V).
+least-squares-three-readings-and-two-planes = Mínimos quadrados, três leituras e dois planos
+t-p-goodman-trans-asme-j-eng-ind-86-1964-273-example = T. P. Goodman, Trans. ASME J. Eng. Ind. 86 (1964) 273, exemplo
+influence-coefficients-3-2-5-2-5-3-and-first-readings-1-1-0 = Coeficientes de influência 3, −2; 5, −2; 5, −3 e primeiras leituras 1, −1, 0.
+two-probes-at-each-of-two-bearings = Dois sensores em cada um de dois mancais
+pavelek-as-the-test-set-of-hsbalance-gives-it = Pavelek, conforme o conjunto de testes do hsbalance
+the-test-set-says-that-the-paper-prints-the-second-angle-as-0-and-that-9-is-what-it-works-out-to-by = O conjunto de testes diz que o artigo imprime o segundo ângulo como 0° e que −9° é o que se obtém à mão.
+the-coefficients-have-two-digits-and-the-paper-works-graphically = os coeficientes têm dois algarismos, e o artigo trabalha graficamente
+three-planes-two-of-them-nearly-alike = Três planos, dois deles quase iguais
+m-s-darlow-balancing-of-high-speed-machinery-1982-paper-case-2 = M. S. Darlow, Balancing of High-Speed Machinery (artigo de 1982), caso 2
+planes-2-and-3-differ-at-one-reading-only-their-weights-are-large-and-opposite-which-is-the-symptom = Os planos 2 e 3 diferem em uma só leitura: suas massas são grandes e opostas, o que é o sintoma.
+the-data-are-printed-to-three-digits-and-the-angles-to-whole-degrees-and-the-planes-are-nearly-alike = os dados estão impressos com três algarismos e os ângulos em graus inteiros, e os planos são quase iguais
+the-same-rotor-without-the-plane-that-is-alike = O mesmo rotor sem o plano que é igual
+m-s-darlow-balancing-of-high-speed-machinery-1982-paper-case-3 = M. S. Darlow, Balancing of High-Speed Machinery (artigo de 1982), caso 3
+plane-2-is-left-out-the-third-plane-is-the-second-one-here = O plano 2 fica de fora; o terceiro plano é aqui o segundo.
+trial-weights-left-on = Massas de teste mantidas
+balanceit-worked-example-of-two-planes-and-four-readings = Balanceit, exemplo resolvido de dois planos e quatro leituras
+the-second-trial-weight-is-put-on-while-the-first-one-stays-a-test-set-of-another-program-stores-5-4 = A segunda massa de teste é colocada enquanto a primeira permanece. O conjunto de testes de outro programa guarda 5,4 g a −137° no plano 1, que é o que resulta quando se supõe retirada a primeira massa: o autor está certo.
+trial-weights-left-on-all-digits = Massas de teste mantidas, todos os algarismos
+by-the-complex-normal-equations-apart-from-this-program = Pelas equações normais complexas, calculadas fora deste programa.
+the-same-runs-with-the-first-weight-taken-off = As mesmas medições com a primeira massa retirada
+balanceit-worked-example-of-two-planes-and-four-readings-read-otherwise = Balanceit, exemplo resolvido de dois planos e quatro leituras, lido de outra maneira
+what-would-come-out-had-the-first-trial-weight-been-taken-off-another-correction-with-the-same-sum-of = O que resultaria se a primeira massa de teste tivesse sido retirada: outra correção com a mesma soma de quadrados, de modo que o resíduo não revela o erro.
+stored-to-whole-degrees-by-another-program = guardado em graus inteiros por outro programa
+eleven-readings-four-planes-the-largest-reading-least-weights-limited = Onze leituras, quatro planos, maior leitura mínima, massas limitadas
+r-foiles-as-the-test-set-of-hsbalance-gives-it = R. Foiles, conforme o conjunto de testes do hsbalance
+the-largest-of-the-first-readings-is-138 = A maior das primeiras leituras é 138.
+the-optimum-is-flat-the-printed-weights-leave-75-80-at-most-where-72-93-is-the-least = o ótimo é achatado: as massas impressas deixam 75,80 no máximo, quando o menor possível é 72,93
+the-same-its-proved-optimum = O mesmo caso, ótimo comprovado
+by-a-general-optimiser-apart-from-this-program = Por um otimizador geral, fora deste programa.
+the-optimiser-stopped-earlier = o otimizador parou antes
+the-same-by-least-squares = O mesmo caso por mínimos quadrados
+least-squares-leave-a-larger-reading-than-the-least-possible = Os mínimos quadrados deixam uma leitura maior que a mínima possível.
+weighting-factors-alike-are-no-weighting = Fatores de ponderação iguais não ponderam
+goodman-s-example-with-factors-of-2 = exemplo de Goodman com fatores iguais a 2
+least-squares-by-hand-17-21-and-31-21 = Mínimos quadrados à mão: 17/21 e 31/21.
+trial-weight-where-the-correction-belongs = Massa de teste na posição da correção
+a-trial-that-brings-the-vibration-to-half-twice-the-weight-at-the-same-angle = um teste que reduz a vibração à metade: o dobro da massa no mesmo ângulo
+the-effect-of-the-weight-is-3-mm-s-at-20-6-mm-s-at-20-are-wanted = O efeito da massa é de 3 mm/s a 20°; procuram-se 6 mm/s a 20°.
+lagging-phase-weights-counted-with-the-rotation = Fase em atraso, massas contadas no sentido da rotação
+the-grinding-wheel-its-phases-counted-the-other-way-round = o rebolo, com as fases contadas no sentido contrário
+the-same-vibration-on-an-instrument-that-counts-lag-the-phases-change-sign-and-nothing-else = A mesma vibração em um instrumento que conta o atraso: as fases trocam de sinal e nada mais muda.
+a-trial-that-changed-too-little = Medição de teste que mudou pouco demais
+a-trial-weight-of-2-g-that-moves-the-vector-by-1 = uma massa de teste de 2 g que desloca o vetor em 1 %
+formulas-alone-would-answer-hundreds-of-grams = As fórmulas, sozinhas, responderiam com centenas de gramas.
+a-trial-without-effect = Medição de teste sem efeito
+a-run-equal-to-the-first-one = uma medição igual à primeira
+two-planes-that-act-alike = Dois planos que atuam igualmente
+two-trial-runs-whose-effects-are-parallel = duas medições de teste cujos efeitos são paralelos
+runs-at-different-speeds = Medições em velocidades diferentes
+a-trial-run-at-another-speed = uma medição de teste em outra velocidade
+nothing-vibrates = Nada vibra
+a-first-run-of-zero = uma primeira medição nula
+a-sensor-forgotten = Um sensor esquecido
+a-trial-run-with-fewer-readings = uma medição de teste com menos leituras
+
+# known_masses.toml
+the-rotor-of-the-course-notes-with-its-bearings = O rotor da apostila, com seus mancais
+riul-unit-ii-example-2-with-bearings-30-mm-outside-the-planes = Riul, Unidade II, exemplo 2, com mancais 30 mm além dos planos
+the-numbers-of-the-notes-need-a-65-mm-25-mm-from-plane-b-they-print-weights-with-g-10-m-s-the-bearing = Os números da apostila exigem a₂ = 65 mm, a 25 mm do plano B. Ela imprime pesos com g = 10 m/s²; as forças nos mancais são nossas, e no segundo método os planos são tomados um a um.
+the-same-rotor-as-its-statement-reads = O mesmo rotor conforme o enunciado
+riul-unit-ii-example-2 = Riul, Unidade II, exemplo 2
+the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-it-is-5-531-kg = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado são 5,531 kg.
+the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-it-is-318-34 = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado são 318,34°.
+the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-it-is-2-170-kg = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado são 2,170 kg.
+the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-it-is-346-28 = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado são 346,28°.
+one-mass-outside-two-balance-planes = Uma massa fora de dois planos de balanceamento
+bevan-the-theory-of-machines-ch-14-ex-1 = Bevan, The Theory of Machines, cap. 14, ex. 1
+one-mass-between-two-balance-planes = Uma massa entre dois planos de balanceamento
+four-masses-and-two-balance-planes = Quatro massas e dois planos de balanceamento
+khurmi-gupta-theory-of-machines-ex-21-2 = Khurmi & Gupta, Theory of Machines, ex. 21.2
+masses-are-laid-out-counter-clockwise-the-printed-angles-of-the-corrections-are-clockwise = As massas são dispostas no sentido anti-horário; os ângulos impressos das correções são horários.
+the-book-measures-its-drawing = O livro mede no seu desenho.
+the-book-measures-its-drawing-the-sums-give-12-80-clockwise = O livro mede no seu desenho; as somas dão 12,80° no sentido horário.
+four-masses-and-two-balance-planes-in-another-book = Quatro massas e dois planos de balanceamento, em outro livro
+sarkar-theory-of-machines-ex-8-3 = Sarkar, Theory of Machines, ex. 8.3
+four-masses-and-two-planes-between-them = Quatro massas e dois planos entre elas
+exercise-after-rattan-westonci-ca-without-answer = exercício baseado em Rattan, westonci.ca, sem resposta
+the-second-way-solves-both-equations-at-once = O segundo método resolve as duas equações juntas.
+complete-balance-a-mass-with-its-angle-and-two-positions = Balanceamento completo: uma massa com seu ângulo e duas posições
+sarkar-theory-of-machines-ex-8-4 = Sarkar, Theory of Machines, ex. 8.4
+masses-a-b-c-d-angles-and-positions-count-from-b-the-book-prints-the-angle-of-a-clockwise = Massas A, B, C, D; ângulos e posições contam a partir de B. O livro imprime o ângulo de A no sentido horário.
+complete-balance-a-mass-and-three-angles = Balanceamento completo: uma massa e três ângulos
+sarkar-theory-of-machines-ex-8-5 = Sarkar, Theory of Machines, ex. 8.5
+masses-a-b-c-d-equally-spaced-mirrored-at-b-the-rotor-is-balanced-too-the-arrangement-of-the-book-is = Massas A, B, C, D, igualmente espaçadas. Espelhado em B, o rotor também fica balanceado; o arranjo do livro é o segundo. O livro lê 7 kg em um desenho; as somas dão 7,399 kg.
+complete-balance-two-masses-an-angle-and-a-position = Balanceamento completo: duas massas, um ângulo e uma posição
+sarkar-theory-of-machines-ex-8-6 = Sarkar, Theory of Machines, ex. 8.6
+a-b-c-d-in-this-order-along-the-shaft-angles-from-b-position-from-b-d-is-10-cm-further-from-a = A, B, C, D nesta ordem ao longo do eixo; ângulos a partir de B. Posição a partir de B: D está 10 cm mais longe de A.
+the-book-measures-its-drawing-the-sums-give-15-82-kg = O livro mede no seu desenho; as somas dão 15,82 kg.
+the-same-arrangement-with-the-masses-of-another-book = O mesmo arranjo com as massas de outro livro
+khurmi-gupta-theory-of-machines-ex-21-4 = Khurmi & Gupta, Theory of Machines, ex. 21.4
+half-the-masses-of-the-case-before-half-the-answers-at-the-same-place = Metade das massas do caso anterior: metade das respostas, no mesmo lugar.
+three-pulleys-in-static-balance = Três polias em balanceamento estático
+khurmi-gupta-theory-of-machines-ex-21-5 = Khurmi & Gupta, Theory of Machines, ex. 21.5
+a-b-c-angles-from-b-the-book-measures-angles-and-couple-0-88-in-its-drawings-the-sums-give-0-912 = A, B, C; ângulos a partir de B. O livro mede ângulos e conjugado (0,88 ω²) nos seus desenhos; as somas dão 0,912 ω².
+n-0-88-is-read-off-a-drawing-the-sums-give-0-912 = 0,88 ω² foi lido em um desenho; as somas dão 0,912 ω².
+the-couple-is-read-off-a-drawing = O conjugado foi lido em um desenho.
+three-pulleys-in-static-balance-angles-from-a = Três polias em balanceamento estático, ângulos a partir de A
+equal-corrections-in-three-planes = Correções iguais em três planos
+a-force-in-the-middle-of-three-planes-is-shared-equally-3-kg-mm-opposite-to-9-kg-mm = uma força no meio de três planos é repartida igualmente: 3 kg·mm opostos a 9 kg·mm
+a-force-at-the-end-of-three-planes = Força no extremo de três planos
+u-k-u-3-z-k-z-u-z-z-s-5-6-1-3-and-1-6-of-6-kg-mm = U_k = −U/3 − (z_k − z̄) U (z − z̄)/S: 5/6, 1/3 e −1/6 de 6 kg·mm
+one-plane-cannot-balance-a-couple = Um só plano não equilibra um conjugado
+two-equal-masses-half-a-turn-apart-400-mm-from-each-other = duas massas iguais defasadas de meia volta, a 400 mm uma da outra
+static-and-couple-parts-of-two-unbalances = Parcelas estática e de conjugado de dois desbalanceamentos
+the-vectors-100-30-and-80-200-in-two-planes-their-mean-and-half-difference = os vetores 100 ∠30° e 80 ∠200° em dois planos, sua média e semidiferença
+the-planes-are-those-of-the-masses-so-that-the-equivalent-unbalances-are-the-masses-themselves = Os planos são os das massas, de modo que os desbalanceamentos equivalentes são as próprias massas.
+a-couple-and-the-weight-on-two-bearings = Um conjugado e o peso sobre dois mancais
+n-1-kg-at-10-mm-in-both-planes-half-a-turn-apart-0-4-m-c-4-g-m-over-a-span-of-0-5-m-and-half-of-10-kg = 1 kg a 10 mm nos dois planos, com defasagem de meia volta, 0,4 m: C = 4 g·m² · ω², sobre um vão de 0,5 m; e a metade de 10 kg
+a-triangle-of-forces = Triângulo de forças
+n-3-4-5-triangle-3-and-4-kg-a-quarter-of-a-turn-apart-are-held-by-5-kg-at-180-53-13 = triângulo 3-4-5: 3 e 4 kg defasados de um quarto de volta são equilibrados por 5 kg a 180° + 53,13°
+all-correction-planes-in-one-place = Todos os planos de correção no mesmo lugar
+a-rotor-whose-correction-planes-coincide = um rotor cujos planos de correção coincidem
+too-many-quantities-left-empty = Grandezas deixadas vazias em excesso
+five-unknowns-for-four-equations = cinco incógnitas para quatro equações
+masses-that-cannot-balance = Massas que não podem se equilibrar
+n-1-kg-cannot-be-held-by-two-masses-of-0-2-kg-at-the-same-radius = 1 kg não pode ser equilibrado por duas massas de 0,2 kg no mesmo raio
+a-mass-missing-where-nothing-shall-be-found = Falta uma massa onde nada se procura
+an-empty-field-in-a-task-without-unknowns = um campo vazio em uma tarefa sem incógnitas
+no-masses-but-on-the-axis = Só massas no eixo
+a-mass-at-radius-0-has-no-unbalance = uma massa no raio 0 não tem desbalanceamento
+both-bearings-in-one-place = Os dois mancais no mesmo lugar
+a-rotor-carried-at-one-point = um rotor apoiado em um só ponto
+
+# linkage_balance.toml
+a-four-bar-linkage-of-uniform-bars = Mecanismo de quatro barras uniformes
+force-balance-after-berkof-and-lowen-0-2-20-0-5-40-2-on-the-crank-0-3-40-0-5-80-2-kg-mm-on-the-rocker = balanceamento de forças segundo Berkof e Lowen: 0,2·20 + 0,5·40/2 na manivela, 0,3·40 + 0,5·80/2 kg·mm no balancim
+the-shaking-force-before-is-a-value-of-ours-differences-of-the-momentum-give-the-same = A força de trepidação anterior é um valor nosso; as diferenças da quantidade de movimento dão o mesmo.
+the-same-linkage-crossed-with-centres-off-the-lines = O mesmo mecanismo cruzado, com centros de massa fora das linhas
+coupler-of-0-5-kg-with-its-centre-60-mm-out-at-30-0-5-40-1-cos-30-2-and-0-5-40-sin-30-2-kg-mm-from-a = acoplador de 0,5 kg com o centro de massa afastado 60 mm, a 30°: 0,5·40·(1 − cos 30°/2) e −0,5·40·sen 30°/2 kg·mm, com manivela sem massa
+a-slider-crank-with-rod-and-crank-counterweights = Biela-manivela com contrapesos na biela e na manivela
+rod-and-slider-about-the-crank-pin-0-4-50-0-6-150-110-kg-mm-2-2-kg-at-50-mm-crank-0-4-0-6-2-2-40-0-5 = biela e cursor em relação ao pino da manivela: 0,4·50 + 0,6·150 = 110 kg·mm, 2,2 kg a 50 mm; manivela: (0,4 + 0,6 + 2,2)·40 + 0,5·20 = 138 kg·mm
+a-crank-that-cannot-turn-round = Manivela que não dá a volta
+a-crank-longer-than-rocker-and-frame-allow = uma manivela mais longa do que balancim e suporte permitem
+a-linkage-without-masses = Mecanismo sem massas
+nothing-shakes = nada trepida
+
+# locomotive.toml
+inside-cylinders-at-300-rpm = Cilindros internos a 300 rpm
+b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-3 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.3
+the-wheels-1-4-m-apart-follow-from-the-printed-mass-the-angles-are-ours-by-the-direct-sum-of-all = As rodas a 1,4 m uma da outra resultam da massa impressa; os ângulos são nossos, pela soma direta de todas as massas.
+read-off-a-force-polygon-ours-is-100-32-kg = lido em um polígono de forças; o nosso é 100,32 kg
+follows-from-the-printed-mass-ours-is-32934-8-n = resulta da massa impressa; o nosso é 32934,8 N
+outside-cylinders-speed-at-which-a-wheel-lifts = Cilindros externos: velocidade em que uma roda começa a levantar
+b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-2 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.2
+the-wheels-1-4-m-apart-follow-from-the-printed-mass = As rodas a 1,4 m uma da outra resultam da massa impressa.
+read-off-a-force-polygon-ours-is-212-29-kg = lido em um polígono de forças; o nosso é 212,29 kg
+read-off-a-force-polygon-ours-is-172-87 = lido em um polígono de forças; o nosso é 172,87°
+follows-from-the-printed-mass-ours-is-86-396-km-h = resulta da massa impressa; o nosso é 86,396 km/h
+at-the-printed-speed-ours-is-21-772-kn-m = na velocidade impressa; o nosso é 21,772 kN m
+fraction-for-a-hammer-blow-of-46-kn = Fração para um golpe de martelo de 46 kN
+khurmi-gupta-theory-of-machines-ch-22-ex-22-5 = Khurmi & Gupta, Theory of Machines, cap. 22, ex. 22.5
+printed-with-c-0-751-and-29-8-rad-s-rounded-ours-is-28065-n = impresso com c = 0,751 e ω = 29,8 rad/s arredondados; o nosso é 28065 N
+printed-with-rounded-c-and-ours-is-9121-n-m = impresso com c e ω arredondados; o nosso é 9121 N m
+fraction-for-a-hammer-blow-of-40-kn = Fração para um golpe de martelo de 40 kN
+b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-7 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.7
+the-distance-of-the-wheels-is-not-printed-it-follows-from-the-balance-of-69-625-c-kg-m-that-was-read = A distância entre as rodas não está impressa; resulta do balanceamento de 69,625 c kg m, que foi lido em um desenho.
+inside-cylinders-at-80-km-h = Cilindros internos a 80 km/h
+own-computation-after-an-exercise-without-an-answer = cálculo próprio a partir de um exercício sem resposta
+the-second-way-are-the-sums-of-forces-and-moments-of-all-masses-and-the-greatest-values-over-a-turn = O segundo método são as somas de forças e momentos de todas as massas e os maiores valores em uma volta.
+everything-balanced = Tudo equilibrado
+with-c-1-nothing-pulls-or-sways-and-all-of-it-is-hammer-blow = com c = 1 não há variação do esforço de tração nem conjugado de balanço, e tudo é golpe de martelo
+e-2-3-1-3-of-m-r-10-kn = e = √((2/3)² + (1/3)²) de m r ω² = 10 kN.
+nothing-of-the-reciprocating-masses-balanced = Nada das massas alternativas equilibrado
+with-c-0-there-is-no-hammer-blow-2-m-r-pulls = com c = 0 não há golpe de martelo; a força de tração varia de √2 m r ω²
+three-coupled-axles = Três eixos acoplados
+each-axle-carries-a-third-of-the-balance-of-the-reciprocating-masses = cada eixo leva um terço do balanceamento das massas alternativas
+the-coupling-rods-run-in-the-planes-of-the-wheels-opposite-the-cranks = As barras de acoplamento ficam nos planos das rodas, opostas às manivelas.
+a-blow-that-needs-more-than-the-whole-mass = Golpe de martelo que exige mais que toda a massa
+there-is-no-such-fraction = não existe tal fração
+limit-of-speed-without-a-dead-load = Velocidade limite sem carga estática
+a-wheel-lifts-against-its-dead-load = uma roda levanta contra a sua carga estática
+speed-of-the-train-without-wheels = Velocidade do trem sem as rodas
+the-wheels-roll-on-the-rail = as rodas rolam sobre o trilho
+
+# reciprocating.toml
+inline-four-with-a-flat-crank = Quatro cilindros em linha com virabrequim plano
+inline-four-cylinder-engine-at-6000-rpm = motor de quatro cilindros em linha a 6000 rpm
+the-four-secondary-forces-add-up-to-4-m-r-two-shafts-at-twice-the-speed-cancel-them-each-with-m-r-2 = As quatro forças secundárias somam 4 m r ω² λ; dois eixos no dobro da velocidade as anulam, cada um com m r λ/2 (Lanchester), no meio do motor.
+a-vertical-engine-two-thirds-balanced = Motor vertical com dois terços equilibrados
+b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-1 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.1
+the-stroke-is-printed-as-18-mm-the-answers-belong-to-180-mm = O curso está impresso como 18 mm; as respostas correspondem a 180 mm.
+printed-with-a-rounded-fraction-ours-is-3264-06-n = impresso com uma fração arredondada; o nosso é 3264,06 N
+a-horizontal-engine-half-balanced = Motor horizontal com metade equilibrada
+bevan-the-theory-of-machines-ch-14-ex-5 = Bevan, The Theory of Machines, cap. 14, ex. 5
+n-318-75-rounded-up = 318,75 arredondado para cima
+printed-with-g-32-2-ft-s-ours-is-1437-9-lbf = impresso com g = 32,2 ft/s²; o nosso é 1437,9 lbf
+printed-with-g-32-2-ft-s-half-balanced-the-force-is-the-same-at-every-angle = impresso com g = 32,2 ft/s²; com metade equilibrada, a força é a mesma em todos os ângulos
+best-crank-order-of-a-marine-engine = Melhor ordem das manivelas de um motor marítimo
+b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-4-khurmi-gupta-theory-of-machines-ch-22 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.4; Khurmi & Gupta, Theory of Machines, cap. 22
+inner-cranks-1-2-m-and-outer-cranks-3-m-apart-as-the-printed-factor-0-9-2-demands = Manivelas internas a 1,2 m e externas a 3 m entre si, como exige o fator impresso 0,9·√2.
+the-worst-crank-order-of-the-same-engine = A pior ordem das manivelas do mesmo motor
+b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-4 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.4
+the-second-way-is-the-direct-sum-over-the-other-orders-of-four-cranks = O segundo método é a soma direta sobre as outras ordens de quatro manivelas.
+inline-four-with-cranks-at-right-angles = Quatro cilindros em linha com manivelas em ângulo reto
+b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-8 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.8
+the-pitch-of-150-mm-and-the-crank-order-follow-from-the-printed-coefficients = A distância de 150 mm entre cilindros e a ordem das manivelas resultam dos coeficientes impressos.
+printed-with-0-019-for-the-coefficient-0-019092-ours-is-678-35-n-m = impresso com 0,019 para o coeficiente 0,019092; o nosso é 678,35 N m
+inline-four-with-cranks-at-right-angles-in-the-order-1-4-2-3 = Quatro cilindros em linha com manivelas em ângulo reto na ordem 1-4-2-3
+the-second-way-is-the-direct-sum-over-the-pistons = O segundo método é a soma direta sobre os pistões.
+three-cylinders-round-one-crank = Três cilindros em torno de uma só manivela
+bevan-the-theory-of-machines-ch-14-ex-12 = Bevan, The Theory of Machines, cap. 14, ex. 12
+three-cylinders-round-one-crank-metric = Três cilindros em torno de uma só manivela, em unidades métricas
+the-primary-forces-make-a-vector-of-3-2-m-r-that-turns-with-the-crank-the-secondary-ones-one-of-3-2-m = As forças primárias formam um vetor de 3/2 m r ω² que gira com a manivela; as secundárias, um de 3/2 m r ω² λ no sentido contrário.
+twelve-cylinders-in-w = Doze cilindros em W
+bevan-the-theory-of-machines-ch-14-ex-13 = Bevan, The Theory of Machines, cap. 14, ex. 13
+three-banks-of-flat-crank-fours-at-60-as-the-printed-factors-2-and-6-demand-the-pitch-is-ours-and = Três bancadas de quatro cilindros com virabrequim plano, a 60°, como exigem os fatores impressos 2 e 6; a distância entre cilindros é nossa e só altera conjugados.
+printed-with-g-32-2-ft-s-ours-is-3346-4-lbf = impresso com g = 32,2 ft/s²; o nosso é 3346,4 lbf
+printed-with-g-32-2-ft-s-ours-is-1115-5-lbf = impresso com g = 32,2 ft/s²; o nosso é 1115,5 lbf
+v-twin-at-right-angles = Bicilíndrico em V com ângulo reto
+khurmi-gupta-theory-of-machines-ch-22 = Khurmi & Gupta, Theory of Machines, cap. 22
+the-counterweight-follows-from-the-closed-form-the-primary-force-is-a-vector-of-m-r-that-turns-with = O contrapeso resulta da forma fechada: a força primária é um vetor de m r ω² que gira com a manivela.
+v-twin-at-right-angles-cranks-upright = Bicilíndrico em V com ângulo reto, manivelas na vertical
+m-r-along-the-crank-the-secondary-force-of-a-v-at-right-angles-acts-across-only-and-vanishes-here = m r ω² ao longo da manivela; a força secundária de um V em ângulo reto só atua na transversal e aqui se anula.
+inline-five-primary-couple = Cinco cilindros em linha: conjugado primário
+standard-coefficients-of-engine-balance-the-primary-couple-over-m-r-and-the-pitch = coeficientes usuais de balanceamento de motores; o conjugado primário dividido por m r ω² e pela distância entre cilindros
+inline-five-secondary-couple = Cinco cilindros em linha: conjugado secundário
+standard-coefficients-of-engine-balance-the-secondary-couple-over-m-r-and-the-pitch = coeficientes usuais de balanceamento de motores; o conjugado secundário dividido por m r ω² λ e pela distância entre cilindros
+boxer-with-two-cylinders = Boxer de dois cilindros
+opposed-pistons-on-opposed-cranks-only-couples-m-r-times-the-distance = pistões opostos em manivelas opostas: só conjugados, m r ω² vezes a distância
+boxer-with-four-cylinders = Boxer de quatro cilindros
+the-primary-couples-of-the-pairs-cancel-the-secondary-ones-add-up-to-twice-m-r-times-the-distance = os conjugados primários dos pares se cancelam, os secundários somam o dobro de m r ω² λ vezes a distância
+boxer-with-six-cylinders = Boxer de seis cilindros
+fully-balanced-in-both-orders = totalmente balanceado nas duas ordens
+v8-with-a-cross-plane-crank = V8 com virabrequim em cruz
+neither-primary-nor-secondary-force-a-couple-of-10-m-r-p-that-turns-with-the-crank = sem força primária nem secundária; um conjugado de √10 m r ω² p que gira com a manivela
+v6-at-60-with-split-pins = V6 a 60° com moentes bipartidos
+no-primary-or-secondary-force-couples-of-3-2-m-r-p-and-3-2-m-r-p = sem força primária nem secundária; conjugados de 3/2 m r ω² p e 3/2 m r ω² λ p
+exact-motion-of-a-piston-with-0-3 = Movimento exato de um pistão com λ = 0,3
+fourier-series-of-the-slider-crank-a-4-15-128 = série de Fourier do mecanismo biela-manivela: A₂ = λ + λ³/4 + 15λ⁵/128 + …
+the-series-cut-off-after-gives-a-0-3070497-and-a-0-0072355-a-after-is-0-00019008 = A série truncada após λ⁵ dá A₂ = 0,3070497 e A₄ = −0,0072355; A₆ após λ⁷ é 0,00019008.
+best-fraction-for-a-single-cylinder = Melhor fração para um motor monocilíndrico
+the-counterweight-that-cancels-the-forward-vector-half = o contrapeso que anula o vetor direto: metade
+balanced-wholly-the-force-is-as-large-as-before-but-acts-across-the-stroke = Equilibrada por inteiro, a força é tão grande quanto antes, mas atua transversalmente ao curso.
+the-inline-four-cylinder-by-cylinder = O motor de quatro cilindros em linha, cilindro a cilindro
+own-computation-the-layout-gives-the-same = cálculo próprio; o arranjo dá o mesmo
+opposed-pistons-in-phase = Pistões opostos em fase
+two-pistons-that-mirror-each-other-leave-no-force = dois pistões em movimento espelhado não deixam força
+balance-shafts-of-a-single-cylinder = Eixos balanceadores de um motor monocilíndrico
+each-shaft-carries-half-of-m-r = cada eixo leva metade de m r
+balance-shafts-of-an-inline-three = Eixos balanceadores de um motor de três cilindros em linha
+only-a-couple-each-shaft-carries-two-masses-with-m-r-p-3-2 = só um conjugado: cada eixo leva duas massas com m r p √3/2
+a-rod-that-is-too-short = Biela curta demais
+the-crank-cannot-go-round = a manivela não dá a volta
+a-cylinder-that-fires-twice = Um cilindro que dispara duas vezes
+a-firing-order-names-each-cylinder-once = Uma ordem de ignição cita cada cilindro uma vez
+a-firing-order-that-the-cranks-cannot-have = Ordem de ignição impossível para as manivelas
+two-cylinders-on-one-crank-pin = dois cilindros em um só moente
+too-few-crank-angles = Ângulos de manivela de menos
+one-for-each-crank = um para cada manivela
+secondary-shafts-without-rods = Eixos secundários sem bielas
+the-secondary-forces-need-the-length-of-the-rod = as forças secundárias precisam do comprimento da biela
+
+# single_plane.toml
+four-masses-given-by-successive-angles = Quatro massas dadas por ângulos sucessivos
+khurmi-gupta-theory-of-machines-ex-21-1 = Khurmi & Gupta, Theory of Machines, ex. 21.1
+solved-there-by-a-drawing-the-angle-is-read-off-it = Resolvido ali por um desenho; o ângulo foi lido nele.
+the-sums-are-rounded-before-the-angle-is-taken-unrounded-it-is-201-31 = As somas são arredondadas antes de se tomar o ângulo; sem arredondar são 201,31°.
+four-masses-by-absolute-angles = Quatro massas por ângulos absolutos
+sarkar-theory-of-machines-ex-8-1 = Sarkar, Theory of Machines, ex. 8.1
+mass-times-radius-of-two-masses = Massa vezes raio de duas massas
+norton-design-of-machinery-ex-12-1 = Norton, Design of Machinery, ex. 12-1
+components-rounded-to-three-places-unrounded-it-is-2-4027-kg-m = Componentes arredondadas para três casas; sem arredondar são 2,4027 kg·m.
+the-radius-of-a-mass-at-hand = O raio de uma massa disponível
+gate-question-on-a-disc-with-two-masses-interviewmania-com = questão do GATE sobre um disco com duas massas, interviewmania.com
+four-masses-and-a-far-balance-mass = Quatro massas e uma massa de balanceamento afastada
+exercise-of-a-theory-of-machines-course-tutorsglobe-com-without-answer = exercício de um curso de teoria das máquinas, tutorsglobe.com, sem resposta
+the-second-way-is-the-law-of-cosines-over-all-pairs-of-masses = O segundo método é a lei dos cossenos sobre todos os pares de massas.
+four-masses-on-two-diameters-and-a-bisector = Quatro massas em dois diâmetros e uma bissetriz
+exercise-of-a-theory-of-machines-course-mis-kyeop-go-ke-without-answer = exercício de um curso de teoria das máquinas, mis.kyeop.go.ke, sem resposta
+two-weights-at-a-right-angle-drilled = Dois pesos em ângulo reto, correção por furação
+n-3-4-5-triangle-30-n-and-40-n-at-100-mm-a-quarter-of-a-turn-apart-50-n-at-100-mm-is-drilled-between = triângulo 3-4-5: 30 N e 40 N a 100 mm, defasados de um quarto de volta; entre eles retiram-se 50 N a 100 mm por furação
+at-10-rad-s-the-500-n-cm-of-unbalance-pull-with-5-10-100-n = A 10 rad/s, os 500 N·cm de desbalanceamento puxam com 5/10 · 100 N.
+three-equal-masses-at-equal-angles = Três massas iguais em ângulos iguais
+three-equal-vectors-a-third-of-a-turn-apart-have-no-resultant = três vetores iguais defasados de um terço de volta não têm resultante
+masses-on-the-axis = Massas no eixo
+
+# splitting.toml
+between-holes-at-30-and-60 = Entre furos a 30° e 60°
+n-12-5-g-at-37-where-there-are-holes-every-30-parallelogram-of-weights = 12,5 g a 37° onde há furos a cada 30°; paralelogramo de massas
+twelve-holes-all-around-weights-at-hand-in-steps = Doze furos em toda a volta, massas disponíveis escalonadas
+the-best-pair-of-2-3-5-8-and-10-g-is-10-g-and-3-g = O melhor par entre 2, 3, 5, 8 e 10 g é 10 g e 3 g.
+a-weight-at-a-hole-needs-that-hole-alone = Massa sobre um furo só precisa desse furo
+a-weight-in-the-direction-of-the-first-of-two-places = uma massa na direção do primeiro de dois lugares
+three-weights-in-place-of-one = Três massas em lugar de uma
+a-right-angled-triangle-of-weights-3-g-at-0-and-4-g-at-90-and-5-g-more-in-the-direction-of-their-sum = um triângulo retângulo de massas: 3 g a 0° e 4 g a 90°, e mais 5 g na direção da soma delas
+drilling-with-a-point-of-90 = Furação com ponta de 90°
+cylinder-and-cone-a-point-of-90-is-as-high-as-half-the-diameter = cilindro e cone: uma ponta de 90° tem altura igual à metade do diâmetro
+d-10-mm-cone-25-5-3-130-900-mm-and-5-mm-of-cylinder-25-5-392-699-mm-together-500-3-mm-of-8000-kg-m-4 = d = 10 mm: cone π·25·5/3 = 130,900 mm³, e 5 mm de cilindro π·25·5 = 392,699 mm³; juntos, π·500/3 mm³ de 8000 kg/m³, 4,188790 g.
+drilling-with-a-flat-bottom = Furação com fundo plano
+a-cylinder-alone = apenas um cilindro
+less-than-the-point-removes = Menos do que a ponta retira
+an-eighth-of-a-cone-of-90-is-half-as-deep = um oitavo de um cone de 90° tem metade da profundidade
+places-opposite-to-each-other = Lugares opostos entre si
+two-holes-on-one-diameter = dois furos em um mesmo diâmetro
+weights-that-balance-each-other = Massas que se equilibram
+two-equal-weights-opposite-to-each-other = duas massas iguais, opostas entre si
+
+# static_couple.toml
+readings-of-two-bearings = Leituras de dois mancais
+half-the-sum-and-half-the-difference-of-100-m-at-30-and-80-m-at-200 = a metade da soma e a metade da diferença de 100 µm a 30° e 80 µm a 200°
+weights-that-are-a-couple-alone = Massas que formam só um conjugado
+equal-weights-half-a-turn-apart = massas iguais defasadas de meia volta
+weights-at-a-right-angle = Massas em ângulo reto
+n-3-g-at-0-and-3-g-at-90-both-parts-are-3-2-g = 3 g a 0° e 3 g a 90°: as duas parcelas são 3/√2 g
+readings-at-different-speeds = Leituras em velocidades diferentes
+two-readings-that-do-not-belong-together = duas leituras que não combinam entre si
+
+# tolerance.toml
+a-turbine-rotor-of-grade-2-5 = Rotor de turbina de grau 2,5
+iso-1940-1-2003-informative-example = ISO 1940-1:2003, exemplo informativo
+n-3600-kg-at-3000-rpm-the-centre-of-mass-is-1500-mm-from-bearing-a-and-900-mm-from-b-the-standard = 3600 kg a 3000 rpm; o centro de massa está a 1500 mm do mancal A e a 900 mm do B. A norma arredonda para três algarismos, para baixo.
+the-standard-rounds-down-to-three-digits-unrounded-it-is-28648-g-mm = A norma arredonda para baixo, com três algarismos; sem arredondar são 28648 g·mm.
+the-standard-rounds-down-to-three-digits-unrounded-it-is-10743-g-mm = A norma arredonda para baixo, com três algarismos; sem arredondar são 10743 g·mm.
+the-standard-rounds-to-three-digits = A norma arredonda para três algarismos.
+a-fan-of-the-general-grade = Ventilador no grau das máquinas em geral
+e-g-6-3-mm-s-over-308-92-rad-s-times-40-kg = e = G/Ω: 6,3 mm/s sobre 308,92 rad/s, vezes 40 kg
+the-finest-grade-at-3000-rpm = O grau mais fino a 3000 rpm
+e-g-with-314-159-rad-s = e = G/Ω com Ω = 314,159 rad/s
+grade-1-at-3000-rpm = Grau 1 a 3000 rpm
+grade-6-3-at-3000-rpm = Grau 6,3 a 3000 rpm
+grade-16-at-3000-rpm = Grau 16 a 3000 rpm
+grade-40-at-3000-rpm = Grau 40 a 3000 rpm
+the-constant-of-us-units = A constante das unidades americanas
+energy-tech-com-article-on-iso-1940-1-and-mil-std-167-u-6-015-g-w-n = energy-tech.com, artigo sobre a ISO 1940-1 e a MIL-STD-167: U = 6,015 G W/N
+g-1-with-1-lb-at-1-rpm-gives-the-constant-itself = G 1 com 1 lb a 1 rpm dá a própria constante.
+the-grade-of-the-us-navy = O grau da Marinha dos EUA
+u-4-w-n-in-ounce-inches-pounds-and-turns-a-minute-4-16-in-2-60-s = U = 4 W/N em onças-polegadas, libras e rotações por minuto: (4/16) in · 2π/60 s
+two-measured-unbalances-judged-at-the-bearings = Dois desbalanceamentos medidos, julgados nos mancais
+rotor-of-80-kg-at-1800-rpm-700-g-mm-20-and-900-g-mm-250-in-planes-between-the-bearings = rotor de 80 kg a 1800 rpm, 700 g·mm ∠20° e 900 g·mm ∠250° em planos entre os mancais
+the-second-way-reverses-the-corrections-in-the-planes-of-the-bearings = O segundo método inverte as correções nos planos dos mancais.
+a-static-unbalance-and-a-couple-at-the-bearings = Desbalanceamento estático e conjugado nos mancais
+n-6-g-mm-in-the-middle-gives-3-at-each-bearing-the-couple-of-400-g-mm-over-100-mm-adds-4-a-quarter-of = 6 g·mm no meio dão 3 em cada mancal; o conjugado de 400 g·mm² sobre 100 mm acrescenta 4, um quarto de volta à frente: 5
+both-planes-are-out-of-tolerance-2-5-g-mm-are-permitted-in-each = Os dois planos estão fora da tolerância: admitem-se 2,5 g·mm em cada um.
+a-centre-of-mass-near-a-bearing = Centro de massa perto de um mancal
+n-9-10-and-1-10-of-the-distance-held-to-the-limits-0-7-and-0-3 = 9/10 e 1/10 da distância, mantidos nos limites 0,7 e 0,3
+a-rotor-that-overhangs-by-half-the-span = Rotor em balanço por meio vão
+shares-0-5-and-1-5-the-second-held-to-the-limit-1-3 = parcelas 0,5 e 1,5, a segunda mantida no limite 1,3
+a-trial-mass-on-a-disc = Massa de teste em um disco
+n-10-of-98-0665-n-is-9-80665-n-0-980665-g-m-at-100-rad-s-on-100-mm = 10 % de 98,0665 N são 9,80665 N: 0,980665 g·m a 100 rad/s, em 100 mm
+a-rotor-carried-at-one-point-has-no-shares = um rotor apoiado em um só ponto não tem parcelas
+
+# two_plane.toml
+two-masses-the-second-25-mm-from-plane-b = Duas massas, a segunda a 25 mm do plano B
+the-statement-says-a-25-mm-every-printed-number-needs-65-mm-which-is-25-mm-measured-from-plane-b-the = O enunciado diz a₂ = 25 mm; todos os números impressos exigem 65 mm, que são 25 mm medidos a partir do plano B. Os pesos usam g = 10 m/s².
+with-a-25-mm-from-plane-a-as-the-statement-says = Com a₂ = 25 mm a partir do plano A, como diz o enunciado.
+the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-w-b-21-70-n = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado W_B = 21,70 N.
+the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-b-346-28 = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado θ_B = 346,28°.
+the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-w-a-55-31-n = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado W_A = 55,31 N.
+the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-a-318-34 = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado θ_A = 318,34°.
+a-couple-of-two-equal-masses = Conjugado de duas massas iguais
+two-equal-masses-half-a-turn-apart-at-the-ends-of-a-shaft-corrected-in-the-same-planes = duas massas iguais defasadas de meia volta nas extremidades de um eixo, corrigidas nos mesmos planos
+each-correction-is-the-opposite-of-the-mass-in-its-plane-drilled-out-it-sits-where-the-mass-is = Cada correção é o oposto da massa no seu plano. Feita por furação, fica onde está a massa.
+both-corrections-in-one-plane = As duas correções em um só plano
+
+# without_phase.toml
+four-runs-whose-circles-nearly-meet = Quatro medições cujos círculos quase se encontram
+shreve-balancing-without-phase-reliabilityweb = Shreve, Balancing Without Phase, Reliabilityweb
+the-printed-result-is-cut-off-where-the-article-was-seen-the-amplitudes-are-over-determined-and = O resultado impresso está cortado onde o artigo foi visto. As amplitudes estão sobredeterminadas e discordam em 5 %: 2 O T é 170,1 pela média dos quadrados e 161,3 pelas parcelas. Três modos, cada um também calculado fora deste programa.
+four-runs-that-agree-at-uneven-angles = Quatro medições concordantes, em ângulos desiguais
+a-rotor-of-known-influence-8-mm-s-at-70-0-1-mm-s-for-a-gram-25-behind = um rotor de influência conhecida: 8 mm/s a 70°, 0,1 mm/s por grama, com atraso de 25°
+the-correction-is-80-g-at-275 = A correção é de 80 g a 275°.
+seven-runs-two-planes = Sete medições, dois planos
+a-rotor-of-known-influence-unbalanced-by-the-opposite-of-45-g-at-130-and-28-g-at-250 = um rotor de influência conhecida, desbalanceado pelo oposto de 45 g a 130° e 28 g a 250°
+the-corrections-come-out-although-no-phase-is-known = Obtêm-se as correções embora nenhuma fase seja conhecida.
+three-runs-are-too-few = Três medições são poucas
+a-trial-weight-at-two-angles-only = uma massa de teste em apenas dois ângulos
+angles-that-repeat = Ângulos que se repetem
+a-trial-weight-at-two-directions-in-three-runs = uma massa de teste em duas direções em três medições
+no-first-amplitude = Sem primeira amplitude

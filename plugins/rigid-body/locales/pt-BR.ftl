@@ -1858,3 +1858,682 @@ bodies-on-turning-shafts = Corpos em eixos que giram
 gyroscopes-and-vehicles = Giroscópios e veículos
 free-bodies-and-tops = Corpos livres e piões
 rolling-bodies = Corpos que rolam
+
+### Published cases
+
+# dipping_rail.toml
+locomotive-at-95-km-h = Locomotiva a 95 km/h
+khurmi-gupta-theory-of-machines-ch-14-example-14-14 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.14
+one-rail-dips-by-6-mm-in-0-1-s-in-simple-harmonic-motion = Um trilho rebaixa-se 6 mm em 0,1 s, em movimento harmônico simples.
+dip-of-10-m-with-a-couple-that-tilts = Rebaixo de 10 m com um binário que inclina
+closed-form-c-i-a-2v-d-t-w-and-2-t-w = forma fechada: C = I_a (2v/D) (πδ/t)/w e α = 2π²δ/(t² w)
+v-20-m-s-t-0-5-s-40-rad-s-8-0-005-1-6-rad-s = v = 20 m/s, t = 0,5 s, ω = 40 rad/s, α = 8π² · 0,005/1,6 rad/s².
+level-track = Via nivelada
+closed-form-no-dip-no-couple = forma fechada: sem rebaixo, sem binário
+standing-wheels = Rodas paradas
+a-dip-of-a-given-length-is-passed-in-v = um rebaixo de dado comprimento é percorrido em λ/v
+
+# dynamic_equilibrium.toml
+rod-hinged-on-the-axis-of-a-shaft = Haste articulada sobre o eixo de rotação
+closed-form-cos-3-g-2-l-as-in-the-entrance-examination-of-the-jee = forma fechada: cos θ = 3 g/(2 ω² L), como no exame de admissão JEE
+l-0-6-m-at-7-rad-s-cos-14-715-29-4-0-500510-it-leaves-the-vertical-at-3-g-2l-4-95227-rad-s = L = 0,6 m a 7 rad/s: cos θ = 14,715/29,4 = 0,500510; deixa a vertical a √(3 g/2L) = 4,95227 rad/s.
+the-same-rod-below-its-critical-speed = A mesma haste abaixo da sua velocidade crítica
+closed-form-it-hangs-straight-down-when-3-g-2-l = forma fechada: pende na vertical quando ω² < 3 g/(2 L)
+small-swings-at-p-3-g-2-l-24-525-16-s = Pequenas oscilações com p² = 3 g/(2 L) − ω² = 24,525 − 16 s⁻².
+speed-for-a-rod-at-60 = Velocidade para uma haste a 60°
+closed-form-3-g-2-l-cos = forma fechada: ω² = 3 g/(2 L cos θ)
+l-0-6-m-2-24-525-small-swings-at-p-sin = L = 0,6 m: ω² = 2 · 24,525; pequenas oscilações com p² = ω² sen² θ.
+conical-pendulum = Pêndulo cônico
+closed-form-cos-g-l = forma fechada: cos θ = g/(ω² L)
+l-0-981-m-so-that-l-2-g-at-20-rad-s-60 = L = 0,981 m, de modo que ω² L = 2 g a √20 rad/s: θ = 60°.
+chair-of-a-merry-go-round = Cadeira de um carrossel
+closed-form-tan-a-l-sin-g = forma fechada: tan θ = ω² (a + L sen θ)/g
+a-4-m-l-5-m-at-45-9-81-4-3-535534 = a = 4 m, L = 5 m a 45°: ω² = 9,81/(4 + 3,535534).
+chair-of-a-merry-go-round-from-its-speed = Cadeira de um carrossel, a partir da velocidade
+the-case-before-it-there-and-back-9-81-4-5-2 = O caso anterior, ida e volta: ω² = 9,81/(4 + 5/√2).
+thick-bar-on-the-axis = Barra grossa sobre o eixo
+closed-form-cos-g-r-k-k = forma fechada: cos θ = g r/(ω² (k_ξ² − k_η²))
+r-0-2-m-k-0-06-m-k-0-01-m-at-8-rad-s-cos-1-962-3-2 = r = 0,2 m, k_ξ² = 0,06 m², k_η² = 0,01 m² a 8 rad/s: cos θ = 1,962/3,2.
+angle-above-the-level-of-the-pin = Ângulo acima do nível do pino
+closed-form-cos-3-g-2-l-is-positive = forma fechada: cos θ = 3 g/(2 ω² L) é positivo
+rod-on-the-axis-hanging-down = Haste sobre o eixo, pendente na vertical
+closed-form-every-speed-keeps-it-there = forma fechada: qualquer velocidade o mantém ali
+
+# edge_mill.toml
+roller-of-350-kg = Rolo de 350 kg
+edge-runner-chile-mill-in-closed-form-n-m-g-m-r-2 = moinho de galgas (moinho chileno) em forma fechada: N = m g + m r Ω²/2
+the-disc-presses-with-3433-5-492-1875-n-whatever-the-arm = O disco pressiona com 3433,5 + 492,1875 N, qualquer que seja o braço.
+twice-the-weight = O dobro do peso
+closed-form-m-g-i-a-r = forma fechada: m g = I_a Ω²/r
+for-a-solid-roller-2-g-r-19-62-0-5-rad-s-two-rollers-press-with-4-m-g-the-edges-slide-at-b-2 = Para um rolo maciço Ω = √(2 g/r): √(19,62/0,5) rad/s. Dois rolos pressionam com 4 m g; as bordas escorregam a Ω b/2.
+mill-at-rest = Moinho em repouso
+closed-form-at-rest-the-roller-presses-with-its-weight = forma fechada: em repouso o rolo pressiona com seu peso
+less-than-the-weight = Menos que o peso
+the-force-is-m-g-i-a-r = a força é m g + I_a Ω²/r
+
+# free_axisymmetric.toml
+flat-body-8-rad-s-at-25 = Corpo achatado, 8 rad/s a 25°
+tan-t-r-a-h-g-i-t-1-r-a-beer-johnston-dynamics-18-3 = tan θ = ω_t/(r ω_a), φ̇ = H_G/I_t, ψ̇ = (1 − r) ω_a: Beer & Johnston, Dynamics, §18.3
+the-spin-turns-against-the-precession-retrograde = A rotação própria é contrária à precessão: retrógrada.
+satellite-hit-by-a-meteorite-the-motion-after = Satélite atingido por um meteorito: o movimento depois
+beer-johnston-dynamics-sample-problem-18-6 = Beer & Johnston, Dynamics, problema resolvido 18.6
+two-thin-discs-of-0-8-m-each-m-2-on-a-light-rod-of-1-6-m-i-a-0-32-m-and-i-t-0-8-m-in-m-r-0-4-spinning = Dois discos finos de 0,8 m, cada um com m/2, em uma haste leve de 1,6 m: I_a = 0,32 m e I_t = 0,8 m em m², r = 0,4. Girando a 60 rpm, recebe m₀ v₀ a = 1,6 m: ω_t = 2 rad/s.
+plate-thrown-at-45 = Placa lançada a 45°
+g-r-fowles-g-l-cassiday-analytical-mechanics-problem-9-9-thin-square-plate-at-45-to-its-axis-one-turn = G. R. Fowles, G. L. Cassiday, Analytical Mechanics, problema 9.9: placa quadrada fina, ω a 45° do seu eixo, uma volta por segundo
+the-earth = A Terra
+g-r-fowles-g-l-cassiday-analytical-mechanics-problem-9-13-i-s-i-1-00327-at-0-2-to-the-axis = G. R. Fowles, G. L. Cassiday, Analytical Mechanics, problema 9.13: I_s/I = 1,00327, ω a 0,2″ do eixo
+euler-s-period-of-a-rigid-earth-1-0-00327-days-the-real-one-of-chandler-is-longer-since-the-earth = Período de Euler de uma Terra rígida, 1/0,00327 dias; o real, de Chandler, é mais longo, pois a Terra cede.
+capsule-of-2-mg-as-a-homework-site-has-it = Cápsula de 2 Mg, como a traz um site de exercícios
+r-c-hibbeler-engineering-mechanics-dynamics-12th-ed-problem-21-71-printed-numbers-a-homework-site = R. C. Hibbeler, Engineering Mechanics: Dynamics, 12ª ed., problema 21-71 (números impressos: um site de exercícios)
+by-the-closed-forms-66-587-81-729-rad-s-and-97-428-rad-s-direct-since-i-z-i-the-4-537-500-of-the-site = Pelas formas fechadas θ = 66,587°, φ̇ = 81,729 rad/s e ψ̇ = 97,428 rad/s, direta, pois I_z < I. O 4 537 500 do site é I ω_y = 60 500 · 75 kg·m²/s, a parte transversal de H_G.
+the-site-divides-150-rad-s-taken-for-h-g-by-the-moment-of-inertia-and-calls-the-transverse-part-of-h = O site divide 150 rad/s, tomados por H_G, pelo momento de inércia, e chama a parte transversal de H_G de velocidade angular; φ̇ = H_G/I = 4 944 626/60 500 = 81,73 rad/s.
+capsule-of-2-mg = Cápsula de 2 Mg
+r-c-hibbeler-engineering-mechanics-dynamics-12th-ed-problem-21-71-by-tan-t-r-a-h-g-i-t-1-r-a = R. C. Hibbeler, Engineering Mechanics: Dynamics, 12ª ed., problema 21-71, por tan θ = ω_t/(r ω_a), φ̇ = H_G/I_t, ψ̇ = (1 − r) ω_a
+space-station-of-four-shells-at-20 = Estação espacial de quatro cascas, a 20°
+j-l-meriam-l-g-kraige-engineering-mechanics-dynamics-sample-problem-7-9 = J. L. Meriam, L. G. Kraige, Engineering Mechanics: Dynamics, problema resolvido 7/9
+four-thin-shells-of-mass-m-and-radius-r-2-r-from-the-hub-i-zz-56-3-m-r-and-i-xx-32-3-m-r-here-m-1-kg = Quatro cascas finas de massa m e raio r, a 2 r do cubo: I_zz = 56/3 m r² e I_xx = 32/3 m r²; aqui m = 1 kg e r = 1 m. A estação dá uma volta de rotação própria em 4 s.
+space-station-of-four-shells-hardly-tilted = Estação espacial de quatro cascas, quase sem inclinação
+wobbles-for-each-turn-of-the-spin-at-a-small-tilt-i-zz-i-xx-i-zz-the-sign-says-that-they-go-against = Oscilações do eixo para cada volta da rotação própria, com pequena inclinação, φ̇/ψ̇ = I_zz/(I_xx − I_zz); o sinal diz que têm sentidos contrários.
+free-body-of-a-regression-test = Corpo livre de um teste de regressão
+kynema-fmb-regression-test-of-a-precessing-body-i-1-1-0-5-0-5-0-5-1-attitude-after-5-s = Kynema-FMB, teste de regressão de um corpo em precessão: I = (1; 1; 0,5), ω₀ = (0,5; 0,5; 1), atitude após 5 s
+the-closed-form-a-turn-about-h-after-a-turn-about-the-axis-agrees-with-integration-to-twelve-digits = A forma fechada, um giro em torno de H depois de um giro em torno do eixo, concorda com a integração em doze algarismos.
+a-stored-value-of-a-method-of-the-second-order-with-steps-of-0-01-s-the-closed-form-is-0-630514 = Valor guardado de um método de segunda ordem com passos de 0,01 s; a forma fechada é −0,630514.
+a-stored-value-of-a-method-of-the-second-order-with-steps-of-0-01-s-the-closed-form-is-0-604805 = Valor guardado de um método de segunda ordem com passos de 0,01 s; a forma fechada é 0,604805.
+a-stored-value-of-a-method-of-the-second-order-with-steps-of-0-01-s-the-closed-form-is-0-303124 = Valor guardado de um método de segunda ordem com passos de 0,01 s; a forma fechada é −0,303124.
+the-same-body-by-its-closed-form = O mesmo corpo, pela forma fechada
+rotation-by-h-t-i-t-about-h-after-rotation-by-1-r-z-t-about-z = rotação de |H| t/I_t em torno de H, depois da rotação de (1 − r) ω_z t em torno de z
+spacecraft-of-9000-kg-m-5-s-later = Espaçonave de 9000 kg·m², 5 s depois
+pennsylvania-state-university-aersp-309-homework-11-problem-1-numbers-by-the-closed-form = Pennsylvania State University, AERSP 309, lista 11, problema 1; números pela forma fechada
+seen-from-the-body-goes-around-the-axis-at-r-1-a-2-16-rad-s-the-spin-with-the-other-sign = Vista do corpo, ω dá a volta ao eixo a (r − 1) ω_a = 2,16 rad/s, a rotação própria com o outro sinal.
+the-flat-body-by-its-angular-momentum = O corpo achatado, pelo momento angular
+the-first-case-with-h-g-i-t = o primeiro caso, com H_G = I_t φ̇
+the-flat-body-by-its-precession = O corpo achatado, pela precessão
+the-first-case-read-backwards = o primeiro caso, lido ao contrário
+ball = Esfera
+with-equal-moments-of-inertia-is-along-h = com momentos de inércia iguais, ω fica ao longo de H
+flatter-than-flat = Mais plano que o plano
+i-z-i-x-i-y-for-a-thin-plate-and-less-for-every-other-body = I_z = I_x + I_y para uma placa fina, e menor para qualquer outro corpo
+spin-of-a-ball = Rotação própria de uma esfera
+a-ball-does-not-spin-about-an-axis-while-it-turns-about-h = uma esfera não tem rotação própria em torno de um eixo enquanto gira em torno de H
+angular-momentum-of-a-ratio = Momento angular a partir de uma razão
+h-g-without-the-moments-of-inertia-tells-no-angular-velocity = H_G sem os momentos de inércia não determina velocidade angular alguma
+
+# free_triaxial.toml
+body-of-1-2-and-3-kg-m = Corpo de 1, 2 e 3 kg·m²
+l-d-landau-e-m-lifshitz-mechanics-37-the-solution-by-elliptic-functions = L. D. Landau, E. M. Lifshitz, Mechanics, §37: a solução por funções elípticas
+integration-agrees-to-twelve-digits = A integração concorda em doze algarismos.
+flips-about-the-middle-axis = Inversões em torno do eixo intermediário
+growth-rate-i-i-i-i-i-i-and-half-period-2-k-k-p-landau-lifshitz-mechanics-37 = taxa de crescimento ω₂ √((I₂ − I₁)(I₃ − I₂)/(I₁ I₃)) e meio período 2 K(k)/p: Landau & Lifshitz, Mechanics, §37
+spun-about-the-middle-axis-with-a-disturbance-of-0-001-rad-s-about-the-other-two-what-a-racket-does = Girado em torno do eixo intermediário com uma perturbação de 0,001 rad/s em torno dos outros dois: o que faz uma raquete, ou uma porca borboleta.
+beside-the-unstable-axis-10-s = Ao lado do eixo instável, 10 s
+taylor-series-to-thirty-digits = série de Taylor com trinta algarismos
+beside-the-unstable-axis-100-s = Ao lado do eixo instável, 100 s
+telephone-thrown-flat = Telefone lançado deitado
+growth-rate-of-a-homogeneous-box-i-b-i-a-i-c-i-b-i-a-i-c = taxa de crescimento de um paralelepípedo homogêneo, ω √((I_b − I_a)(I_c − I_b)/(I_a I_c))
+n-0-2-kg-75-mm-by-150-mm-by-8-mm-spun-about-its-middle-axis-the-short-one-in-its-plane-once-and-a = 0,2 kg, 75 mm por 150 mm por 8 mm, girado em torno do eixo intermediário, o mais curto do seu plano, a uma volta e meia por segundo.
+body-of-revolution = Corpo de revolução
+with-i-x-i-y-the-elliptic-functions-are-circular-period-2-1-r-z = com I_x = I_y as funções elípticas são circulares: período 2π/|ψ̇|, ψ̇ = (1 − r) ω_z
+the-free-body-of-rigid-body-free-axisymmetric-at-5-s-is-turned-by-2-5-rad-about-z-the-wrong-way-round = O corpo livre de rigid-body/free-axisymmetric: ω em 5 s está girada de 2,5 rad em torno de z, no sentido contrário.
+permanent-rotation = Rotação permanente
+a-body-spun-exactly-about-a-principal-axis-goes-on-so = um corpo posto a girar exatamente em torno de um eixo principal continua assim
+separatrix = Separatriz
+h-2-t-i-with-the-middle-moment-6-2-2-12-4-1 = H² = 2 T I com o momento intermediário: 6 · 2 · 2² = 12 · 4 · 1²
+y-goes-from-a-to-a-as-a-hyperbolic-tangent-a-1-6-6-2-8-4-5-5-and-p-4-6-6-8-a-z-with-a-z-1-8-2-12-6-11 = ω_y vai de −A a A como uma tangente hiperbólica: A² = 1 + 6 · 6 · 2²/(8 · 4) = 5,5 e p = √(4 · 6/(6 · 8)) A_z com A_z² = 1 + 8 · 2/(12 · 6) = 11/9.
+no-body = Corpo impossível
+each-moment-of-inertia-is-at-most-the-sum-of-the-other-two = cada momento de inércia é no máximo a soma dos outros dois
+what-does-not-turn-has-no-motion = o que não gira não tem movimento
+
+# gyroscopic_couple.toml
+ship-that-steers-to-the-left = Navio em curva para a esquerda
+khurmi-gupta-theory-of-machines-ch-14-example-14-6 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.6
+rotor-of-3500-kg-clockwise-seen-from-the-stern-part-a-the-bow-is-raised-the-reaction-points-to = Rotor de 3500 kg, horário visto da popa; item (a). A proa se levanta: a reação aponta para boreste, −y.
+ship-that-pitches-bow-falling = Navio que arfa, proa descendo
+part-b-simple-harmonic-12-in-all-period-40-s-the-bow-is-pushed-to-port-the-reaction-points-up = Item (b): harmônico simples, 12° ao todo, período de 40 s. A proa é empurrada para bombordo: a reação aponta para cima.
+aircraft-that-turns-to-the-left = Aeronave em curva para a esquerda
+khurmi-gupta-theory-of-machines-ch-14-example-14-3 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.3
+engine-and-propeller-clockwise-seen-from-the-rear-the-nose-is-raised = Motor e hélice, horários vistos de trás: o nariz se levanta.
+turbine-of-a-ship-that-turns-to-the-left = Turbina de um navio em curva para a esquerda
+khurmi-gupta-theory-of-machines-ch-14-example-14-4 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.4
+the-bow-is-raised = A proa se levanta.
+the-book-takes-0-37-rad-s-for-the-precession-which-is-0-3704-rad-s = o livro toma 0,37 rad/s para a precessão, que é 0,3704 rad/s
+largest-couple-and-acceleration-of-a-pitching-ship = Binário e aceleração máximos de um navio que arfa
+khurmi-gupta-theory-of-machines-ch-14-example-14-7 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.7
+n-20-t-6-in-30-s-with-the-bow-rising-and-the-rotor-clockwise-from-the-stern-the-bow-goes-to-starboard = 20 t, ±6° em 30 s. Com a proa subindo e o rotor horário visto da popa, a proa vai para boreste.
+pitching-ship-12-in-all = Navio que arfa, 12° ao todo
+khurmi-gupta-theory-of-machines-ch-14-example-14-9 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.9
+the-same-ship-steers = O mesmo navio em curva
+n-16-1-knots-of-1855-m-h-on-100-m-the-couple-of-the-turn-is-m-k-v-r-500-100-16-1-1855-3600-100-n-m = 16,1 nós de 1855 m/h em 100 m; o binário da curva é m k² ω v/R = 500 · 100π · (16,1 · 1855/3600)/100 N·m.
+ship-that-turns-to-the-right = Navio em curva para a direita
+rattan-theory-of-machines-naval-ship-of-2-2-t-rotor-solution-printed-at-askfilo-com = Rattan, Theory of Machines, navio de guerra com rotor de 2,2 t, solução impressa em askfilo.com
+part-a-the-printed-words-raise-the-bow-for-a-rotor-clockwise-from-aft-and-a-turn-to-the-right-it-is = Item (a). O texto impresso levanta a proa; para um rotor horário visto da popa e uma curva para a direita ela é abaixada, como diz a reação para bombordo, +y.
+the-source-rounds-the-speeds-5-56-m-s-and-20-95-rad-s = a fonte arredonda as velocidades: 5,56 m/s e 20,95 rad/s
+the-printed-effect-bow-raised-has-the-sign-of-a-turn-to-the-left-h-for-the-right-turn-points-to = o efeito impresso, proa levantada, tem o sinal de uma curva para a esquerda; Ω × H da curva para a direita aponta para boreste e sua reação para bombordo, o que abaixa a proa
+ship-whose-bow-rises = Navio cuja proa sobe
+part-b-the-printed-words-turn-the-bow-to-port-it-goes-to-starboard-for-the-reaction-points-down = Item (b). O texto impresso vira a proa para bombordo; ela vai para boreste, pois a reação aponta para baixo.
+the-source-rounds-the-speed-of-the-rotor-and-its-moment-of-inertia = a fonte arredonda a velocidade do rotor e o seu momento de inércia
+the-printed-effect-bow-to-port-belongs-to-a-falling-bow-with-the-bow-rising-the-reaction-points-down = o efeito impresso, proa para bombordo, é o de uma proa que desce; com a proa subindo, a reação aponta para baixo e a vira para boreste
+ship-that-rolls = Navio que balança
+part-c-the-ship-rolls-about-an-axis-along-the-axle-so-there-is-no-couple = Item (c): o navio balança em torno de um eixo paralelo ao do rotor, logo não há binário.
+turbine-on-a-turn-to-port = Turbina em uma curva para bombordo
+freemathhelp-com-thread-110138 = freemathhelp.com, tópico 110138
+the-thread-has-no-answer-m-k-2v-d-810-150-0-005-n-m-the-bow-is-raised = O tópico não traz resposta: m k² ω · 2v/D = 810 · 150π · 0,005 N·m. A proa se levanta.
+flywheel-on-a-ship = Volante em um navio
+irodov-problems-in-general-physics-ship-with-a-flywheel-on-a-fore-and-aft-shaft = Irodov, Problems in General Physics, navio com um volante em um eixo longitudinal
+bearings-of-a-ship-s-turbine = Mancais da turbina de um navio
+meriam-kraige-dynamics-sample-problem-7-8 = Meriam & Kraige, Dynamics, problema resolvido 7/8
+counter-clockwise-seen-from-the-stern-turn-to-port-at-25-knots-12-85-m-s-a-is-the-bearing-aft-0-6-m = Anti-horário visto da popa, curva para bombordo a 25 nós, 12,85 m/s. A é o mancal de trás, a 0,6 m de G, como mostram os sinais impressos.
+the-book-rounds-both-shares-to-three-digits = o livro arredonda as duas parcelas a três algarismos
+disc-between-bearings = Disco entre mancais
+khurmi-gupta-theory-of-machines-ch-14-example-14-2 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.2
+disc-in-the-middle-of-100-mm-precession-of-60-rpm-about-the-upright-the-sense-is-the-one-for-which-a = Disco no meio de 100 mm, precessão de 60 rpm em torno da vertical. O sentido é aquele em que A empurra para cima e B para baixo.
+the-book-rounds-the-moment-of-inertia-to-0-014-kg-m = o livro arredonda o momento de inércia para 0,014 kg·m²
+disc-on-an-axle-held-at-one-end = Disco em um eixo apoiado em uma ponta
+khurmi-gupta-theory-of-machines-ch-14-example-14-1 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.1
+precession-about-an-axis-at-60-to-the-axle = Precessão em torno de um eixo a 60° do eixo do rotor
+closed-form-i-a-sin-i-a-i-t-sin-cos = forma fechada: I_a ω Ω sen θ + (I_a − I_t) Ω² sen θ cos θ
+i-a-2-i-t-1-2-kg-m-50-rad-s-4-rad-s-200-3-0-8-16-3-4-n-m-about-y-on-the-carrier = I_a = 2, I_t = 1,2 kg·m², ω = 50 rad/s, Ω = 4 rad/s: 200√3 + 0,8 · 16 · √3/4 N·m, em torno de −y do veículo.
+engine-across-a-rolling-ship = Motor transversal em um navio que balança
+closed-form-i-a-a-2-t-and-i-t-a-2-t = forma fechada: I_a ω A 2π/T e I_t A (2π/T)²
+a-0-1-rad-t-2-s-p-0-1-rad-s-and-0-1-rad-s-100-200-0-1-n-m-and-60-0-1-n-m = A = 0,1 rad, T = 2π s: ω_p = 0,1 rad/s e α = 0,1 rad/s²; 100 · 200 · 0,1 N·m e 60 · 0,1 N·m.
+no-spin-and-no-second-support = Sem rotação própria e sem segundo apoio
+the-sum-of-moments-only-a-turning-angular-momentum-holds-the-axle-up = a soma dos momentos: só um momento angular que gira sustenta o eixo
+bearings-without-a-mass = Mancais sem massa informada
+the-forces-of-the-bearings-contain-the-weight = as forças dos mancais contêm o peso
+
+# heavy_top.toml
+top-of-0-5-kg-at-35-160-rad-s = Pião de 0,5 kg a 35°, 160 rad/s
+the-quadratic-of-steady-precession-i-t-i-a-cos-i-a-k-0-beer-johnston-dynamics-18-3 = a equação do segundo grau da precessão estacionária (I_t − I_a) cos θ φ̇² − I_a ψ̇ φ̇ + K = 0, Beer & Johnston, Dynamics, §18.3
+moments-of-inertia-about-the-tip-the-equations-of-motion-integrated-from-either-precession-keep-the = Momentos de inércia em relação à ponta. As equações do movimento, integradas a partir de qualquer das duas precessões, mantêm o ângulo.
+the-same-top-by-its-angular-velocity-about-the-axis = O mesmo pião, pela velocidade angular em torno do eixo
+the-quadratic-of-steady-precession-i-t-cos-i-a-k-0-goldstein-classical-mechanics-5-7 = a equação do segundo grau da precessão estacionária I_t cos θ φ̇² − I_a ω₃ φ̇ + K = 0, Goldstein, Classical Mechanics, §5-7
+sleeping-top = Pião adormecido
+stability-of-the-upright-top-i-a-4-i-t-k-goldstein-classical-mechanics-5-7 = estabilidade do pião em pé, I_a² ω₃² ≥ 4 I_t K: Goldstein, Classical Mechanics, §5-7
+a-hundredth-of-a-degree-off-the-vertical-stands-for-upright-what-happens-5-above-and-below-the = Um centésimo de grau fora da vertical vale como em pé. O que acontece 5 % acima e abaixo do limiar está entre os casos de rigid-body/top-nutation.
+spin-for-a-precession-of-5-228-rad-s = Rotação própria para uma precessão de 5,228 rad/s
+top-of-30-rev-s-fast = Pião de 30 rev/s, rápido
+d-halliday-r-resnick-j-walker-fundamentals-of-physics-chapter-on-rolling-torque-and-angular-momentum = D. Halliday, R. Resnick, J. Walker, Fundamentals of Physics, capítulo sobre rolamento, torque e momento angular: problema do pião em precessão, 0,50 kg, 30 rev/s, 30° (resposta impressa: um site de exercícios)
+clockwise-seen-from-above-is-negative-the-precession-has-the-sense-of-the-spin-with-g-9-8-m-s-it-is-2 = O sentido horário visto de cima é negativo; a precessão tem o sentido da rotação própria. Com g = 9,8 m/s² é −2,08 rad/s.
+the-moment-of-the-weight-was-taken-with-sin-30-and-the-angular-momentum-without-it-both-carry-sin-m-g = O momento do peso foi tomado com sen 30° e o momento angular sem ele. Ambos levam sen θ: φ̇ = m g l/(I_a ψ̇) = 2,08 rad/s.
+axis-level = Eixo na horizontal
+at-90-the-quadratic-is-linear-k-i-a = com θ = 90° a equação do segundo grau é linear: φ̇ = K/(I_a ψ̇)
+the-formula-for-fast-tops-is-exact-here-the-transverse-moment-is-given-about-the-mass-centre-4-10-0-5 = A fórmula do pião rápido é exata aqui. O momento transversal é dado em relação ao centro de massa: 4·10⁻⁴ + 0,5 · 0,06² kg·m².
+without-spin-i-a-i-t-cos-k = sem rotação própria (I_a − I_t) cos θ φ̇² = K
+a-top-that-hangs-may-go-around-without-spin-either-way = Um pião pendurado pode dar a volta sem rotação própria, nos dois sentidos.
+the-first-case-with-80-rad-s-the-threshold-is-104-16-rad-s = o primeiro caso com 80 rad/s: o limiar é 104,16 rad/s
+no-spin = Sem rotação própria
+a-top-that-does-not-spin-falls = um pião sem rotação própria cai
+no-precession = Sem precessão
+a-top-whose-axis-does-not-go-around-falls = um pião cujo eixo não dá a volta cai
+
+# impulse.toml
+meteorite-that-hits-a-spinning-satellite = Meteorito que atinge um satélite em rotação
+the-satellite-counts-as-two-thin-discs-of-radius-a-800-mm-each-of-half-its-mass-joined-by-a-light-rod = O satélite conta como dois discos finos de raio a = 800 mm, cada um com metade da sua massa, unidos por uma haste leve de comprimento 2a; gira a 60 rpm. O meteorito, de um milésimo da sua massa, bate com um braço a em relação a G a 2000 m/s, e sua massa é desprezada depois. m = 1000 kg é escolhida aqui; ela se cancela.
+hanging-plate-struck-at-a-corner = Placa suspensa golpeada em um canto
+beer-johnston-dynamics-sample-problem-18-1 = Beer & Johnston, Dynamics, problema resolvido 18.1
+the-plate-hangs-from-two-wires-and-is-struck-at-right-angles-to-itself-the-wires-hold-nothing-in-that = A placa pende de dois fios e é golpeada perpendicularmente a si mesma; os fios nada seguram nessa direção. O livro dá letras: v_G = −F Δt/m k, |ω_x| = 6 F Δt/(m b), |ω_y| = 6 F Δt/(m a); m = 12 kg, a = 0,5 m, b = 0,3 m, F Δt = 4 N·s são escolhidos aqui. Os sinais dependem do canto.
+disc-that-falls-on-a-hook = Disco que cai sobre um gancho
+hibbeler-engineering-mechanics-dynamics-11th-ed-problem-21-30 = Hibbeler, Engineering Mechanics: Dynamics, 11ª ed., problema 21-30
+n-19-lb-1-5-ft-in-diameter-falls-flat-by-2-5-ft-a-hook-takes-hold-of-its-rim-g-32-2-ft-s-as-in-the = 19 lb, 1,5 ft de diâmetro, cai deitado de uma altura de 2,5 ft; um gancho o prende pela borda. g = 32,2 ft/s² como no livro.
+plate-on-a-ball-and-socket-struck-at-a-corner = Placa sobre rótula golpeada em um canto
+hibbeler-engineering-mechanics-dynamics-11th-ed-problem-21-31 = Hibbeler, Engineering Mechanics: Dynamics, 11ª ed., problema 21-31
+square-plate-of-4-kg-and-200-mm-hanging-by-a-corner-o-60-n-s-along-x-at-the-corner-beside-it-the-blow = Placa quadrada de 4 kg e 200 mm, pendurada por um canto O; 60 N·s ao longo de −x no canto ao lado. O golpe em si não está na página disponível; seu valor decorre da reação impressa.
+square-plate-seized-along-an-edge = Placa quadrada presa de repente por uma aresta
+huston-liu-dynamics-of-mechanical-systems-9-12 = Huston & Liu, Dynamics of Mechanical Systems, §9.12
+the-plate-turns-about-its-diagonal-then-an-edge-is-held-with-m-1-kg-a-1-m-1-rad-s-the-speed-after-is = A placa gira em torno da diagonal; depois uma aresta é presa. Com m = 1 kg, a = 1 m, Ω = 1 rad/s, a velocidade depois é a razão √2/8, e o momento angular em relação à aresta é o fator √2/24 de m a² Ω.
+weight-of-a-hollow-cube-that-is-pushed = Peso de um cubo oco que é empurrado
+beer-johnston-dynamics-sculpture-cube-of-18-1 = Beer & Johnston, Dynamics, cubo (escultura) do §18.1
+a-hollow-cube-of-six-sheets-of-5-ft-turns-about-its-vertical-diagonal-12-5-lbf-for-1-2-s-at-a-corner = Um cubo oco de seis chapas de 5 ft gira em torno da sua diagonal vertical. 12,5 lbf durante 1,2 s em um canto, perpendicularmente ao plano da diagonal e do canto; depois uma volta leva 5 s, 12 rpm. Seu raio de giração é a √(5/18) = 2,635231 ft em relação a todo eixo por G; as 100 lb se cancelam.
+rod-struck-at-its-end = Haste golpeada na extremidade
+closed-form-v-g-j-m-6-j-m-l-the-instantaneous-axis-lies-l-6-beyond-the-middle = forma fechada: v_G = J/m, ω = 6 J/(m L); o eixo instantâneo fica L/6 além do meio
+level-rod-whose-end-hits-a-smooth-floor = Haste horizontal cuja extremidade bate em um piso liso
+closed-form-j-1-m-v-4 = forma fechada: J = (1 + ε) m v/4
+m-2-kg-l-1-2-m-v-4-m-s-0-j-2-n-s-v-g-3-m-s-down-3-v-2-l = m = 2 kg, L = 1,2 m, v = 4 m/s, ε = 0: J = 2 N·s, v_G = 3 m/s para baixo, ω = 3 v/(2 L).
+ball-that-bounces-with-0-8 = Bola que quica com ε = 0,8
+closed-form-v-v = forma fechada: v′ = ε v
+putty-that-sticks-to-the-end-of-a-rod = Massa de vidraceiro que gruda na extremidade de uma haste
+closed-form-momenta-of-rod-and-putty-together = forma fechada: quantidades de movimento da haste e da massa de vidraceiro juntas
+rod-of-2-kg-and-1-2-m-putty-of-0-5-kg-at-10-m-s-across-its-end-g-moves-by-0-12-m-i-0-384-kg-m-h-2-4 = Haste de 2 kg e 1,2 m, massa de vidraceiro de 0,5 kg a 10 m/s, transversal à extremidade da haste: G desloca-se 0,12 m, I = 0,384 kg·m², H = 2,4 kg·m²/s.
+surface-that-the-point-leaves = Superfície da qual o ponto se afasta
+rod-held-along-itself = Haste presa ao longo de si mesma
+mass-for-a-speed-without-an-axis = Massa para uma velocidade, sem eixo
+
+# mass_properties.toml
+three-rods-along-the-axes = Três hastes ao longo dos eixos
+closed-form-three-equal-rods-m-l-at-right-angles-welded-at-their-ends = forma fechada: três hastes iguais m, L em ângulo reto, soldadas pelas extremidades
+about-o-i-x-2-m-l-3-no-products-about-g-at-l-6-from-each-plane-i-x-m-l-2-i-xy-m-l-12-principal = Em relação a O: I_x = 2 m L²/3, sem produtos. Em relação a G, a L/6 de cada plano: I_x = m L²/2, I_xy = −m L²/12; momentos principais m L²/2 ± …: 2 m L²/3 em relação à reta (1; 1; 1), 5 m L²/12 transversalmente a ela.
+u-shaped-rod = Haste em U
+hibbeler-engineering-mechanics-dynamics-11th-ed-problem-21-13 = Hibbeler, Engineering Mechanics: Dynamics, 11ª ed., problema 21-13
+two-legs-of-1-ft-joined-by-a-cross-piece-of-1-ft-1-5-lb-ft = Duas pernas de 1 ft unidas por uma travessa de 1 ft, 1,5 lb/ft.
+solid-cone-about-a-generator = Cone maciço em relação a uma geratriz
+hibbeler-engineering-mechanics-dynamics-11th-ed-problem-21-12 = Hibbeler, Engineering Mechanics: Dynamics, 11ª ed., problema 21-12
+the-line-runs-through-the-apex-along-a-generator-the-page-shows-g-32-2-ft-s-but-its-0-0962-needs-the = A reta passa pelo vértice ao longo de uma geratriz. A página mostra g = 32,2 ft/s², mas o seu 0,0962 exige a libra-massa (g = 32,174): com 32,2 seria 0,0961.
+solid-cone-about-a-generator-in-si = Cone maciço em relação a uma geratriz, no SI
+hibbeler-engineering-mechanics-dynamics-14th-ed-in-si-units-problem-21-9 = Hibbeler, Engineering Mechanics: Dynamics, 14ª ed. em unidades do SI, problema 21-9
+n-3-20-m-r-4-h-r-r-h-3-10-m-r-h-r-h-2-08125-1-0125 = 3/20 m (r² + 4 h²) r²/(r² + h²) + 3/10 m r² h²/(r² + h²) = 2,08125 + 1,0125.
+slender-rod-about-its-end = Haste delgada em relação à extremidade
+standard-tables-of-mass-moments-of-inertia-meriam-kraige-dynamics-table-d-4-per-unit-mass = tabelas usuais de momentos de inércia de massa (Meriam & Kraige, Dynamics, tabela D/4), por unidade de massa
+quarter-of-a-ring-about-its-centre = Quarto de anel em relação ao seu centro
+thin-half-disc-about-the-centre-of-its-circle = Meio disco fino em relação ao centro do seu círculo
+thin-rectangular-plate-about-a-corner = Placa retangular fina em relação a um canto
+thin-right-angled-triangle-about-its-right-angle = Triângulo retângulo fino em relação ao ângulo reto
+half-cylinder-about-the-middle-of-its-axis = Meio cilindro em relação ao meio do seu eixo
+cone-about-its-apex = Cone em relação ao vértice
+conical-shell-about-its-apex = Casca cônica em relação ao vértice
+hemispherical-shell-about-its-centre = Casca semiesférica em relação ao centro
+paraboloid-about-its-vertex = Paraboloide em relação ao vértice
+tetrahedron-about-its-corner = Tetraedro em relação ao canto
+bent-plate = Placa dobrada
+meriam-kraige-dynamics-sample-problem-7-6-the-moments-of-its-working = Meriam & Kraige, Dynamics, problema resolvido 7/6: os momentos da sua resolução
+part-a-125-mm-by-100-mm-in-the-plane-yz-part-b-75-mm-by-150-mm-parallel-to-xz-at-y-125-mm-70-kg-m-i = Parte A, 125 mm por 100 mm, no plano yz; parte B, 75 mm por 150 mm, paralela a xz em y = 125 mm; 70 kg/m². I_xy = m_B · 37,5 mm · 125 mm.
+hollow-cube-of-six-sheets = Cubo oco de seis chapas
+beer-johnston-dynamics-sculpture-cube-of-18-1-i-0-2778-m-a-about-any-line-through-g = Beer & Johnston, Dynamics, cubo (escultura) do §18.1: I = 0,2778 m a² em relação a qualquer reta por G
+with-m-1-kg-and-a-1-m-the-numbers-are-those-of-m-a-all-axes-through-g-are-alike-5-18-m-a = Com m = 1 kg e a = 1 m os números são os de m a². Todos os eixos por G são iguais: 5/18 m a².
+hollow-box-of-six-plates = Caixa oca de seis placas
+beer-johnston-dynamics-problem-18-7-the-box-of-problem-18-6-made-of-plates = Beer & Johnston, Dynamics, problema 18.7: o paralelepípedo do problema 18.6, feito de placas
+base-0-3-m-by-0-3-m-height-0-6-m-5-kg-over-10-a-of-plate-i-37-60-m-a-and-i-z-3-10-m-a = Base de 0,3 m por 0,3 m, altura de 0,6 m, 5 kg em 10 a² de placa. Iₓ = 37/60 m a² e I_z = 3/10 m a².
+spoked-wheel = Roda de raios
+closed-form-rim-hub-and-two-rods-through-the-middle = forma fechada: aro, cubo e duas hastes pelo meio
+i-z-0-75-2-12-0-004-i-0-375-1-12-2-3-0-004-0-0064-12 = I_z = 0,75 + 2/12 + 0,004; Iₓ = 0,375 + 1/12 + 2 (3 · 0,004 + 0,0064)/12.
+satellite-of-two-discs = Satélite de dois discos
+beer-johnston-dynamics-sample-problem-18-6-its-moments-of-inertia = Beer & Johnston, Dynamics, problema resolvido 18.6: seus momentos de inércia
+i-z-m-a-2-i-i-y-5-m-a-4-with-m-1000-kg-a-0-8-m = I_z = m a²/2, Iₓ = I_y = 5 m a²/4 com m = 1000 kg, a = 0,8 m.
+square-plate-with-a-round-hole = Placa quadrada com furo circular
+closed-form-a-hole-is-a-negative-mass = forma fechada: um furo é uma massa negativa
+m-10-0-4-kg-about-o-i-z-10-6-0-4-0-04-2-0-04-and-i-10-12-0-4-0-01 = m = 10 − 0,4 π kg; em relação a O, I_z = 10/6 − 0,4 π (0,04/2 + 0,04) e Iₓ = 10/12 − 0,4 π · 0,01.
+disc-with-its-axis-along-1-1-1 = Disco com o eixo ao longo de (1; 1; 1)
+closed-form-i-i-t-1-i-a-i-t = forma fechada: I = I_t 1 + (I_a − I_t) λ λᵀ
+plate-turned-by-an-euler-angle-of-45 = Placa girada de um ângulo de Euler de 45°
+closed-form-mohr-circle-of-the-plate = forma fechada: círculo de Mohr da placa
+the-long-side-lies-along-1-1-0-i-xy-m-a-12-m-b-12-2-0 = O lado maior fica ao longo de (−1; 1; 0): I_xy = (m a²/12 − m b²/12)/2 < 0.
+triangle-on-its-edge = Triângulo em pé sobre um lado
+closed-form-the-triangular-plate-in-the-plane-zx-its-legs-along-z-and-x = forma fechada: a placa triangular no plano zx, com os catetos ao longo de z e x
+leg-a-along-z-leg-b-along-x-i-zx-m-a-b-36-about-g-and-m-a-b-12-about-the-right-angle = Cateto a ao longo de z, cateto b ao longo de x: I_zx = −m a b/36 em relação a G e m a b/12 em relação ao ângulo reto.
+known-about-a-point-wanted-about-g = Inércia conhecida em relação a um ponto, procurada em relação a G
+closed-form-theorem-of-parallel-axes-back-to-g = forma fechada: teorema dos eixos paralelos, de volta a G
+m-10-kg-d-0-2-0-2-0-2-m-each-moment-loses-0-8-each-product-0-4-kg-m = m = 10 kg, d = (0,2; 0,2; 0,2) m: cada momento perde 0,8, cada produto 0,4 kg·m².
+known-by-radii-of-gyration = Inércia conhecida pelos raios de giração
+closed-form-i-m-k = forma fechada: I = m k²
+k-y-0-4-m-and-a-distance-of-0-3-m-k-l-0-5-m = k_y = 0,4 m e uma distância de 0,3 m: k_L = 0,5 m.
+a-hole-as-large-as-the-body = Um furo tão grande quanto o corpo
+a-moment-larger-than-the-two-others = Um momento maior que os dois outros
+refusal-the-triangle-inequality = recusa: a desigualdade triangular
+products-too-large-for-the-moments = Produtos grandes demais para os momentos
+refusal-not-positive-definite = recusa: não é definida positiva
+density-of-a-line = Massa específica de uma linha
+a-bore-wider-than-the-cylinder = Um furo mais largo que o cilindro
+the-corner-of-a-sphere = O canto de uma esfera
+a-line-without-direction = Uma reta sem direção
+
+# momentum.toml
+disc-on-an-axle-rolling-about-a-fixed-point = Disco em um eixo, rolando em torno de um ponto fixo
+beer-johnston-dynamics-sample-problem-18-2 = Beer & Johnston, Dynamics, problema resolvido 18.2
+disc-of-radius-r-at-the-end-of-an-axle-og-of-length-l-which-is-pivoted-at-o-the-disc-spins-at-about = Disco de raio r na ponta de um eixo OG de comprimento L, articulado em O; o disco gira a ω₁ em torno do eixo e rola no piso: O e o ponto de contato estão em repouso. O livro dá letras; m = 3 kg, r = 150 mm, L = 400 mm, ω₁ = 20 rad/s são escolhidos aqui: ω_y = −r ω₁/L, H_Oz = 0, T = m r² (6 + r²/L²) ω₁²/8.
+box-turning-about-its-diagonal = Paralelepípedo que gira em torno da diagonal
+beer-johnston-dynamics-problem-18-6-9th-to-12th-ed = Beer & Johnston, Dynamics, problema 18.6 (9ª à 12ª ed.)
+solid-box-a-by-a-by-2a-with-m-1-kg-a-1-m-and-1-rad-s-the-magnitude-is-the-factor-of-m-a = Paralelepípedo maciço de a por a por 2a. Com m = 1 kg, a = 1 m e ω = 1 rad/s, o módulo é o fator de m a² ω.
+hollow-box-turning-about-its-diagonal = Caixa oca que gira em torno da diagonal
+beer-johnston-dynamics-problem-18-7-the-box-of-problem-18-6-made-of-six-plates = Beer & Johnston, Dynamics, problema 18.7: o paralelepípedo do problema 18.6, feito de seis placas
+no-printed-answer-i-i-y-37-60-m-a-i-z-3-10-m-a-h-g-m-a-2-37-60-6-10-6-its-angle-to-the-diagonal = Sem resposta impressa. Iₓ = I_y = 37/60 m a², I_z = 3/10 m a²: |H_G| = m a² ω √(2 (37/60)² + (6/10)²)/√6, seu ângulo com a diagonal arccos((37/60 · 2 + 6/10 · 2)/(√6 √(2 (37/60)² + (6/10)²))).
+bent-plate-on-a-shaft = Placa dobrada em um eixo
+meriam-kraige-dynamics-sample-problem-7-6 = Meriam & Kraige, Dynamics, problema resolvido 7/6
+part-a-in-the-plane-yz-part-b-parallel-to-xz-at-y-125-mm-70-kg-m-30-rad-s-about-z-h-o-i-zx-i-yz-i-z = Parte A no plano yz, parte B paralela a xz em y = 125 mm, 70 kg/m², 30 rad/s em torno de z. H_O = (−I_zx; −I_yz; I_z) ω.
+three-particles-on-a-shaft = Três partículas em um eixo
+meriam-kraige-dynamics-problem-7-53 = Meriam & Kraige, Dynamics, problema 7/53
+particles-m-at-b-0-b-0-b-2b-and-on-the-axis-on-light-rods-30-rad-s-in-the-sense-z-with-m-1-kg-and-b-1 = Partículas m em (b; 0; b), em (0; b; 2b) e no eixo, em hastes leves; 30 rad/s no sentido −z. Com m = 1 kg e b = 1 m.
+three-particles-on-a-shaft-linear-momentum = Três partículas em um eixo: quantidade de movimento
+the-page-prints-2-m-b-its-own-lines-give-2-m-b-here-m-1-kg-b-1-m-and-1-rad-s = A página imprime √2 m b ω²; suas próprias linhas dão √2 m b ω. Aqui m = 1 kg, b = 1 m e ω = 1 rad/s.
+disc-on-an-arm-welded-to-a-shaft = Disco em um braço soldado a um eixo
+beer-johnston-statics-and-dynamics-8th-ed-problem-18-46 = Beer & Johnston, Statics and Dynamics, 8ª ed., problema 18.46
+the-disc-spins-at-16-rad-s-about-y-on-the-arm-the-shaft-turns-at-8-rad-s-about-x-the-sheet-writes-15 = O disco gira a 16 rad/s em torno de y no braço, o eixo gira a 8 rad/s em torno de x. A folha escreve uma vez 15 rad/s; só 16 rad/s dá os seus 23,5 J (15 daria 22,3 J).
+beer-johnston-dynamics-10th-11th-ed-disc-of-problems-18-5-18-99-and-18-105 = Beer & Johnston, Dynamics, 10ª/11ª ed., disco dos problemas 18.5, 18.99 e 18.105
+i-m-r-4-0-0225-i-z-m-r-2-0-045-kg-m-h-c-i-j-i-z-k = Iₓ = m r²/4 = 0,0225, I_z = m r²/2 = 0,045 kg·m²: H_C = Iₓ ω₁ j + I_z ω₂ k.
+slender-satellite-that-ends-in-a-flat-spin = Satélite esbelto que acaba girando transversalmente
+major-axis-rule-energy-is-lost-at-constant-angular-momentum-explorer-1 = regra do eixo maior: perde-se energia com o momento angular constante (Explorer 1)
+f-1-2-10-6-rad-s-share-of-energy-lost-1-1-2-6-tables-print-the-speed-as-1-9999999999999998-which-is = ω_f = 1,2 · 10/6 rad/s; parcela da energia perdida 1 − 1,2/6. As tabelas imprimem a velocidade como 1,9999999999999998, que é o arredondamento de 2.
+angular-velocity-from-the-angular-momentum = Velocidade angular a partir do momento angular
+closed-form-i-with-one-product-of-inertia = forma fechada: I⁻¹ com um produto de inércia
+i-2-i-y-3-i-z-4-i-xy-1-kg-m-3-5-1-5-5-5-2-5-5-2-4-3-2-rad-s = Iₓ = 2, I_y = 3, I_z = 4, I_xy = 1 kg·m²: ω = ((3 · 5 + 1 · 5)/5; (5 + 2 · 5)/5; 2) = (4; 3; 2) rad/s.
+rolling-wheel = Roda que rola
+closed-form-t-3-4-m-v = forma fechada: T = 3/4 m v²
+a-disc-of-10-kg-and-0-5-m-radius-rolls-at-4-m-s-the-point-of-contact-is-fixed-t-120-j-l-40-n-s-about = Um disco de 10 kg e 0,5 m de raio rola a 4 m/s: o ponto de contato é fixo. T = 120 J, L = 40 N·s, em relação ao ponto de contato 3/2 m r v = 30 kg·m²/s.
+rod-asked-to-turn-about-itself = Haste levada a girar em torno de si mesma
+an-axis-without-direction = Um eixo sem direção
+resting-points-across-the-axis = Pontos em repouso transversais ao eixo
+
+# motion.toml
+heavy-top-after-2-s = Pião após 2 s
+br-ls-cardona-arnold-2012-heavy-top-benchmark-with-the-reference-values-that-kynema-prints = Brüls, Cardona & Arnold (2012), problema de referência do pião, com os valores de referência que o Kynema imprime
+the-mass-centre-is-1-m-along-y-from-the-fixed-point-and-the-moments-are-about-the-mass-centre-kynema = O centro de massa está a 1 m do ponto fixo ao longo de y, e os momentos são em relação ao centro de massa. O Kynema integra com um método de segunda ordem e passos de 2 µs: sua posição erra por 1,6e-6 m. Aceleração angular em relação ao ponto fixo e aceleração do centro de massa em t = 0: um teste irmão parte, em vez disso, de −692,307 rad/s² e −0,654 m/s², que são ω_y ω_z e −g/15, e não as acelerações deste pião.
+the-printed-position-is-that-of-a-method-of-second-order = A posição impressa é a de um método de segunda ordem.
+angular-velocity-of-the-heavy-top-after-2-s = Velocidade angular do pião após 2 s
+br-ls-cardona-arnold-2012-heavy-top-benchmark-converged-value-of-exudyn-explicit-lie-group = Brüls, Cardona & Arnold (2012), problema de referência do pião, valor convergido do EXUDYN (integradores explícitos em grupos de Lie)
+published-is-the-component-along-y-converged-to-2e-9-rad-s-the-other-two-stand-here-as-found = O valor publicado é a componente em Y, convergida até 2e-9 rad/s; as outras duas figuram aqui como foram obtidas.
+angular-velocity-of-the-heavy-top-after-10-ms = Velocidade angular do pião após 10 ms
+published-is-the-component-along-y-the-other-two-stand-here-as-found = O valor publicado é a componente em Y; as outras duas figuram aqui como foram obtidas.
+fast-top-let-go-at-0-05-rad = Pião rápido solto a 0,05 rad
+simo-wong-1991-heavy-symmetrical-top-as-the-validation-manual-of-solfec-gives-it = Simo & Wong (1991), pião simétrico pesado, como o dá o manual de validação do Solfec
+the-axis-starts-at-rest-and-nutates-between-0-05-rad-cos-0-99875-as-printed-and-a-root-of-the-cubic = O eixo parte do repouso e nuta entre 0,05 rad (cos θ = 0,99875, como impresso) e uma raiz da cúbica da integral da energia, 0,0545516902 rad. Nenhum corpo tem 5 kg·m² em relação a um ponto a 1 m dos seus 20 kg; o movimento depende só de m g l.
+free-body-of-revolution-after-5-s = Corpo de revolução livre após 5 s
+closed-form-a-turn-by-h-t-i-t-about-h-after-one-by-1-i-a-i-t-z-t-about-z = forma fechada: um giro de |H| t/I_t em torno de H, depois de um de (1 − I_a/I_t) ω_z t em torno de z
+with-i-t-1-i-a-0-5-kg-m-and-0-5-0-5-1-rad-s = Com I_t = 1, I_a = 0,5 kg·m² e ω = (0,5; 0,5; 1) rad/s.
+free-body-of-revolution-after-5-s-by-a-coarse-run = Corpo de revolução livre após 5 s, por um cálculo grosseiro
+kynema-regression-test-of-a-precessing-free-body-test-precession = Kynema, teste de regressão de um corpo livre em precessão (test_precession)
+the-moments-are-1-1-and-0-5-kg-m = Os momentos são 1, 1 e 0,5 kg·m².
+printed-is-what-a-method-of-second-order-gives-with-steps-of-10-ms-kept-to-notice-changes-the-closed = O valor impresso é o que dá um método de segunda ordem com passos de 10 ms, guardado para notar mudanças; a forma fechada dá −0,630514.
+printed-is-what-a-method-of-second-order-gives-with-steps-of-10-ms-the-closed-form-gives-0-604805-0 = O valor impresso é o que dá um método de segunda ordem com passos de 10 ms; a forma fechada dá 0,604805; −0,303124; −0,380498.
+spinning-up-about-the-axis-of-revolution = Aceleração em torno do eixo de revolução
+closed-form-z-z0-m-t-i-a-and-the-part-across-the-axis-turns-by-i-a-i-t-i-t-z-dt = forma fechada: ω_z = ω_z0 + M t/I_a, e a parte transversal ao eixo gira de (I_a − I_t)/I_t ∫ω_z dt
+the-question-of-an-examination-manchester-1999-with-numbers-chosen-here = A questão de um exame (Manchester, 1999) com números escolhidos aqui.
+body-near-its-unstable-axis-after-10-s = Corpo perto do seu eixo instável após 10 s
+euler-s-equations-by-a-taylor-series-in-30-digits = equações de Euler por uma série de Taylor com 30 algarismos
+moments-1-2-and-3-kg-m-turning-about-the-middle-axis-with-a-little-about-the-others = Momentos 1, 2 e 3 kg·m², girando em torno do eixo intermediário com um pouco em torno dos outros.
+compound-pendulum-let-go-level = Pêndulo físico solto na horizontal
+closed-form-2-m-g-a-sin-j-for-a-fall-by = forma fechada: ω² = 2 m g a sen φ/J para uma queda de φ
+ends-when-its-line-has-fallen-by-60-at-150-to-the-upward-vertical = Termina quando sua linha caiu 60°, a 150° da vertical para cima.
+harmonic-torque-about-a-principal-axis = Torque harmônico em torno de um eixo principal
+closed-form-m-i-1-cos-t = forma fechada: ω = M/(I Ω) (1 − cos Ω t)
+from-rest-with-m-0-8-n-m-i-2-kg-m-3-rad-s-t-2-s-the-phase-of-0-makes-the-torque-a-sine-given-with = A partir do repouso, com M = 0,8 N·m, I = 2 kg·m², Ω = 3 rad/s, t = 2 s; a fase de 0 faz do torque um seno. Dado com produtos de inércia nulos.
+products-of-inertia-that-no-body-has = Produtos de inércia que nenhum corpo tem
+closed-form-the-moments-1-2-of-the-plane-xy-are-not-both-positive = forma fechada: os momentos 1 ± 2 do plano xy não são ambos positivos
+rod-let-go-level-about-its-end = Haste solta na horizontal, em torno da extremidade
+closed-form-3-g-sin-l-for-a-fall-by = forma fechada: ω² = 3 g sen φ/l para uma queda de φ
+the-rod-is-described-as-a-whole-along-x-from-its-end-at-the-origin-it-ends-fallen-by-60-with-3-9-81 = A haste é descrita como um todo, ao longo de x a partir da extremidade na origem; termina caída 60°, com ω² = 3 · 9,81 · sen 60°/0,8.
+
+# rate_of_change.toml
+dumbbell-on-a-vertical-axis = Haltere em um eixo vertical
+university-of-manchester-pc167-sheet-4-question-1 = University of Manchester, PC167, folha 4, questão 1
+particles-of-1-5-kg-at-0-4-m-either-way-on-a-light-rod-50-from-the-axis-z-at-12-rad-s-h-2-m-l-sin-m-2 = Partículas de 1,5 kg a 0,4 m de cada lado em uma haste leve, a 50° do eixo z, a 12 rad/s: H = 2 m l² ω sen θ, M = 2 m l² ω² sen θ cos θ. Posições no plano xz.
+oblique-rod-on-an-axle = Haste oblíqua em um eixo
+irodov-problems-in-general-physics-oblique-rod-turning-on-an-axle = Irodov, Problems in General Physics, haste oblíqua que gira em um eixo
+printed-in-symbols-m-1-12-m-l-sin-along-the-axle-m-sin-change-over-half-a-turn-1-12-m-l-sin-2-moment = Impresso em símbolos: M = (1/12) m l² ω sen θ, ao longo do eixo M sen θ, variação em meia volta (1/12) m l² ω sen 2θ, momento (1/24) m l² ω² sen 2θ. Aqui m = 2 kg, l = 0,8 m, θ = 65°, ω = 10 rad/s.
+rod-of-example-4 = Haste do exemplo 4
+riul-unit-ii-example-4 = Riul, Unidade II, exemplo 4
+m-2-kg-b-0-4-m-10-rad-s-the-rod-25-below-the-horizontal-towards-x-m-z-1-6-m-b-sin-50 = m = 2 kg, b = 0,4 m, ω = 10 rad/s, a haste 25° abaixo da horizontal, no sentido de x: M_z = −(1/6) m b² ω² sen 50°.
+disc-on-an-arm-r-0-203-m = Disco em um braço, r = 0,203 m
+riul-unit-ii-example-3 = Riul, Unidade II, exemplo 3
+here-r-0-203-m-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-stands-on-a-figure-that-is-lost-of = Aqui r = 0,203 m: as notas imprimem H = 3,63 r² j + 21,78 r² k; o raio está em uma figura que se perdeu, de cujos números só se conhece 0,406 m.
+disc-on-an-arm-r-0-1015-m = Disco em um braço, r = 0,1015 m
+here-r-0-1015-m-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-stands-on-a-figure-that-is-lost-of = Aqui r = 0,1015 m: as notas imprimem H = 3,63 r² j + 21,78 r² k; o raio está em uma figura que se perdeu, de cujos números só se conhece 0,406 m.
+disc-on-an-arm-r-0-406-m = Disco em um braço, r = 0,406 m
+here-r-0-406-m-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-stands-on-a-figure-that-is-lost-of = Aqui r = 0,406 m: as notas imprimem H = 3,63 r² j + 21,78 r² k; o raio está em uma figura que se perdeu, de cujos números só se conhece 0,406 m.
+plate-welded-to-a-shaft-that-speeds-up = Placa soldada a um eixo que acelera
+university-homework-square-plate-on-a-vertical-shaft-at-30 = Lista de exercícios universitária, placa quadrada em um eixo vertical a 30°
+a-plate-of-1-kg-and-side-2-m-is-welded-by-the-middle-o-of-an-edge-y-along-its-middle-line-30-from-the = Uma placa de 1 kg e lado de 2 m é soldada pelo meio O de uma aresta, y ao longo da sua linha média, a 30° do eixo; 3 rad/s, crescendo a 5 rad/s². A página imprime H_O = 0,866 i + 2,5 k: o i é erro de impressão por j, como mostram a sua própria força e o seu momento.
+a-misprint-the-component-0-866-is-along-j-the-middle-line-of-the-plate-only-so-do-the-printed-force = um erro de impressão: a componente 0,866 é em j, a linha média da placa; só assim decorrem a força e o momento impressos
+the-same-disc-from-axes-fixed-in-it = O mesmo disco, em eixos fixos nele
+closed-form-i-z-turned-by-90-about-z = forma fechada: I_z ω₁ω₂ girado de 90° em torno de z
+disc-of-4-kg-and-0-2-m-on-an-arm-at-5-rad-s-spinning-at-10-rad-s-a-quarter-turn-on-the-couple-4-i-of = Disco de 4 kg e 0,2 m em um braço a 5 rad/s, girando a 10 rad/s, um quarto de volta depois: o binário 4 i do braço é −4 j do disco.
+four-boxes-on-precession-nutation-and-spin = Quatro paralelepípedos em precessão, nutação e rotação própria
+this-program-four-boxes-on-the-chain-3-1-3-with-accelerations-held-to-the-difference-quotient-of-r-i = este programa: quatro paralelepípedos na cadeia 3-1-3 com acelerações, comparados com a razão incremental de R I Rᵀ ω
+no-printed-answer-in-axes-that-are-neither-fixed-nor-those-of-the-body-about-the-fixed-origin = Sem resposta impressa. Em eixos que não são nem os fixos nem os do corpo, em relação à origem fixa.
+the-same-four-boxes-in-fixed-axes = Os mesmos quatro paralelepípedos nos eixos fixos
+this-program-the-components-of-the-same-vectors-in-the-fixed-axes = este programa: as componentes dos mesmos vetores nos eixos fixos
+axis-without-length = Eixo sem comprimento
+an-axis-must-have-a-direction = um eixo deve ter uma direção
+
+# reactions.toml
+shaft-with-one-branch-that-swings-down = Eixo com um ramo que cai
+hibbeler-engineering-mechanics-dynamics-14th-ed-problem-21-46-21-41-of-the-12th = Hibbeler, Engineering Mechanics: Dynamics, 14ª ed., problema 21-46 (21-41 da 12ª)
+rods-of-5-kg-m-a-shaft-of-3-m-between-a-which-takes-the-axial-force-too-and-b-and-a-branch-of-1-m-at = Hastes de 5 kg/m: um eixo de 3 m entre A, que recebe também a força axial, e B, e um ramo de 1 m a 1 m de A, nivelado neste instante, com o eixo girando livremente a 2 rad/s. O livro imprime os módulos das forças transversais; elas apontam do ramo para o eixo, aqui ao longo de −y.
+two-spheres-on-opposite-arms = Duas esferas em braços opostos
+meriam-kraige-dynamics-4th-ed-problem-7-75 = Meriam & Kraige, Dynamics, 4ª ed., problema 7/75
+printed-in-symbols-m-r-3-at-each-bearing-in-opposite-senses-here-m-2-kg-r-0-25-m-40-rad-s-shaft-of-0 = Impresso em símbolos: m R ω²/3 em cada mancal, em sentidos opostos. Aqui m = 2 kg, R = 0,25 m, ω = 40 rad/s, eixo de 0,9 m.
+plate-that-turns-about-its-diagonal = Placa que gira em torno da diagonal
+analytic-couple-m-a-b-b-a-12-a-b-forces-couple-a-b-of-the-kind-of-manchester-pc167-sheet-4 = analítico: binário m a b (b² − a²) ω²/12(a² + b²), forças binário/√(a² + b²); do tipo de Manchester PC167, folha 4
+plate-of-4-kg-0-3-m-by-0-5-m-on-bearings-at-the-ends-of-a-diagonal-at-25-rad-s = Placa de 4 kg, 0,3 m por 0,5 m, em mancais nas extremidades de uma diagonal, a 25 rad/s.
+disc-out-of-square-on-its-shaft = Disco fora de esquadro em seu eixo
+khurmi-gupta-theory-of-machines-ch-14-example-14-17 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.17
+disc-of-30-kg-and-0-6-m-diameter-1-out-of-square-at-1200-rev-min-the-shaft-holds-it-like-a-weld = Disco de 30 kg e 0,6 m de diâmetro, 1° fora de esquadro, a 1200 rev/min. O eixo o prende como uma solda.
+ship-s-rotor-in-a-turn = Rotor de navio em curva
+course-handout-on-gyroscopes-example-4-3 = Apostila de curso sobre giroscópios, exemplo 4.3
+rotor-of-1000-kg-the-statement-says-100-the-solution-takes-1000-k-200-mm-5000-rev-min-clockwise-seen = Rotor de 1000 kg (o enunciado diz 100, a solução toma 1000), k = 200 mm, 5000 rev/min, horário visto de trás, em uma curva para a esquerda de 500 m a 30 m/s; mancais afastados de 1,2 m. x para a frente, y para bombordo, z para cima; o rotor no meio dos eixos da curva, pois a apostila omite a força centrípeta. Qual mancal tem a maior força é resposta nossa: o de trás.
+plate-of-1-kg-and-side-2-m-welded-by-the-middle-o-of-an-edge-y-along-its-middle-line-30-from-the = Placa de 1 kg e lado de 2 m soldada pelo meio O de uma aresta; y ao longo da sua linha média, a 30° do eixo, z normal a ela; 3 rad/s, crescendo a 5 rad/s²; sem peso. Nos eixos da placa.
+rod-held-at-60-by-a-wire = Haste mantida a 60° por um fio
+beer-johnston-dynamics-sample-problem-18-3 = Beer & Johnston, Dynamics, problema resolvido 18.3
+rod-of-8-ft-and-40-lbf-pinned-at-a-to-an-axle-that-turns-at-15-rad-s-about-the-vertical-y-held-by-a = Haste de 8 ft e 40 lbf, articulada em A a um eixo que gira a 15 rad/s em torno da vertical y, mantida por um fio horizontal em B; g = 32,2 ft/s².
+multiplied-from-rounded-components-of-the-angular-momentum = multiplicado a partir de componentes arredondadas do momento angular
+shaft-with-two-rods-driven-from-rest = Eixo com duas hastes, acionado a partir do repouso
+beer-johnston-dynamics-sample-problem-18-4-with-its-layout-assumed = Beer & Johnston, Dynamics, problema resolvido 18.4, com a disposição suposta
+rods-of-100-mm-and-300-g-on-a-light-shaft-of-600-mm-along-y-at-a-quarter-of-it-along-z-at-three = Hastes de 100 mm e 300 g em um eixo leve de 600 mm: ao longo de y a um quarto dele, ao longo de z a três quartos; 6 N·m; as forças do movimento a 1200 rev/min. À mão: α = 6/(2 · 0,3 · 0,1²/3) = 3000 rad/s², m r ω² = 236,87 N e m r α = 45 N repartidos na razão 3 : 1.
+disc-on-an-axle-that-rolls-on-the-floor = Disco em um eixo, rolando no piso
+beer-johnston-dynamics-sample-problems-18-2-and-18-5 = Beer & Johnston, Dynamics, problemas resolvidos 18.2 e 18.5
+disc-of-3-kg-and-150-mm-on-a-light-axle-of-400-mm-with-a-ball-and-socket-at-o-rolling-on-a-level = Disco de 3 kg e 150 mm em um eixo leve de 400 mm com uma rótula em O, rolando em um piso nivelado a 20 rad/s em torno do eixo: dá a volta a r ω₁/L = 7,5 rad/s. A velocidade constante, o piso exerce só uma força normal.
+rod-of-example-4-as-a-weld = Haste do exemplo 4, como solda
+unbalanced-rotor-between-bearings-a-quarter-turn-on = Rotor desbalanceado entre mancais, um quarto de volta depois
+closed-form-m-g-2-and-m-e-2-at-each-bearing = forma fechada: m g/2 e m e ω²/2 em cada mancal
+n-10-kg-at-1-mm-from-the-axis-100-rad-s-with-its-heavy-side-up-49-05-n-from-the-weight-and-50-n-from = 10 kg a 1 mm do eixo, 100 rad/s, com o lado pesado para cima: 49,05 N do peso e 50 N do movimento em cada mancal.
+box-on-a-turntable = Caixa em uma plataforma giratória
+closed-form-r-g = forma fechada: µ = ω² r/g
+at-0-3-m-from-the-axis-and-3-rad-s-it-needs-a-friction-of-2-7-9-81-not-to-slide = A 0,3 m do eixo e 3 rad/s, precisa de um atrito de 2,7/9,81 para não deslizar.
+sled-pulled-over-a-sliding-floor = Trenó puxado, deslizando sobre um piso
+closed-form-n-m-g-friction-n-against-the-sliding = forma fechada: N = m g, atrito µ N contra o deslizamento
+a-force-of-10-n-at-the-contact-on-a-particle-of-2-kg-that-a-table-turns-at-0-rad-s-the-wire-takes = Uma força de 10 N no contato, sobre uma partícula de 2 kg que uma mesa gira a 0 rad/s; o fio recebe o que o atrito de 0,2 deixa.
+hanging-rod-held-in-by-a-wire = Haste pendente retida por um fio
+closed-form-the-wire-carries-nothing-at-3-g-2-l-cos-and-m-l-3-sin-m-g-tan-2-at-another-speed = forma fechada: o fio nada suporta com ω² = 3 g/(2 L cos θ), e m L ω²/3 · sen θ − m g tan θ/2 a outra velocidade
+rod-of-1-kg-and-0-6-m-hinged-on-the-axis-60-from-hanging-with-a-level-wire-to-the-shaft-at-its-end-at = Haste de 1 kg e 0,6 m articulada sobre o eixo, a 60° da posição pendente, com um fio horizontal da sua ponta ao eixo; a 10 rad/s, 17,320508 − 8,495709 N.
+shaft-kept-from-turning-by-a-key = Eixo impedido de girar por uma chaveta
+closed-form-the-couple-of-the-key-is-m-g-e = forma fechada: o binário da chaveta é m g e
+n-10-kg-at-0-1-m-to-the-side-of-the-shaft-at-rest-10-9-81-0-1-n-m-about-x = 10 kg a 0,1 m ao lado do eixo, em repouso: 10 · 9,81 · 0,1 N·m em torno de x.
+two-bearings-that-both-take-the-axial-force = Dois mancais que recebem ambos a força axial
+closed-form-one-equation-along-the-shaft-for-two-forces = forma fechada: uma só equação ao longo do eixo para duas forças
+overhung-rotor-on-one-bearing = Rotor em balanço em um só mancal
+closed-form-nothing-takes-the-moment-across = forma fechada: nada recebe o momento transversal
+free-couple-on-a-welded-plate = Binário livre em uma placa soldada
+closed-form-a-weld-does-not-let-it-turn = forma fechada: uma solda não o deixa girar
+
+# rod_on_shaft.toml
+rod-welded-to-a-vertical-shaft-at-30 = Haste soldada a um eixo vertical, a 30°
+the-notes-print-m-1-6-m-b-sin-2-k-and-h-g-1-3-m-b-cos-sin-i-cos-j-in-symbols-the-numbers-are-chosen = As notas imprimem M = −(1/6) m b² ω² sen 2β k e H_G = (1/3) m b² ω cos β (sen β i + cos β j) em símbolos; os números são escolhidos aqui. Com m b² = 0,54 kg·m² e ω = 20 rad/s: M_z = −36 sen 60° N·m, H_G = 1,8 √3 (1/2 i + √3/2 j) kg·m²/s. O ângulo é medido a partir da horizontal.
+rod-at-25-to-the-horizontal = Haste a 25° da horizontal
+the-printed-formula-with-m-2-kg-b-0-4-m-10-rad-s-m-z-16-3-sin-50-n-m = A fórmula impressa com m = 2 kg, b = 0,4 m, ω = 10 rad/s: M_z = −(16/3) sen 50° N·m.
+printed-in-symbols-with-the-angle-from-the-axle-and-the-length-l-2b-m-1-12-m-l-sin-along-the-axle-m = Impresso em símbolos, com o ângulo θ a partir do eixo e o comprimento l = 2b: M = (1/12) m l² ω sen θ, ao longo do eixo M sen θ, momento sobre o eixo (1/24) m l² ω² sen 2θ. Aqui m = 2 kg, l = 0,8 m, θ = 65°, ω = 10 rad/s.
+horizontal-rod-speeding-up = Haste horizontal que acelera
+closed-form-m-i-j-for-a-principal-axis = forma fechada: M = I α j para um eixo principal
+at-0-the-shaft-is-a-principal-axis-no-couple-tilts-it-and-i-0-18-50-n-m-speeds-the-rod-up = Com β = 0 o eixo de rotação é um eixo principal: nenhum binário o inclina, e I α = 0,18 · 50 N·m acelera a haste.
+
+# rolling_cone.toml
+solid-cone-of-25-rolling-at-2-2-rad-s = Cone maciço de 25° rolando a 2,2 rad/s
+landau-lifshitz-mechanics-32-problem-7-with-numbers-chosen-here = Landau & Lifshitz, Mechanics, §32, problema 7, com números escolhidos aqui
+t-3-m-h-1-5-cos-40-the-normal-force-must-stay-between-the-apex-and-the-edge-of-the-base-0-4414-m-away = T = 3 m h² φ̇² (1 + 5 cos² α)/40. A força normal deve ficar entre o vértice e a borda da base, a 0,4414 m.
+conical-shell-given-by-its-angular-velocity = Casca cônica dada pela velocidade angular
+closed-form-t-i-a-cos-i-t-sin-2 = forma fechada: T = (I_a cos² α + I_t sen² α) ω²/2
+n-30-h-0-3-m-m-1-kg-i-a-m-r-2-i-t-m-r-4-h-2-through-the-apex-4-cot-30-rad-s = α = 30°, h = 0,3 m, m = 1 kg: I_a = m r²/2, I_t = m (r²/4 + h²/2) pelo vértice; ω = 4 cot 30° rad/s.
+cone-on-the-point-of-tipping = Cone a ponto de tombar
+closed-form-m-g-s-l-cos-i-a-cos-i-t-sin-cot = forma fechada: m g (s − l cos α) = (I_a cos² α + I_t sen² α) cot α φ̇²
+the-solid-cone-of-25-at-the-precession-that-brings-the-normal-force-to-the-edge-of-its-base = O cone maciço de 25° na precessão que leva a força normal à borda da sua base.
+
+# rolling_motion.toml
+rolling-coin-after-0-5-s = Moeda que rola, após 0,5 s
+rill-schaeffer-2010-rolling-coin-with-the-value-that-the-test-of-exudyn-prints = Rill & Schaeffer (2010), moeda que rola, com o valor que o teste do EXUDYN imprime
+thin-disc-of-10-mm-tilted-by-1-from-the-vertical-let-go-with-1800-s-about-the-vertical-exudyn-calls = Disco fino de 10 mm inclinado de 1° da vertical, solto com 1800°/s em torno da vertical. O EXUDYN chama os seus momentos (1/2; 1/4; 1/4) m r² de momentos de um anel; são os de um disco fino. Seu valor é o de um cálculo com amortecimento numérico; convergido, x = 2,004947 mm, y = 2,596923 mm.
+the-printed-value-is-that-of-a-run-with-numerical-damping-converged-it-is-0-002004947-m = O valor impresso é o de um cálculo com amortecimento numérico; convergido, é 0,002004947 m.
+the-same-coin-to-all-digits = A mesma moeda, com todos os algarismos
+the-equations-of-the-rolling-disc-by-a-method-of-runge-and-kutta-with-5000-steps = as equações do disco que rola, por um método de Runge e Kutta com 5000 passos
+disc-on-a-steady-circle = Disco em círculo, em regime permanente
+closed-form-g-cos-sin-3-a-2-r-cos-4-here-over-half-a-turn = forma fechada: φ̇² = g cos θ/(sen θ (3 a/2 + r cos θ/4)), aqui ao longo de meia volta
+r-0-3-m-a-2-m-70-1-086320525-rad-s-a-r-cos-after-half-a-turn-the-contact-is-2-a-r-cos-4-2052121-m-to = r = 0,3 m, a = 2 m, θ = 70°: φ̇ = 1,086320525 rad/s, ψ̇ = −φ̇ (a/r + cos θ). Após meia volta o contato está 2 (a + r cos θ) = 4,2052121 m à esquerda de onde começou.
+upright-disc-rolling-straight-on = Disco em pé rolando em linha reta
+closed-form-x-v-t = forma fechada: x = v t
+at-2-m-s-twice-the-least-speed-nothing-tilts-it = A 2 m/s, o dobro da menor velocidade, nada o inclina.
+disc-that-falls-over-from-rest-and-lifts-off = Disco que tomba do repouso e salta
+closed-form-a-disc-let-go-on-its-edge-falls-about-the-tangent-at-the-contact-m-g-r-cos-i-t-m-r = forma fechada: um disco solto apoiado na borda tomba em torno da tangente no contato, θ̈ = −m g r cos θ/(I_t + m r²)
+with-i-t-m-r-4-4-5-g-cos-80-r-at-the-start-then-8-5-g-r-sin-80-sin-the-normal-force-m-g-z-is-gone = Com I_t = m r²/4: θ̈ = −(4/5) g cos 80°/r no início, depois θ̇² = (8/5)(g/r)(sen 80° − sen θ). A força normal m (g + z̈) se anula onde 0,2 + 2,4 sen² θ = 1,6 sen 80° sen θ, em 28,98°, muito antes de ele ficar deitado.
+disc-that-lies-flat-from-the-start = Disco deitado desde o início
+closed-form-3-is-below-the-angle-that-counts-as-flat = forma fechada: 3° está abaixo do ângulo que conta como deitado
+
+# rolling_stability.toml
+disc-rolling-straight-on = Disco rolando em linha reta
+closed-form-v-g-r-3-for-a-thin-disc-routh = forma fechada: v² = g r/3 para um disco fino (Routh)
+the-eigenvalues-of-the-equations-linearised-by-differences-are-at-their-limit-there-too = Os autovalores das equações, linearizadas por diferenças, também estão no seu limite ali.
+disc-spinning-on-the-spot = Disco girando no lugar
+closed-form-g-5-r-4-for-a-thin-disc = forma fechada: Ω² = g/(5 r/4) para um disco fino
+stable-from-5-1147-rad-s-on-at-4-rad-s-a-tilt-grows = Estável de 5,1147 rad/s em diante; a 4 rad/s uma inclinação cresce.
+hoop-spinning-on-the-spot = Aro girando no lugar
+closed-form-g-3-r-2-for-a-thin-hoop = forma fechada: Ω² = g/(3 r/2) para um aro fino
+hoop-rolling-straight-on-by-its-radii-of-gyration = Aro rolando em linha reta, pelos raios de giração
+closed-form-v-g-r-4-for-a-thin-hoop = forma fechada: v² = g r/4 para um aro fino
+k-a-r-and-k-t-r-2 = k_a = r e k_t = r/√2.
+
+# rotation_chain.toml
+disc-on-a-tilted-motor = Disco em um motor inclinado
+meriam-kraige-dynamics-sample-problem-7-2 = Meriam & Kraige, Dynamics, problema resolvido 7/2
+the-disc-turns-at-120-rev-min-about-the-axis-z-of-the-motor-and-the-motor-at-60-rev-min-about-an-axis = O disco gira a 120 rev/min em torno do eixo z do motor, e o motor a 60 rev/min em torno de um eixo no plano yz, 30° acima de y. O programa que acompanha o problema imprime a componente errada da aceleração (0); o vetor tem 68,4 rad/s² em x.
+disc-on-a-bent-arm = Disco em um braço dobrado
+meriam-kraige-dynamics-sample-problem-7-5 = Meriam & Kraige, Dynamics, problema resolvido 7/5
+the-arm-turns-at-3-rad-s-about-the-vertical-which-lies-in-its-plane-yz-at-30-from-z-the-disc-spins-at = O braço gira a 3 rad/s em torno da vertical, que fica no seu plano yz a 30° de z; o disco gira a 8 rad/s em torno de y.
+crane-that-turns-and-raises-its-boom = Guindaste que gira e levanta a lança
+beer-johnston-dynamics-crane-of-the-sample-problems-of-chapter-15 = Beer & Johnston, Dynamics, guindaste dos problemas resolvidos do cap. 15
+the-cab-turns-at-0-30-rad-s-about-the-vertical-y-the-boom-of-12-m-is-at-30-and-rises-at-0-50-rad-s = A cabine gira a 0,30 rad/s em torno da vertical y; a lança de 12 m está a 30° e sobe a 0,50 rad/s em relação à cabine.
+multiplied-from-rounded-velocities = multiplicado a partir de velocidades arredondadas
+arm-and-disc-of-example-3 = Braço e disco do exemplo 3
+the-arm-turns-at-4-rad-s-about-y-the-disc-at-12-rad-s-about-the-z-axis-of-the-arm-4-j-12-k-4-j-12-k = O braço gira a 4 rad/s em torno de y, o disco a 12 rad/s em torno do eixo z do braço: ω = 4 j + 12 k, α = 4 j × 12 k = 48 i rad/s².
+precession-nutation-and-spin-in-the-axes-of-the-body = Precessão, nutação e rotação própria nos eixos do corpo
+closed-form-sin-sin-cos-y-sin-cos-sin-z-cos-and-their-rates = forma fechada: ωₓ = φ̇ sen θ sen ψ + θ̇ cos ψ, ω_y = φ̇ sen θ cos ψ − θ̇ sen ψ, ω_z = φ̇ cos θ + ψ̇, e suas taxas de variação
+euler-angles-about-z-x-and-z-the-components-of-in-axes-fixed-in-the-body-are-the-rates-of-those-of-0 = Ângulos de Euler em torno de z, x′ e z″; as componentes de α nos eixos fixos no corpo são as derivadas das de ω. φ = 0,3 rad não entra.
+rotor-of-a-ship-that-pitches = Rotor de um navio que arfa
+closed-form-a-p-cos-pt-a-p-sin-pt-j-j-i = forma fechada: θ̇ = A p cos pt, θ̈ = −A p² sen pt, α = θ̈ j + θ̇ j × Ω i
+pitch-of-6-either-way-in-20-s-2-s-after-the-middle-the-rotor-turns-at-2000-rev-min-about-the-fore-and = Arfagem de 6° para cada lado em 20 s, 2 s depois do meio; o rotor gira a 2000 rev/min em torno do eixo longitudinal. Visto do navio.
+wheel-of-a-car-in-a-bend = Roda de um automóvel em curva
+closed-form-v-r-k-i = forma fechada: α = v/R k × ω i
+n-80-km-h-round-a-circle-of-50-m-to-the-left-the-wheel-turning-at-600-rev-min-about-the-axis-that = 80 km/h em um círculo de 50 m para a esquerda, a roda girando a 600 rev/min em torno do eixo que aponta para a esquerda, y. Seu centro move-se com o carro, a 50 m do centro da curva.
+
+# spinning_disc_on_arm.toml
+disc-on-an-arm-m-3-63-kg = Disco em um braço, m = 3,63 kg
+the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-stands-on-a-figure-that-is-lost-of-its-numbers-only-0 = As notas imprimem H = 3,63 r² j + 21,78 r² k. O raio está em uma figura que se perdeu (dos seus números só se conhece 0,406 m): supõe-se aqui 0,203 m, a metade disso. Com ele r² = 0,041209 m².
+disc-of-150-mm-on-arm-abc = Disco de 150 mm no braço ABC
+the-printed-moments-of-inertia-a-quarter-and-a-half-of-m-r = Os momentos de inércia impressos; um quarto e metade de m r².
+kinetic-energy-of-a-disc-on-a-shaft-and-arm = Energia cinética de um disco em eixo e braço
+there-the-shaft-turns-about-x-and-the-disc-spins-about-y-here-these-axes-are-called-y-and-z-the = Lá o eixo gira em torno de x e o disco em torno de y; aqui esses eixos chamam-se y e z. O centro está afastado do eixo 180 mm em cada uma de duas direções: √2 · 180 mm.
+disc-of-example-3-a-quarter-turn-later-spinning-up = Disco do exemplo 3 um quarto de volta depois, acelerando
+closed-form-m-a-i-z-i-i-d-j-i-z-k-turned-by-90-about-y = forma fechada: M_A = I_z ω₁ω₂ i + I_d α₁ j + I_z α₂ k, girado de 90° em torno de y
+with-m-r-0-16-kg-m-i-d-0-04-and-i-z-0-08-kg-m-at-90-the-x-axis-of-the-arm-points-along-z-and-its-z = Com m r² = 0,16 kg·m², I_d = 0,04 e I_z = 0,08 kg·m². Em φ = 90° o eixo x do braço aponta para −Z e o seu eixo z para X.
+
+# steady_rolling.toml
+thin-hoop-at-62-on-a-circle-of-0-9-m = Aro fino a 62° em um círculo de 0,9 m
+hibbeler-dynamics-11th-ed-problem-21-69-manual-of-solutions-the-numbers-are-chosen-here = Hibbeler, Dynamics, 11ª ed., problema 21-69, manual de soluções; os números são escolhidos aqui
+the-manual-gives-a-formula-its-own-moment-equation-m-a-r-sin-m-g-r-cos-m-r-2-a-r-cos-r-sin-m-r-2-a-r = O manual dá uma fórmula. A sua própria equação dos momentos, m a φ̇² r sen θ − m g r cos θ = −(m r²/2) ((a + r cos θ)/r) φ̇² sen θ − (m r²/2)(a/r) φ̇² sen θ, leva a 2 g cos θ = φ̇² sen θ (4 a + r cos θ); a linha impressa em seguida só conserva (a + r cos θ).
+an-algebra-slip-between-two-printed-lines-4a-r-cos-became-a-r-cos-with-the-moment-equation-as-printed = Um deslize de álgebra entre duas linhas impressas: 4a + r cos θ virou a + r cos θ. Com a equação dos momentos como impressa, φ̇ = 1,6752 rad/s, que também deixa θ em repouso nas equações do aro que rola; e em um círculo grande tan(inclinação) = 2 v²/(g a), como deve ser para um aro.
+the-same-hoop-by-its-moment-equation = O mesmo aro, pela equação dos momentos
+closed-form-2-g-cos-sin-4-a-r-cos-for-a-hoop = forma fechada: φ̇² = 2 g cos θ/(sen θ (4 a + r cos θ)) para um aro
+disc-at-70-from-its-speed = Disco a 70°, a partir da velocidade
+closed-form-g-cos-sin-3-a-2-r-cos-4-for-a-disc = forma fechada: φ̇² = g cos θ/(sen θ (3 a/2 + r cos θ/4)) para um disco
+the-speed-is-that-which-the-formula-gives-for-70 = A velocidade é a que a fórmula dá para θ = 70°.
+coin-that-wobbles-about-a-resting-centre-at-10 = Moeda que bamboleia com o centro em repouso, a 10°
+closed-form-with-the-centre-at-rest-a-disc-precesses-with-4-g-r-sin = forma fechada: com o centro em repouso, um disco precessa com φ̇² = 4 g/(r sen θ)
+the-last-motion-of-a-coin-on-a-table-the-radius-being-37-5-mm = O último movimento de uma moeda em uma mesa, com raio de 37,5 mm.
+hoop-on-a-large-circle = Aro em um círculo grande
+closed-form-tan-lean-2-v-g-a-for-a-hoop-whose-circle-is-much-larger-than-itself = forma fechada: tan(inclinação) = 2 v²/(g a) para um aro cujo círculo é muito maior que ele mesmo
+at-a-lean-of-10-on-a-circle-of-3-km-v-g-a-tan-10-2-to-a-part-in-10 = Com inclinação de 10° em um círculo de 3 km: v² = g a tan 10°/2, a uma parte em 10⁵.
+
+# top_nutation.toml
+axis-held-at-35-and-let-go = Eixo segurado a 35° e solto
+zeros-of-the-cubic-of-energy-and-angular-momenta-goldstein-classical-mechanics-5-7 = zeros da cúbica da energia e dos momentos angulares, Goldstein, Classical Mechanics, §5-7
+the-axis-stands-still-at-its-highest-position-cusps-for-a-fast-top-the-frequency-would-be-i-a-2-i-t-4 = O eixo para na sua posição mais alta: cúspides. Para um pião rápido a frequência seria I_a ω₃/(2π I_t) = 4,63 Hz; aqui fica bem abaixo.
+loops = Laços
+zeros-of-the-cubic-period-and-precession-by-quadrature-to-twenty-digits = zeros da cúbica; período e precessão por quadratura com vinte algarismos
+loops-from-any-start = Laços, a partir de um início qualquer
+let-go-downwards-and-backwards = Solto para baixo e para trás.
+waves = Ondas
+sleeping-top-5-above-its-threshold = Pião adormecido, 5 % acima do limiar
+let-go-0-1-mrad-off-the-vertical-the-same-from-the-integrated-equations = solto a 0,1 mrad da vertical; o mesmo pelas equações integradas
+sleeping-top-5-below-its-threshold = Pião adormecido, 5 % abaixo do limiar
+it-wakes-up-falls-to-36-and-comes-back = Ele desperta, cai até 36° e volta.
+top-of-simo-and-wong = Pião de Simo e Wong
+j-c-simo-k-k-wong-unconditionally-stable-algorithms-for-rigid-body-dynamics-int-j-numer-meth-eng-31 = J. C. Simo, K. K. Wong, Unconditionally stable algorithms for rigid body dynamics, Int. J. Numer. Meth. Eng. 31 (1991); posição mais baixa pela cúbica
+m-20-g-1-and-l-1-moments-of-inertia-5-and-1-about-the-fixed-point-cosine-of-the-angle-after-10-s-0 = M = 20, g = 1 e l = 1, momentos de inércia 5 e 1 em relação ao ponto fixo. Cosseno do ângulo após 10 s: 0,998530450481.
+fast-top-of-the-multibody-benchmarks-2-s = Pião rápido dos problemas de referência de multicorpos, 2 s
+o-br-ls-a-cardona-m-arnold-lie-group-generalized-time-integration-of-constrained-flexible-multibody = O. Brüls, A. Cardona, M. Arnold, Lie group generalized-α time integration of constrained flexible multibody systems, Mechanism and Machine Theory 48 (2012), pião; altura do centro de massa em 2 s por integração com treze algarismos, −0,673022269560 m
+i-a-0-46875-and-i-t-0-234375-15-1-kg-m-let-go-level-with-precession-4-61538-rad-s-its-axis-passes-0 = I_a = 0,46875 e I_t = 0,234375 + 15 · 1² kg·m². Solto na horizontal com precessão de −4,61538 rad/s: seu eixo passa a 0,00004° do ponto mais baixo.
+a-top-that-does-not-turn-swings-as-a-pendulum = Um pião que não gira oscila como um pêndulo
+half-the-period-of-a-pendulum-let-go-level-4-k-1-2-l-g-2 = metade do período de um pêndulo solto na horizontal, 4 K(1/√2) √(l/g)/2
+steady-precession = Precessão estacionária
+the-slow-root-of-i-t-cos-i-a-k-0 = a raiz lenta de I_t cos θ φ̇² − I_a ω₃ φ̇ + K = 0
+transverse-moment-unknown = Momento transversal desconhecido
+nutation-depends-on-it = a nutação depende dele
+
+# turn_indicator.toml
+level-turn-at-800-km-h = Curva nivelada a 800 km/h
+beer-johnston-dynamics-turn-indicator-of-an-aircraft-solution-printed-at-askfilo-com = Beer & Johnston, Dynamics, indicador de curva de uma aeronave, solução impressa em askfilo.com
+disc-of-200-g-40-mm-10-000-rpm-the-springs-of-500-n-m-100-mm-apart-and-the-radius-of-600-m-complete = Disco de 200 g, 40 mm, 10 000 rpm; as molas de 500 N/m, afastadas de 100 mm, e o raio de 600 m completam os dados.
+the-source-sets-the-centripetal-force-of-the-aircraft-against-the-springs-and-finds-an-angle-of-164 = a fonte põe a força centrípeta da aeronave contra as molas, e acha um ângulo de 164 voltas; o que inclina o garfo é o binário giroscópico, 0,062 N·m, contra 2 k (d/2)² sen θ: 1,42°
+level-turn-our-value = Curva nivelada, nosso valor
+closed-form-sin-i-a-2-k-d-2-i-a-i-t = forma fechada: sen θ = I_a ω Ω/(2 k (d/2)² − (I_a − I_t) Ω²)
+the-gyroscopic-couple-with-the-axle-level-is-0-062056-n-m-the-part-i-a-i-t-changes-the-angle-in-the = O binário giroscópico com o eixo do rotor nivelado é 0,062056 N·m. A parte (I_a − I_t) Ω² altera o ângulo no quinto algarismo.
+the-indicator-shows-30 = O indicador mostra 30°
+closed-form-with-i-a-i-t-i-a-k-sin = forma fechada: com I_a = I_t, I_a ω Ω = K sen θ
+n-0-001-100-2-100-0-05-0-5-n-m = 0,001 · 100 · Ω = 2 · 100 · 0,05² · 0,5 N·m.
+springs-that-are-too-soft = Molas flexíveis demais
+sin-cannot-be-above-1 = sen θ não pode ser maior que 1
+
+# two_bladed_rotor.toml
+airscrew-with-two-blades = Hélice de duas pás
+bevan-the-theory-of-machines-ch-2-example-13 = Bevan, The Theory of Machines, cap. 2, exemplo 13
+n-250-lb-ft-with-g-32-2-ft-s-1600-rpm-150-mph-on-500-ft-the-book-measures-the-blades-from-the-axis-of = 250 lb·ft² com g = 32,2 ft/s², 1600 rpm, 150 mph em 500 ft. O livro mede as pás a partir do eixo do binário (37°); aqui elas estão a 53° do eixo da precessão: T (1 − cos 2·37°) e T sen 2·37°.
+the-small-part-about-the-axle = A pequena parcela em torno do eixo do rotor
+closed-form-i-sin-2-2-which-the-book-neglects = forma fechada: I Ω² sen 2χ / 2, que o livro despreza
+the-same-airscrew-0-44-rad-s = A mesma hélice, 0,44 rad/s.
+rod-of-12-kg = Haste de 12 kg
+closed-form-a-uniform-rod-blades-along-and-across-the-precession = forma fechada: uma haste uniforme, com as pás ao longo da precessão e transversais a ela
+m-l-12-4-kg-m-100-rad-s-and-0-5-rad-s-2-200-n-m-with-the-blades-along-the-axis-of-the-precession-0 = m L²/12 = 4 kg·m², 100 rad/s e 0,5 rad/s: 2 · 200 N·m com as pás ao longo do eixo de precessão, 0 com elas transversais a ele; 200 · √2 a 45°.
+symmetric-rotor-as-a-limit = Rotor simétrico como caso-limite
+closed-form-with-i-b-i-c-nothing-pulses = forma fechada: com I_b = I_c nada pulsa
+moments-that-no-body-has = Momentos que nenhum corpo tem
+i-a-i-b-i-c-for-every-body = I_a ≤ I_b + I_c para todo corpo
+
+# two_wheeler_lean.toml
+motorcycle-at-90-km-h = Motocicleta a 90 km/h
+khurmi-gupta-theory-of-machines-ch-14-example-14-15 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.15
+speed-for-a-lean-of-45 = Velocidade para uma inclinação de 45°
+closed-form-v-g-r-1-i-m-r-h = forma fechada: v² = g R/(1 + I/(m r h))
+i-m-r-h-3-5-45-with-the-same-motorcycle-v-490-5-1-7-90-m-s = I/(m r h) = 3,5/45 com a mesma motocicleta: v = √(490,5/(1 + 7/90)) m/s.
+without-turning-parts = Sem partes girantes
+closed-form-tan-v-g-r = forma fechada: tan θ = v²/(g R)
+v-g-r-45-and-the-tyres-need-1 = v² = g R: 45°, e os pneus precisam de µ = 1.
+radius-to-the-track = Raio até o rastro
+closed-form-the-speed-for-a-lean-put-back = forma fechada: a velocidade para uma inclinação, substituída de volta
+at-30-the-centre-of-mass-runs-on-10-0-5-m-v-g-tan-30-10-9-5-without-turning-parts = A 30° o centro de massa percorre 10 − 0,5 m: v² = g tan 30° · 10²/9,5; sem partes girantes.
+engine-that-turns-against-the-wheels = Motor que gira ao contrário das rodas
+closed-form-i-2-i-w-g-i-e-0-leaves-the-lean-of-a-particle = forma fechada: I = 2 I_w − G I_e = 0 deixa a inclinação de uma partícula
+with-the-moments-of-inertia-of-the-whole-vehicle = Com os momentos de inércia do veículo inteiro
+closed-form-m-g-h-sin-m-v-h-r-i-v-r-r-cos-j-sin-cos-put-back = forma fechada: m g h sen θ = (m v² h/R + I v²/(r R)) cos θ + J Ω² sen θ cos θ, substituída de volta
+n-45-j-10-kg-m-v-m-g-h-m-h-r-i-r-r-10-sin-45-r-with-m-h-150-kg-m-i-3-5-kg-m = θ = 45°, J = −10 kg·m²: v² = m g h/(m h/R + I/(r R) − 10 sen 45°/R²) com m h = 150 kg·m, I = 3,5 kg·m².
+track-within-the-height-of-the-centre-of-mass = Rastro de raio menor que a altura do centro de massa
+the-centre-of-mass-must-stay-on-its-side-of-the-turn = o centro de massa deve ficar do seu lado da curva
+
+# wheel_loads.toml
+car-that-turns-to-the-right = Automóvel em curva para a direita
+khurmi-gupta-theory-of-machines-ch-14-example-14-12-as-worked-in-its-computer-companion = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.12, como resolvido no seu complemento computacional
+wheels-1-and-3-are-the-inner-ones-1-and-2-in-front-engine-train-of-75-kg-k-100-mm-at-four-times-the = As rodas 1 e 3 são as internas, 1 e 2 as da frente. Conjunto do motor de 75 kg, k = 100 mm, a quatro vezes a rotação das rodas, horário visto de frente. Nossas cargas suportam os binários C_W + C_O = 4666,7 N·m; as impressas, só 2334 N·m.
+the-companion-halves-every-load-twice-c-2w-is-already-the-share-of-one-wheel-with-both-sides-at-2-c = o complemento divide cada carga ao meio duas vezes: C/(2w) já é a parcela de uma só roda; com os dois lados em 2 · C/(2w) os momentos em relação ao eixo longitudinal se equilibram
+the-companion-halves-every-load-twice = o complemento divide cada carga ao meio duas vezes
+car-that-turns-to-the-right-our-loads = Automóvel em curva para a direita, nossas cargas
+moments-about-the-long-and-the-cross-axis-of-khurmi-gupta-example-14-12 = momentos em relação aos eixos longitudinal e transversal de Khurmi & Gupta, exemplo 14.12
+trolley-car-with-motors-against-the-wheels = Bonde com motores que giram ao contrário das rodas
+khurmi-gupta-theory-of-machines-ch-14-example-14-10-as-worked-in-its-computer-companion = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.10, como resolvido no seu complemento computacional
+two-axles-of-18-kg-m-two-motors-of-12-kg-m-at-five-times-their-speed-the-other-way-round-the-printed = Dois eixos de 18 kg·m², dois motores de 12 kg·m² a cinco vezes a sua rotação, em sentido contrário. As cargas impressas diferem das nossas em metade da parcela giroscópica.
+the-companion-halves-the-gyroscopic-share-twice-and-the-centrifugal-one-once-7131-74-n-holds-the = o complemento divide a parcela giroscópica ao meio duas vezes e a centrífuga uma; 7131,74 N mantém os momentos em equilíbrio
+the-companion-halves-the-gyroscopic-share-twice-and-the-centrifugal-one-once-5130-76-n-holds-the = o complemento divide a parcela giroscópica ao meio duas vezes e a centrífuga uma; 5130,76 N mantém os momentos em equilíbrio
+trolley-car-our-loads = Bonde, nossas cargas
+moments-about-the-long-axis-of-khurmi-gupta-example-14-10 = momentos em relação ao eixo longitudinal de Khurmi & Gupta, exemplo 14.10
+m-g-4-3333-33-331-85-n-m-2-1-5-m = m g/4 ± (3333,33 − 331,85) N·m/(2 · 1,5 m).
+car-with-its-engine-in-the-rear-the-limit = Automóvel com motor traseiro: o limite
+khurmi-gupta-theory-of-machines-ch-14-example-14-11 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.11
+engine-at-three-times-the-speed-of-the-wheels-in-their-sense-across-the-car = Motor a três vezes a rotação das rodas, no sentido delas, transversal ao automóvel.
+rail-axle-on-a-banked-curve = Rodeiro em curva inclinada
+khurmi-gupta-theory-of-machines-ch-14-example-14-13 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.13
+pair-of-wheels-of-200-kg-with-2000-kg-on-it-superelevation-8 = Rodeiro de 200 kg com 2000 kg sobre ele; superelevação de 8°.
+rail-axle-with-its-transverse-moment-of-inertia = Rodeiro com seu momento de inércia transversal
+closed-form-i-a-cos-i-a-i-t-sin-cos-for-khurmi-gupta-example-14-13 = forma fechada: I_a ω Ω cos β − (I_a − I_t) Ω² sen β cos β para Khurmi & Gupta, exemplo 14.13
+with-i-t-i-a-2-the-couple-falls-from-381-961-to-381-650-n-m = Com I_t = I_a/2 o binário cai de 381,961 para 381,650 N·m.
+extra-load-from-the-spin-of-the-wheels = Carga adicional devida à rotação das rodas
+beer-johnston-dynamics-wheel-of-a-car-on-a-flat-curve-ch-18 = Beer & Johnston, Dynamics, roda de um automóvel em curva plana, cap. 18
+each-wheel-22-kg-575-mm-across-k-225-mm-95-km-h-on-150-m-the-mass-of-1200-kg-and-the-height-of-0-5-m = Cada roda com 22 kg, 575 mm de diâmetro, k = 225 mm; 95 km/h em 150 m. A massa de 1200 kg e a altura de 0,5 m completam os dados e não entram na resposta.
+the-solution-rounds-on-the-way = a solução arredonda no caminho
+sliding-or-overturning = Deslizamento ou tombamento
+closed-form-v-g-r-w-2h-and-v-g-r = forma fechada: v² = g R w/(2h) e v² = µ g R
+without-turning-parts-the-wheels-lift-at-9-81-100-1-5-m-s-and-slide-at-0-64-981-m-s = Sem partes girantes as rodas levantam a √(9,81 · 100 · 1,5) m/s e deslizam a √(0,64 · 981) m/s.
+bank-without-side-force = Pista inclinada sem força lateral
+closed-form-at-tan-v-g-r-the-road-pushes-along-its-normal-alone = forma fechada: com tan β = v²/(g R) a pista empurra apenas ao longo da sua normal
+n-45-v-g-r-all-loads-are-equal-m-g-2-4 = β = 45°, v² = g R: todas as cargas são iguais, m g √2/4.
+centre-of-mass-behind-the-rear-axle = Centro de massa atrás do eixo traseiro
+a-vehicle-at-rest-needs-its-centre-of-mass-between-its-axles = um veículo em repouso precisa ter o centro de massa entre os eixos

@@ -3924,3 +3924,1324 @@ nonlinear-vibration = Vibração não linear
 several-degrees-of-freedom = Vários graus de liberdade
 strings-beams-and-plates = Cordas, vigas e placas
 shafts-and-rotors = Eixos e rotores
+
+### Published cases
+
+# bar_on_two_springs.toml
+car-body-bounce-and-pitch = Carroceria de automóvel: salto vertical e arfagem
+ansys-mechanical-apdl-verification-manual-vm52-thomson-vibration-theory-and-applications-example-6-7 = ANSYS Mechanical APDL Verification Manual, VM52 (Thomson, Vibration Theory and Applications, exemplo 6.7-1)
+the-manual-gives-the-weight-its-mass-is-that-over-32-2-ft-s-its-radius-of-gyration-4-ft = O manual dá o peso; a massa é esse peso sobre 32,2 ft/s², e o raio de giração é de 4 ft.
+a-uniform-bar-on-equal-springs-at-its-ends = Barra uniforme sobre molas iguais nas extremidades
+bounce-2k-m-pitch-6k-m-without-coupling = Salto vertical ω² = 2k/m, arfagem ω² = 6k/m, sem acoplamento
+nodes-of-a-bar-with-unequal-springs = Nós de uma barra com molas desiguais
+k-3-k-1-a-b-1-m-j-1-8-12-0-2-and-6-y-4-2 = k₁ = 3, k₂ = 1, a = b = 1, m = J = 1: λ² − 8λ + 12 = 0, λ = 2 e 6; θ/y = (4 − λ)/2
+both-springs-at-the-same-place = As duas molas no mesmo lugar
+springs-at-one-point-exert-no-moment-about-it-the-pitch-is-free = Molas num mesmo ponto não exercem momento em relação a ele: a arfagem é livre
+
+# base_excitation.toml
+trailer-on-a-wavy-road = Reboque em estrada ondulada
+g-k-grover-mechanical-vibrations-ex-4-4-3 = G. K. Grover, Mechanical Vibrations, ex. 4.4.3
+the-springs-are-known-by-their-static-deflection-no-damping = As molas são conhecidas pela sua deflexão estática; sem amortecimento.
+vehicle-on-a-rough-road = Veículo em estrada irregular
+s-s-rao-mechanical-vibrations-ch-3-vehicle-on-a-rough-road = S. S. Rao, Mechanical Vibrations, cap. 3: veículo em estrada irregular
+the-source-rounds-the-frequency-of-the-road = a fonte arredonda a frequência da estrada
+seismic-mass-at-rest-when-its-base-sets-in = Massa sísmica em repouso quando a base começa a se mover
+g-k-grover-mechanical-vibrations-ex-4-4-1 = G. K. Grover, Mechanical Vibrations, ex. 4.4.1
+free-period-of-0-8-s-the-base-moves-as-18-sin-2-t-mm = Período livre de 0,8 s; a base move-se segundo 18 sen 2πt mm.
+every-damping-meets-at-2 = Todos os amortecimentos se encontram em √2
+at-r-2-the-transmissibility-is-one-for-every-damping-rao-5th-ed-3-6 = Em r = √2 a transmissibilidade é um para qualquer amortecimento (Rao, 5ª ed., §3.6)
+damped-start-of-the-base = Início do movimento da base, com amortecimento
+x-t-of-4-100x-4-100y-with-y-0-01-sin-10t-by-residues-of-the-laplace-transform = x(t) de ẍ + 4ẋ + 100x = 4ẏ + 100y com y = 0,01 sen 10t, por resíduos da transformada de Laplace
+n-0-2-at-resonance-tr-1-16-0-4 = ζ = 0,2 na ressonância: TR = √1,16/0,4.
+undamped-base-at-the-natural-frequency = Excitação pela base na frequência natural, sem amortecimento
+x-y-2-sin-t-t-cos-t-at-t-the-amplitude-grows-by-y-2-each-second = x = (Y/2)(sen ωt − ωt cos ωt) em ωt = π: a amplitude cresce de Yω/2 a cada segundo
+hysteretic-mounts-at-resonance = Coxins histeréticos na ressonância
+tr-1-at-r-1 = TR = √(1 + η²)/η em r = 1
+a-coefficient-without-a-mass = Um coeficiente sem massa
+a-damping-coefficient-says-nothing-without-a-mass = Um coeficiente de amortecimento nada diz sem uma massa
+
+# beam_and_springs.toml
+mass-on-a-cantilever-and-two-springs = Massa sobre viga em balanço e duas molas
+lists-06-08-list-08-question-4 = Listas 06–08, lista 08, questão 4
+the-figure-is-lost-the-printed-formula-has-the-cantilever-beside-the-spring-of-5e5-n-m-both-in-series = A figura se perdeu. A fórmula impressa tem a viga em balanço em paralelo com a mola de 5e5 N/m, e as duas em série com a de 2e5 N/m. O texto impresso diz E = 120 GPa, mas a rigidez que ele dá à viga, 6,05e5 N/m, exige 210 GPa.
+n-1-1-6-05e5-5e5-1-2e5-is-1-69e5-n-m-a-digit-was-miscopied = 1/(1/(6,05e5 + 5e5) + 1/2e5) é 1,69e5 N/m: um algarismo foi copiado errado.
+follows-from-the-miscopied-stiffness-and-from-the-frequency-of-the-force-22-7-rad-s-in-place-of-the = Decorre da rigidez copiada errada e da frequência da força, 22,7 rad/s, no lugar da frequência natural. Os 180 ciclos por minuto contados e o decaimento dão 18,90 rad/s e m = 474,2 kg.
+the-decay-15-1-was-never-used-the-damping-ratio-was-taken-from-1-1-2-with-227-rad-s-for-22-7-which = O decaimento 15:1 nunca foi usado. A razão de amortecimento foi tirada de ω/ωₙ = 1/√(1 − 2ζ²) com 227 rad/s em vez de 22,7, o que dá ζ² = −72; o sinal foi abandonado. O decremento dá ζ = 0,0716 e c = 1284 N·s/m.
+follows-from-12-and-r-0-0832-with-0-0716-and-r-22-7-18-90-the-force-on-the-support-is-2-14-times-the = Decorre de ζ = 12 e r = 0,0832. Com ζ = 0,0716 e r = 22,7/18,90 a força no apoio é 2,14 vezes a força na massa, qualquer que seja a leitura da figura perdida.
+the-cantilever-of-question-4-alone = Só a viga em balanço da questão 4
+the-printed-stiffness-of-the-beam-is-right-with-e-210-gpa = A rigidez impressa da viga está certa, com E = 210 GPa.
+question-4-as-it-should-have-come-out = A questão 4 com o resultado correto
+lists-06-08-list-08-question-4-solved-with-k-1-1-k-4-d-1 = Listas 06–08, lista 08, questão 4, resolvida com k = 1/Σ(1/k), ζ = δ/√(4π² + δ²), ωₙ = ω_d/√(1 − ζ²)
+seven-amplitudes-read-as-seven-cycles = Sete amplitudes lidas como sete ciclos
+lists-06-08-list-08-question-4-another-reading = Listas 06–08, lista 08, questão 4, outra leitura
+the-transmissibility-changes-by-one-per-cent-only = A transmissibilidade muda apenas um por cento.
+the-figure-read-as-the-cantilever-beside-two-springs-in-series = A figura lida como a viga em balanço ao lado de duas molas em série
+mass-and-damping-follow-the-stiffness-the-transmissibility-does-not-change = Massa e amortecimento acompanham a rigidez; a transmissibilidade não muda.
+e-120-gpa-as-printed = E = 120 GPa, como impresso
+three-springs-in-series-beside-two-in-parallel = Três molas em série ao lado de duas em paralelo
+g-k-grover-mechanical-vibrations-ex-2-5-1 = G. K. Grover, Mechanical Vibrations, ex. 2.5.1
+the-mass-that-gives-10-hz-without-damping = A massa que dá 10 Hz sem amortecimento.
+reed-of-a-tachometer-tuned-to-1800-cycles-a-minute = Lâmina de um tacômetro sintonizada em 1800 ciclos por minuto
+g-k-grover-mechanical-vibrations-ex-4-11-4 = G. K. Grover, Mechanical Vibrations, ex. 4.11.4
+a-thin-cantilever-of-rectangular-section-without-damping = Uma viga em balanço delgada, de seção retangular, sem amortecimento.
+three-helical-springs-of-a-truck-side-by-side = Três molas helicoidais de um caminhão lado a lado
+s-s-rao-mechanical-vibrations-si-ed-2017-ex-1-5 = S. S. Rao, Mechanical Vibrations, ed. SI, 2017, ex. 1.5
+only-the-stiffness-is-asked-frequency-and-decay-are-ours = Pede-se apenas a rigidez; a frequência e o decaimento são nossos.
+an-undamped-mass-shaken-at-its-natural-frequency = Massa sem amortecimento excitada na sua frequência natural
+no-steady-state-exists-rao-5th-ed-3-3 = Não existe regime permanente (Rao, 5ª ed., §3.3)
+
+# beam_vibration.toml
+cantilever-roots-of-cos-cosh-1-rao-5th-ed-8-5 = Viga em balanço, raízes de cos β cosh β = −1 (Rao, 5ª ed., §8.5)
+a-steel-strip-of-1-m-40-mm-by-10-mm-f-1-875104-2-ei-m-l-8-3819-hz = Uma lâmina de aço de 1 m, de 40 mm por 10 mm: f₁ = 1,875104²/(2π)·√(EI/(m̄L⁴)) = 8,3819 Hz.
+pinned-and-free-beam = Viga apoiada e livre
+code-aster-validation-manual-document-v2-05-400-roots-of-a-beam-pinned-at-one-end-and-free-at-the = Code_Aster, manual de validação, documento v2.05.400, raízes de uma viga apoiada numa extremidade e livre na outra
+the-turning-of-the-beam-as-a-whole-about-its-pin-is-not-counted = O giro da viga inteira em torno do seu apoio não é contado.
+roots-of-cos-cosh-1-rao-5th-ed-8-5 = Raízes de cos β cosh β = 1 (Rao, 5ª ed., §8.5)
+free-beam = Viga livre
+roots-of-cos-cosh-1-nodes-of-the-first-mode-rao-5th-ed-8-5 = Raízes de cos β cosh β = 1; nós do primeiro modo (Rao, 5ª ed., §8.5)
+the-same-roots-as-clamped-at-both-ends-two-motions-as-a-whole-come-before-them-the-first-mode-is-held = As mesmas raízes da viga biengastada; antes delas vêm dois movimentos como corpo rígido. O primeiro modo fica em repouso a 0,2242 do comprimento a partir de cada extremidade.
+roots-of-tan-tanh-rao-5th-ed-8-5 = Raízes de tan β = tanh β (Rao, 5ª ed., §8.5)
+pinned-bar-under-compression = Barra biapoiada sob compressão
+s-timoshenko-vibration-problems-in-engineering-art-59-target-of-the-verification-problem-vm59-of = S. Timoshenko, Vibration Problems in Engineering, art. 59; valor de referência do problema de verificação VM59 do Ansys Mechanical APDL
+a-bar-of-2-in-by-2-in-and-80-in-under-40000-lbf-density-0-000727973-lbf-s-in = Uma barra de 2 in por 2 in e 80 in sob 40000 lbf; massa específica de 0,000727973 lbf·s²/in⁴.
+the-target-cuts-the-digits-after-17-0558-instead-of-rounding-them = o valor de referência trunca os algarismos depois de 17,0558 em vez de arredondá-los
+the-target-cuts-the-digits-after-105-3258-instead-of-rounding-them = o valor de referência trunca os algarismos depois de 105,3258 em vez de arredondá-los
+short-pinned-beam-in-bending = Viga biapoiada curta em flexão
+code-aster-validation-manual-v2-test-sdll01-bending-modes = Code_Aster, manual de validação V2, teste SDLL01, modos de flexão
+n-1-m-long-0-2-m-deep-0-1-m-wide-the-shear-coefficient-is-1-1-17692 = 1 m de comprimento, 0,2 m de altura, 0,1 m de largura; o coeficiente de cisalhamento é 1/1,17692.
+the-manual-cuts-the-series-of-timoshenko-s-frequency-equation = o manual trunca a série da equação das frequências de Timoshenko
+the-manual-cuts-the-series-of-timoshenko-s-frequency-equation-its-own-finite-elements-give-4370-8-hz = o manual trunca a série da equação das frequências de Timoshenko; os seus próprios elementos finitos dão 4370,8 Hz
+deep-square-beam-in-bending = Viga alta de seção quadrada em flexão
+nafems-test-fv5-bending-modes-target-in-the-verification-problem-vmp09-t5-of-ansys-mechanical-apdl = NAFEMS, teste FV5, modos de flexão; valor de referência no problema de verificação VMP09-T5 do Ansys Mechanical APDL
+n-10-m-long-and-2-m-by-2-m-simply-supported-the-shear-coefficient-is-taken-as-5-6 = 10 m de comprimento e 2 m por 2 m, biapoiada; o coeficiente de cisalhamento é tomado como 5/6.
+the-target-lies-0-1-above-the-exact-root-of-timoshenko-s-equation-with-5-6 = o valor de referência fica 0,1 % acima da raiz exata da equação de Timoshenko com κ = 5/6
+the-target-lies-0-25-above-the-exact-root-of-timoshenko-s-equation-with-5-6 = o valor de referência fica 0,25 % acima da raiz exata da equação de Timoshenko com κ = 5/6
+the-target-lies-0-4-above-the-exact-root-of-timoshenko-s-equation-with-5-6 = o valor de referência fica 0,4 % acima da raiz exata da equação de Timoshenko com κ = 5/6
+cantilever-with-a-heavy-mass-at-its-tip = Viga em balanço com massa pesada na ponta
+n-3ei-l-m-33-140-m-b-rao-5th-ed-2-5 = ω² = 3EI/(L³(m + 33/140 m_b)) (Rao, 5ª ed., §2.5)
+the-effective-mass-of-the-cantilever-33-140-is-that-of-the-static-deflection-exact-in-the-limit-of-a = A massa efetiva da viga em balanço, 33/140, é a da deflexão estática: exata no limite de uma ponta pesada. E I = 700 N·m², 100 kg na ponta de uma viga de 3,12 kg.
+continuous-beam-over-three-supports = Viga contínua sobre três apoios
+symmetry-the-first-mode-of-two-equal-spans-is-that-of-one-span-pinned-at-both-ends-the-second-that-of = Simetria: o primeiro modo de dois vãos iguais é o de um vão biapoiado, o segundo o de um vão engastado no apoio do meio
+beam-on-an-elastic-foundation-under-tension = Viga sobre fundação elástica sob tração
+n-n-l-n-ei-k-l-ei-for-a-beam-pinned-at-both-ends-timoshenko-arts-59-60 = λ = (nπ)⁴ + N L²(nπ)²/(EI) + k L⁴/(EI) para uma viga biapoiada (Timoshenko, arts. 59–60)
+e-i-2-kn-m-n-20-kn-k-200-kn-m-over-1-m-10-100-296-105 = E I = 2 kN·m², N = 20 kN, k = 200 kN/m² em 1 m: λ₁ = π⁴ + 10π² + 100 = 296,105.
+compression-beyond-the-buckling-load = Compressão além da carga de flambagem
+euler-s-buckling-load-ei-l-19-74-kn = Carga de flambagem de Euler π²EI/L² = 19,74 kN
+
+# beam_with_tip_body.toml
+cantilever-with-two-masses-off-its-axis = Viga em balanço com duas massas fora do seu eixo
+nafems-test-fv4-targets-in-the-verification-problem-vmp09-t4-of-ansys-mechanical-apdl = NAFEMS, teste FV4; valores de referência no problema de verificação VMP09-T4 do Ansys Mechanical APDL
+n-10-m-of-round-bar-10000-kg-at-2-m-and-1000-kg-at-2-m-across-the-axis-on-rigid-arms-without-shear = 10 m de barra circular, 10000 kg a +2 m e 1000 kg a −2 m transversalmente à linha de centro, em braços rígidos. Sem cisalhamento e sem inércia de rotação as frequências são as de elementos de pórtico convergidos: 1,723278; 1,726843; 7,413388; 9,974768; 18,1816 e 26,9855 Hz.
+the-target-stands-between-the-theories-of-euler-bernoulli-9-975-hz-and-timoshenko-9-947-hz = o valor de referência fica entre as teorias de Euler–Bernoulli, 9,975 Hz, e de Timoshenko, 9,947 Hz
+the-target-stands-between-the-theories-of-euler-bernoulli-18-182-hz-and-timoshenko = o valor de referência fica entre as teorias de Euler–Bernoulli, 18,182 Hz, e de Timoshenko
+the-target-stands-between-the-theories-of-euler-bernoulli-26-985-hz-and-timoshenko-26-687-hz = o valor de referência fica entre as teorias de Euler–Bernoulli, 26,985 Hz, e de Timoshenko, 26,687 Hz
+the-masses-off-the-axis-by-frame-elements = As massas fora do eixo por elementos de pórtico
+converged-frame-of-euler-bernoulli-elements-with-consistent-masses = Pórtico de elementos de Euler–Bernoulli com massas consistentes, já convergido
+next-to-no-body = Quase nenhum corpo
+cantilever-1-875104-and-4-694091-in-both-planes-torsion-c-4l = Viga em balanço: β = 1,875104 e 4,694091 nos dois planos; torção c/(4L)
+n-1-m-of-round-bar-100-mm-ei-m-125-m-s-69-95-hz-twice-438-4-hz-twice-torsion-g-4-775-22-hz = 1 m de barra circular, 100 mm: √(EI/m̄) = 125 m²/s; 69,95 Hz duas vezes, 438,4 Hz duas vezes, torção √(G/ρ)/4 = 775,22 Hz.
+strip-with-a-mass-beside-its-axis = Lâmina com uma massa fora do seu eixo
+exact-stiffness-at-the-tip-the-balance-of-the-forces-there-as-the-second-way = Rigidez exata na ponta; como segundo método, o equilíbrio das forças nela
+a-tube-without-a-wall = Um tubo sem parede
+the-inner-diameter-must-be-below-the-outer-one = O diâmetro interno deve ser menor que o externo
+
+# coulomb_damping.toml
+amplitude-of-50-mm-to-be-halved = Amplitude de 50 mm a reduzir à metade
+g-k-grover-mechanical-vibrations-ex-3-6-1 = G. K. Grover, Mechanical Vibrations, ex. 3.6.1
+n-5-kg-on-980-n-m-with-0-025-and-g-9-81-m-s-the-print-counts-whole-cycles = 5 kg sobre 980 N/m com µ = 0,025 e g = 9,81 m/s²; o texto impresso conta ciclos inteiros.
+block-pulled-by-an-inch-after-0-09-s = Bloco puxado uma polegada, após 0,09 s
+f-s-tse-i-e-morse-and-r-t-hinkle-mechanical-vibrations-p-175-target-of-the-verification-problem-vm73 = F. S. Tse, I. E. Morse e R. T. Hinkle, Mechanical Vibrations, p. 175; valor de referência do problema de verificação VM73 do Ansys Mechanical APDL
+the-block-on-its-way-back-after-0-102-s = O bloco no caminho de volta, após 0,102 s
+the-block-after-nearly-a-cycle-0-183-s = O bloco após quase um ciclo, 0,183 s
+the-block-at-rest = O bloco em repouso
+n-1-1-16-1-8-7-5-strokes-rounded-up-x-r-1-8-8-in = n = (1 − 1/16)/(1/8) = 7,5 cursos, arredondado para cima; x_R = ∓(1 − 8/8) in
+a-blow-against-friction = Um golpe contra o atrito
+r-f-v-f-2-mm-v-20-mm-then-2f-4-mm-a-stroke = R = √(f² + (v₀/ωₙ)²), f = 2 mm, v₀/ωₙ = 20 mm; depois 2f = 4 mm por curso
+friction-beside-viscous-damping = Atrito ao lado de amortecimento viscoso
+x-q-x-f-1-q-f-2-mm-0-1-from-50-mm = Xₙ₊₁ = q Xₙ − f (1 + q), f = 2 mm, ζ = 0,1, a partir de 50 mm
+friction-that-the-decay-tells-of = Atrito determinado pelo decaimento
+f-k-x-4-f-m-g-the-numbers-of-grover-s-ex-3-6-1-backwards = F = k ΔX/4, µ = F/(m g): os números do ex. 3.6.1 de Grover, ao contrário
+viscous-damping-above-the-critical-one = Amortecimento viscoso acima do crítico
+the-mass-creeps-to-f-k-2-mm = A massa se arrasta até F/k = 2 mm
+a-spring-too-weak-for-the-friction = Mola fraca demais para o atrito
+k-x-0-1-n-is-below-f-0-2-n = k x₀ = 0,1 N está abaixo de F = 0,2 N
+
+# coupled_pendulums.toml
+two-rods-joined-at-their-free-ends = Duas barras unidas nas suas extremidades livres
+g-k-grover-mechanical-vibrations-example-5-3-2 = G. K. Grover, Mechanical Vibrations, exemplo 5.3.2
+rods-of-5-kg-m-and-0-75-m-and-1-m-without-gravity-the-other-mode-is-a-turn-of-both-with-the-spring = Barras de 5 kg/m com 0,75 m e 1 m; sem gravidade, o outro modo é um giro das duas com a mola indeformada.
+the-exact-ratio-is-9-16-0-5625 = a razão exata é −9/16 = −0,5625
+two-equal-pendulums-in-step-and-opposed = Dois pêndulos iguais: em fase e em oposição
+g-l-g-l-2ka-ml = ω₁² = g/l, ω₂² = g/l + 2ka²/(ml²)
+two-pendulums-that-stand-upright = Dois pêndulos invertidos
+in-step-the-spring-does-not-help-k-k-mgl-0 = Em fase a mola não ajuda: K₁₁ + K₁₂ = −mgl < 0
+
+# damped_absorber.toml
+mass-ratio-of-one-twentieth-by-the-fixed-points = Razão de massas de um vigésimo, pelos pontos fixos
+j-p-den-hartog-mechanical-vibrations-4th-ed-3-3-f-1-1-3-8-1-h-1-2 = J. P. Den Hartog, Mechanical Vibrations, 4ª ed., §3.3: f = 1/(1 + μ), γ² = 3μ/(8(1 + μ)³), H = √(1 + 2/μ)
+c-2-m-a-m-and-a-c-2-m-a-a-differ-by-the-tuning-the-true-peak-with-these-values-lies-0-08-above-the = γ = c/(2 m_a ω_m) e ζ_a = c/(2 m_a ω_a) diferem pela sintonia. O pico verdadeiro com estes valores fica 0,08 % acima dos pontos fixos.
+mass-ratio-of-one-twentieth-for-the-least-peak = Razão de massas de um vigésimo, para o menor pico
+direct-minimisation-of-the-largest-magnification-over-tuning-and-damping = Minimização direta da maior amplificação em relação à sintonia e ao amortecimento
+tuning-and-damping-differ-by-0-001-and-0-24-from-the-fixed-points-the-peak-falls-from-6-408443-to-6 = Sintonia e amortecimento diferem 0,001 % e 0,24 % dos pontos fixos; o pico cai de 6,408443 para 6,40792. Um mínimo é achatado: uma busca direta encontra o pico com todos os seus algarismos, e a sintonia e o amortecimento com poucos. O segundo método é a forma fechada de Nishihara e Asami.
+found-by-a-direct-search-where-the-minimum-is-flat = encontrado por uma busca direta, onde o mínimo é achatado
+untuned-viscous-damper-with-as-much-inertia-as-the-main-system = Amortecedor viscoso não sintonizado, com inércia igual à do sistema principal
+automotive-chassis-engineering-p-289 = Automotive Chassis Engineering, p. 289
+houdaille-damper-the-best-damping-is-1-12-by-the-main-frequency-and-the-peak-1-2-3 = Amortecedor de Houdaille. O melhor amortecimento é 1/√12 em relação à frequência principal, e o pico é 1 + 2/μ = 3.
+the-book-cuts-the-digits-of-0-28868-off = o livro trunca os algarismos de 0,28868
+the-same-damper-by-its-closed-form = O mesmo amortecedor pela sua fórmula fechada
+n-1-2-1-2-1-12-g-2-3-h-1-2 = γ = 1/√(2(1 + μ)(2 + μ)) = 1/√12, g = √(2/3), H = 1 + 2/μ
+the-least-peak-with-5-3 = O menor pico com μ = 5/3
+nishihara-and-asami-with-s-4-3-3-f-6-43-a-165-40-h-43-3-275-3 = Nishihara e Asami com s = √(4 + 3μ) = 3: f = √(6/43), ζ_a = ¼√(165/40), H = 43/(3√(275/3))
+building-with-an-absorber-of-given-tuning-and-damping = Edifício com absorvedor de sintonia e amortecimento dados
+f-1-0-1-0-1-at-g-1-x-x-st-2i-1-2i-s-1-1-2i = f = 1, γ = 0,1, μ = 0,1 em g = 1: X/X_st = |2iγ/(−μ(1 + 2iγ))|, S = 1/(μ|1 + 2iγ|)
+an-absorber-as-heavy-as-its-main-system-damped-by-the-main-frequency = Absorvedor tão pesado quanto o sistema principal, com amortecimento referido à frequência principal
+n-1-f-1-2-1-4-at-g-1-1-4-i-2-above-3-4-i-2 = μ = 1, f = 1/2, γ = 1/4 em g = 1: Δ = −1/4 − i/2, numerador = −3/4 + i/2
+viscous-damper-with-a-given-coefficient = Amortecedor viscoso com coeficiente dado
+n-1-2-1-4-at-the-fixed-point-g-2-2-0-8-h-1-2-5-for-every-damping = μ = 1/2, γ = 1/4 no ponto fixo g² = 2/(2 + μ) = 0,8: H = 1 + 2/μ = 5 para qualquer amortecimento
+a-damped-main-system = Sistema principal amortecido
+a-main-system-with-2-of-damping-and-an-absorber-of-5-of-its-mass = Um sistema principal com 2 % de amortecimento e um absorvedor com 5 % da sua massa.
+a-main-system-that-is-damped-too-much = Sistema principal amortecido demais
+with-0-9-the-response-of-the-main-system-has-no-peak-and-a-light-absorber-does-not-make-two = Com ζ = 0,9 a resposta do sistema principal não tem pico, e um absorvedor leve não produz dois
+
+# decay_identification.toml
+amplitudes-that-halve-in-every-cycle = Amplitudes que caem à metade em cada ciclo
+x-80-mm-2-n-ln-2 = X = 80 mm · 2^(−n): δ = ln 2
+amplitudes-that-fall-by-the-same-piece = Amplitudes que diminuem sempre do mesmo valor
+x-50-mm-4n-f-k-with-f-k-1-25-mm-f-k-g = X = 50 mm − 4n F/k com F/k = 1,25 mm; µ = (F/k) ωₙ²/g
+near-the-numbers-of-grover-s-ex-3-6-1-5-kg-on-980-n-m = Próximo dos números do ex. 3.6.1 de Grover: 5 kg sobre 980 N/m.
+both-at-once-by-their-turning-points = Ambos juntos, pelos pontos de retorno
+x-q-x-f-f-in-each-half-cycle-0-02-f-0-5-mm-from-50-mm = Xₙ₊₁ = q (Xₙ − f) − f em cada meio ciclo, ζ = 0,02, f = 0,5 mm, a partir de 50 mm
+both-at-once-by-samples-of-the-motion = Ambos juntos, por amostras do movimento
+exact-motion-stroke-by-stroke-with-0-02-f-k-0-5-mm-and-10-rad-s-released-at-50-mm-sampled-60-times-a = Movimento exato, curso a curso, com ζ = 0,02, F/k = 0,5 mm e ωₙ = 10 rad/s, solto a 50 mm; 60 amostras por segundo
+the-turning-points-lie-between-the-samples-a-parabola-through-three-of-them-finds-each-to-a-few = Os pontos de retorno ficam entre as amostras: uma parábola por três delas encontra cada um com erro de alguns milésimos.
+the-turning-points-lie-between-the-samples = os pontos de retorno ficam entre as amostras
+three-amplitudes = Três amplitudes
+two-numbers-of-each-fit-leave-too-little-to-tell-them-apart = Com dois números em cada ajuste, resta pouco demais para distingui-los
+
+# double_pendulum.toml
+two-equal-small-masses-on-equal-strings = Duas pequenas massas iguais em fios iguais
+n-2-2-g-l-angles-in-the-ratio-2 = ω² = (2 ∓ √2) g/l, ângulos na razão ±√2
+n-1-kg-each-on-1-m = 1 kg e 1 m em cada um.
+two-equal-rods = Duas barras iguais
+n-3-6-7-g-l = ω² = (3 ∓ 6/√7) g/l
+n-0-8557-g-l-and-2-2953-g-l = 0,8557 √(g/l) e 2,2953 √(g/l).
+a-body-that-is-a-small-mass-on-a-string = Um corpo que é uma pequena massa num fio
+a-body-without-inertia-of-its-own-is-a-small-mass-2-2-g-l = Um corpo sem inércia própria é uma pequena massa: ω² = (2 ∓ √2) g/l
+a-light-pendulum-under-a-heavy-one = Pêndulo leve sob um pêndulo pesado
+with-m-far-below-m-each-swings-by-itself-g-l = Com m₂ muito menor que m₁ cada um oscila por si: √(g/l)
+a-millionth-of-the-mass-l-2-5-m-l-0-4-m-g-10-m-s = Um milionésimo da massa; l₁ = 2,5 m, l₂ = 0,4 m, g = 10 m/s².
+a-body-balanced-above-its-pivot = Corpo equilibrado acima do seu pivô
+k-m-c-m-l-g-0 = K₁₁ = (m₁c₁ + m₂l₁) g < 0
+
+# drop_impact.toml
+block-dropped-on-a-sprung-pan = Bloco que cai sobre um prato com mola
+f-p-beer-and-e-r-johnston-vector-mechanics-for-engineers-p-635-target-of-the-verification-problem = F. P. Beer e E. R. Johnston, Vector Mechanics for Engineers, p. 635; valor de referência do problema de verificação VME2 do Ansys Mechanical APDL
+the-pan-is-at-rest-on-its-spring-the-impact-is-perfectly-plastic-g-9-81-m-s = O prato está em repouso sobre a sua mola; o choque é perfeitamente plástico. g = 9,81 m/s².
+package-on-its-cushion = Produto na sua embalagem
+w-t-thomson-vibration-theory-and-applications-ex-4-6-1-target-of-the-verification-problems-vm65-and = W. T. Thomson, Vibration Theory and Applications, ex. 4.6-1; valor de referência dos problemas de verificação VM65 e VM81 do Ansys Mechanical APDL
+the-ways-are-counted-from-the-release-1-in-above-the-cushion-g-386-in-s = Os caminhos são contados a partir da soltura, 1 in acima da embalagem; g = 386 in/s².
+the-printed-speed-is-rounded-up-2-386-27-785 = a velocidade impressa está arredondada para cima: √(2·386) = 27,785
+the-printed-value-is-cut-off-not-rounded = o valor impresso está truncado, não arredondado
+the-printed-time-is-that-of-the-nearest-time-step = o tempo impresso é o do passo de tempo mais próximo
+the-printed-value-comes-from-time-steps = o valor impresso vem de uma integração com passos de tempo
+the-package-by-energy = O produto, por energia
+mg-h-y-ky-2-y-2-h = mg(h + y) = ky²/2: y = δ + √(δ² + 2δh)
+set-down-without-a-fall = Pousado sem queda
+a-load-that-is-let-go-at-the-height-of-zero-presses-a-spring-down-twice-as-far-as-at-rest = Uma carga solta de altura zero comprime a mola o dobro do que em repouso
+a-cushion-with-damping = Embalagem com amortecimento
+runge-kutta-integration-of-m-c-k-y-m-g = Integração de Runge–Kutta de m ÿ + c ẏ + k y = m g
+the-package-after-it-has-jumped-off-again = O produto depois de saltar de volta
+without-damping-the-cushion-throws-the-package-back = Sem amortecimento a embalagem lança o produto de volta
+
+# duffing_oscillator.toml
+a-hardening-spring-let-go-at-1-in = Mola que endurece, solta a 1 in
+ansys-mechanical-apdl-verification-manual-vm156-natural-frequency-of-a-nonlinear-spring-mass-system = ANSYS Mechanical APDL Verification Manual, VM156 (frequência natural de um sistema massa–mola não linear)
+the-target-was-read-from-a-transient-of-finite-steps-the-elliptic-integral-gives-0-14404-s = o valor de referência foi lido de uma resposta transitória com passos finitos; a integral elíptica dá 0,14404 s
+the-same-spring-by-the-elliptic-integral-and-by-harmonic-balance = A mesma mola pela integral elíptica e pelo balanço harmônico
+t-4k-with-6-0-002588-s-1-3-t-2-0-002588-5 = T = 4K(κ)/Ω com Ω² = 6/0,002588 s⁻², κ² = 1/3; T′ = 2π√(0,002588/5)
+forced-to-its-peak-the-smaller-force = Forçada até o pico, com a força menor
+ansys-mechanical-apdl-verification-manual-vm319-forced-duffing-oscillator-f-m-125-mm-s = ANSYS Mechanical APDL Verification Manual, VM319 (oscilador de Duffing forçado), F/m = 125 mm/s²
+n-200-x-46-752-x-125-cos-t-in-mm-and-s-with-8766-2-s-for-a-mass-of-1-kg = ẍ + (ω₀/200) ẋ + ω₀² x + 46,752 x³ = 125 cos ωt em mm e s, com ω₀² = 8766,2 s⁻², para uma massa de 1 kg.
+printed-to-two-digits = impresso com dois algarismos
+forced-to-its-peak-the-larger-force = Forçada até o pico, com a força maior
+ansys-mechanical-apdl-verification-manual-vm319-forced-duffing-oscillator-f-m-250-mm-s = ANSYS Mechanical APDL Verification Manual, VM319 (oscilador de Duffing forçado), F/m = 250 mm/s²
+the-print-reads-its-peak-from-a-sweep-in-steps = o texto impresso lê o pico de uma varredura em passos
+a-softening-spring-at-its-limit = Mola que amolece, no seu limite
+k-h-a-the-spring-does-not-pull-back = k = |h| A²: a mola não puxa de volta
+small-amplitudes-are-linear = Pequenas amplitudes são lineares
+t-2-m-k = T = 2π√(m/k)
+
+# engine_orders.toml
+six-cylinders-with-damper-pulley-and-flywheel = Seis cilindros com polia amortecedora e volante
+eigenvalues-of-the-assembled-matrices-by-jacobi-s-rotations-sums-of-the-phase-vectors-as-complex = Autovalores das matrizes montadas por rotações de Jacobi, somas dos fasores como exponenciais complexas
+four-strokes-firing-order-1-5-3-6-2-4-orders-3-6-9-and-12-are-major-all-cylinders-push-together = Quatro tempos, ordem de ignição 1-5-3-6-2-4. As ordens 3, 6, 9 e 12 são principais: todos os cilindros agem juntos.
+one-cylinder-and-its-flywheel = Um cilindro e o seu volante
+k-j-j-j-j-t-j-j-j-with-an-amplitude-of-j-j-of-the-flywheel = ω = √(k (J₁ + J₂)/(J₁ J₂)), Θ₀ = T/(ω² (J₁ + J₁²/J₂)), com uma amplitude de −J₁/J₂ do volante
+one-cylinder-every-order-is-major-and-the-sum-of-the-phase-vectors-is-one = Um só cilindro: toda ordem é principal e a soma dos fasores é um.
+tangential-pressure-and-damping-at-the-crank = Pressão tangencial, e amortecimento na manivela
+t-c-for-one-cylinder-t-p-b-s-8 = Θ = T/(c ω) para um cilindro, T = p π B² S/8
+two-cylinders-that-swing-against-each-other = Dois cilindros que oscilam um contra o outro
+n-2k-j-amplitudes-1-and-1-cylinders-half-a-turn-apart-help-each-other-at-odd-orders-and-cancel-at = ω = √(2k/J), amplitudes 1 e −1: cilindros defasados de meia volta se reforçam nas ordens ímpares e se cancelam nas pares
+the-even-orders-are-the-major-ones-and-harmless-in-this-mode-the-two-cranks-move-against-each-other = As ordens pares são as principais, e são inofensivas: neste modo as duas manivelas movem-se uma contra a outra.
+v8-with-crossed-cranks = V8 com manivelas em cruz
+two-cylinders-on-each-crank-an-explosion-every-90-order-4-is-major-order-2-vanishes-in-every-mode = Dois cilindros em cada manivela, uma explosão a cada 90°. A ordem 4 é principal; a ordem 2 anula-se em todos os modos.
+stiffness-of-a-throw-by-two-formulas = Rigidez de um cotovelo por duas fórmulas
+carter-l-0-8t-d-0-75l-c-d-c-d-c-1-5r-tw-ker-wilson-l-0-4d-d-l-c-0-4d-c-d-c-d-c-r-0-2-d-d-c-tw-as-in-w = Carter: (Lⱼ + 0,8t)/Dⱼ⁴ + 0,75L_c/(D_c⁴ − d_c⁴) + 1,5R/(tW³); Ker Wilson: (Lⱼ + 0,4Dⱼ)/Dⱼ⁴ + (L_c + 0,4D_c)/(D_c⁴ − d_c⁴) + (R − 0,2(Dⱼ + D_c))/(tW³), como em W. Ker Wilson, Practical Solution of Torsional Vibration Problems
+half-orders-of-two-strokes = Meias ordens em dois tempos
+
+# equivalent_damping.toml
+structural-damping-at-resonance = Amortecimento estrutural na ressonância
+w-t-thomson-vibration-theory-and-applications-art-3-9-target-of-the-verification-problem-vm87-of = W. T. Thomson, Vibration Theory and Applications, art. 3.9; valor de referência do problema de verificação VM87 do Ansys Mechanical APDL
+the-stiffness-multiplier-of-the-program-is-0-03-s-so-that-the-loss-factor-at-20-rad-s-is-0-6 = O multiplicador da rigidez no programa é 0,03 s, de modo que o fator de perda a 20 rad/s é 0,6.
+the-same-by-its-loss-factor = O mesmo pelo seu fator de perda
+x-f-k-at-the-natural-frequency = X = F₀/(ηk) na frequência natural
+loop-of-1-2-j-at-20-mm = Laço de 1,2π J a 20 mm
+w-kx-0-3-x-f-k-m-k = η = ΔW/(πkX²) = 0,3; X = F₀/√((k − mω²)² + (ηk)²)
+drag-with-the-square-of-the-velocity-at-resonance = Arrasto com o quadrado da velocidade, na ressonância
+x-3-f-8a-at-the-natural-frequency = X = √(3πF₀/(8aω²)) na frequência natural
+a-spring-that-loses-nothing = Uma mola que nada dissipa
+without-damping-the-amplitude-at-resonance-has-no-bound = Sem amortecimento a amplitude na ressonância não tem limite
+
+# equivalent_stiffness.toml
+the-mass-that-has-a-natural-frequency-of-10-hz = A massa que tem uma frequência natural de 10 Hz.
+the-mass-at-the-tip-of-a-thin-steel-reed-the-reed-itself-is-taken-as-light = A massa na ponta de uma lâmina delgada de aço; a própria lâmina é tomada como leve.
+weight-on-a-reed-that-answers-at-50-hz = Peso sobre uma lâmina que responde a 50 Hz
+w-g-mclean-and-e-w-nelson-schaum-s-outline-of-engineering-mechanics-ch-19-prob-16 = W. G. McLean e E. W. Nelson, Schaum's Outline of Engineering Mechanics, cap. 19, probl. 16
+a-four-inch-steel-reed-the-weight-is-in-pounds-force-with-g-386-in-s = Uma lâmina de aço de quatro polegadas; o peso está em libras-força, com g = 386 in/s².
+weight-of-35-lb-on-a-spring = Peso de 35 lb sobre uma mola
+w-g-mclean-and-e-w-nelson-schaum-s-outline-of-engineering-mechanics-ch-19-prob-2 = W. G. McLean e E. W. Nelson, Schaum's Outline of Engineering Mechanics, cap. 19, probl. 2
+the-weight-is-a-force-g-386-in-s = O peso é uma força; g = 386 in/s².
+mass-on-a-spring-in-inches-and-pounds = Massa sobre uma mola, em polegadas e libras
+ansys-mechanical-apdl-verification-manual-vm45-w-t-thomson-vibration-theory-and-applications-ex-1-2-2 = ANSYS Mechanical APDL Verification Manual, VM45 (W. T. Thomson, Vibration Theory and Applications, ex. 1.2-2)
+disc-on-a-wire = Disco num fio
+ansys-mechanical-apdl-verification-manual-vm47-w-t-thomson-vibration-theory-and-applications-ex-1-3-2 = ANSYS Mechanical APDL Verification Manual, VM47 (W. T. Thomson, Vibration Theory and Applications, ex. 1.3-2)
+armature-of-a-motor-generator-on-a-short-shaft = Induzido de um motor-gerador num eixo curto
+ansys-mechanical-apdl-verification-manual-vm48-w-t-thomson-vibration-theory-and-applications-ex-1-3-3 = ANSYS Mechanical APDL Verification Manual, VM48 (W. T. Thomson, Vibration Theory and Applications, ex. 1.3-3)
+the-shear-modulus-is-e-2-1-with-e-31-2e6-psi-and-0-3 = O módulo de elasticidade transversal é E/(2(1 + ν)) com E = 31,2e6 psi e ν = 0,3.
+torsional-pendulum-on-a-thin-rod = Pêndulo de torção numa haste fina
+g-k-grover-mechanical-vibrations-ex-2-4-1 = G. K. Grover, Mechanical Vibrations, ex. 2.4.1
+the-same-solution-prints-22-57-rad-s-which-is-3-59-hz-the-decimal-point-slipped = A mesma solução imprime ωₙ = 22,57 rad/s, que são 3,59 Hz: a vírgula decimal saiu do lugar.
+spring-for-a-mass-with-a-period-of-one-second = Mola para uma massa com período de um segundo
+code-aster-validation-manual-test-sdld32-v2-01-032 = Code_Aster, manual de validação, teste SDLD32 (V2.01.032)
+the-manual-prints-k-m-2-with-2-rad-s-it-is-4-39-48-n-m = O manual imprime k = m ω₀² = 2π; com ω₀ = 2π rad/s são 4π² = 39,48 N/m.
+the-spring-of-a-period-of-one-second-as-it-should-be = A mola do período de um segundo com o resultado correto
+k-4-m-t = k = 4π² m/T²
+helical-spring-that-is-not-light = Mola helicoidal que não é leve
+k-100-n-m-m-m-s-3-1-kg-10-rad-s = k = 100 N/m, m + m_s/3 = 1 kg: ωₙ = 10 rad/s
+spring-felt-through-a-lever-in-series-with-a-spring-on-its-load = Mola sentida através de uma alavanca, em série com uma mola na sua carga
+the-spring-of-16-kn-m-at-half-of-the-load-s-arm-is-felt-as-4-kn-m-with-4-kn-m-in-series-k-2-kn-m = A mola de 16 kN/m na metade do braço da carga é sentida como 4 kN/m; com 4 kN/m em série k = 2 kN/m
+stepped-shaft-with-a-geared-branch = Eixo escalonado com um ramo engrenado
+two-equal-lengths-whose-diameters-are-as-1-to-2-have-16-17-of-the-thin-one-s-stiffness-a-spring = Dois trechos iguais com diâmetros na razão de 1 para 2 têm 16/17 da rigidez do mais fino; uma mola atrás de engrenagens de razão 3 conta nove vezes
+g-j-l-of-the-thin-length-is-80e9-0-02-32-0-5-2513-27-n-m-rad = G J/L do trecho fino é 80e9·π·0,02⁴/32/0,5 = 2513,27 N·m/rad.
+body-on-three-wires = Corpo em três fios
+trifilar-suspension-t-2-j-l-m-g-r-for-a-ring-hung-at-its-own-radius-t-2-l-g = Suspensão trifilar: T = 2π √(J l/(m g r²)); para um anel suspenso no seu próprio raio T = 2π √(l/g)
+a-spring-too-heavy-for-the-frequency = Mola pesada demais para a frequência
+the-moving-third-of-the-spring-alone-gives-10-rad-s = O terço móvel da mola sozinho dá 10 rad/s
+
+# forced_coulomb.toml
+force-of-19-6-n-at-5-hz = Força de 19,6 N a 5 Hz
+g-k-grover-mechanical-vibrations-ex-4-6-1 = G. K. Grover, Mechanical Vibrations, ex. 4.6.1
+the-print-gives-a-mass-of-8-7-kg-its-numbers-are-those-of-3-7-kg-the-equivalent-damping-is-the = O texto impresso dá uma massa de 8,7 kg; os seus números são os de 3,7 kg. O amortecimento equivalente é a resposta impressa; a amplitude exata é 8 % maior.
+the-exact-motion-at-5-hz = O movimento exato a 5 Hz
+x-f-v-k-fu-k-with-the-numbers-of-grover-s-ex-4-6-1-a-time-integration-gives-4-675-mm = X = √((F₀V/k)² − (FU/k)²) com os números do ex. 4.6.1 de Grover; uma integração no tempo dá 4,675 mm
+force-for-40-mm-at-2-hz = Força para 40 mm a 2 Hz
+s-s-rao-mechanical-vibrations-problem-of-ch-3-on-forced-vibration-with-coulomb-damping = S. S. Rao, Mechanical Vibrations, problema do cap. 3 sobre vibração forçada com amortecimento de Coulomb
+the-printed-value-is-worked-with-rounded-numbers-g-9-81-m-s-gives-97-9877-n = o valor impresso é calculado com números arredondados; g = 9,81 m/s² dá 97,9877 N
+exact-motion-without-stops-at-twice-the-natural-frequency = Movimento exato sem paradas no dobro da frequência natural
+j-p-den-hartog-forced-vibrations-with-combined-coulomb-and-viscous-friction-1931-v-1-3-u-tan-4-2-1-2 = J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, 1931: V = −1/3, U = tan(π/4)/2 = 1/2 em r = 2
+the-force-of-that-motion = A força desse movimento
+f-k-1-r-x-f-u-the-case-above-backwards = F₀ = k |1 − r²| √(X² + (f U)²), o caso acima ao contrário
+motion-with-stops = Movimento com paradas
+sliding-and-sticking-followed-piece-by-piece-a-time-integration-in-steps-of-20-s-gives-125-159-mm-too = Deslizamento e adesão seguidos trecho a trecho; uma integração no tempo em passos de 20 µs também dá 125,159 mm
+friction-takes-60-of-the-force-the-mass-rests-twice-a-cycle = O atrito absorve 60 % da força; a massa fica parada duas vezes por ciclo.
+resonance-that-friction-cannot-hold = Ressonância que o atrito não consegue conter
+n-4f-1-27-n-is-below-f-10-n = 4F/π = 1,27 N está abaixo de F₀ = 10 N
+a-force-below-the-friction = Força abaixo do atrito
+the-mass-does-not-move = A massa não se move
+
+# free_vibration.toml
+underdamped-release = Soltura com subamortecimento
+w-t-thomson-vibration-theory-and-applications-ex-2-2-1-target-of-the-verification-problem-vm71-of = W. T. Thomson, Vibration Theory and Applications, ex. 2.2-1; valor de referência do problema de verificação VM71 do Ansys Mechanical APDL
+a-weight-of-10-lb-on-30-lbf-in-drawn-out-by-1-in-and-let-go-0-2 = Um peso de 10 lb sobre 30 lbf/in, puxado de 1 in e solto; ζ = 0,2.
+the-print-cuts-its-digits-ours-is-0-521085 = o texto impresso trunca os algarismos; o nosso é -0,521085
+overdamped-release = Soltura com superamortecimento
+critically-damped-release = Soltura com amortecimento crítico
+undamped-release = Soltura sem amortecimento
+the-print-cuts-its-digits-ours-is-0-996885 = o texto impresso trunca os algarismos; o nosso é -0,996885
+natural-frequency-of-rad-s-with-a-tenth-of-critical-damping = Frequência natural de π rad/s com um décimo do amortecimento crítico
+code-aster-validation-manual-v2-01-034-test-sdld34 = Code_Aster, manual de validação, V2.01.034, teste SDLD34
+a-mass-on-a-spring-released-from-rest-the-frequencies-without-and-with-damping = Uma massa sobre uma mola, solta do repouso; as frequências sem e com amortecimento.
+damping-for-an-overshoot-of-20 = Amortecimento para um sobressinal de 20 %
+ln-5-ln-5 = ζ = ln 5/√(π² + (ln 5)²)
+damping-for-an-envelope-that-settles-in-half-a-second = Amortecimento para uma envoltória que se acomoda em meio segundo
+ln-1-p-t-with-p-2 = ζ = ln(1/p)/(ωₙ tₛ) com p = 2 %
+critically-damped-after-a-blow = Amortecimento crítico após um golpe
+x-v-t-e-t-largest-v-e-at-1 = x = v₀ t e^(−ωₙt), máximo v₀/(e ωₙ) em 1/ωₙ
+torsional-pendulum-with-negative-damping = Pêndulo de torção com amortecimento negativo
+e-0-5-s-t-cos-d-t-0-5-d-sin-d-t-with-5-rad-s-0-1 = θ = θ₀ e^(0,5 s⁻¹ t) (cos ω_d t − (0,5/ω_d) sen ω_d t) com ωₙ = 5 rad/s, ζ = −0,1
+galloping-lines-and-dry-friction-brakes-are-damped-negatively-about-their-position-of-rest = Linhas de transmissão em galope e freios com atrito seco têm amortecimento negativo em torno da sua posição de repouso.
+at-rest-where-it-belongs = Parado na sua posição de repouso
+without-displacement-or-velocity-there-is-no-motion = Sem deslocamento nem velocidade não há movimento
+
+# frequency_response_identification.toml
+frequency-sweep-of-a-vehicle-suspension = Varredura em frequência de uma suspensão de veículo
+lists-06-08-list-06-question-1 = Listas 06–08, lista 06, questão 1
+static-value-and-peak-are-read-from-the-printed-curve-the-printed-solution-takes-the-frequency-of-the = O valor estático e o pico são lidos da curva impressa. A solução impressa toma a frequência do pico como frequência natural, uma boa leitura com este amortecimento: m sai 0,8 % e c 0,2 % acima. A amplitude na ressonância, que ela pede, fica sem resposta: 1,6 mm por newton.
+the-print-calls-the-frequency-of-the-peak-the-natural-frequency = o texto impresso chama a frequência do pico de frequência natural
+the-suspension-read-exactly-under-100-n = A suspensão lida com exatidão, sob 100 N
+lists-06-08-list-06-question-1-with-the-peak-at-1-2 = Listas 06–08, lista 06, questão 1, com o pico em ωₙ√(1 − 2ζ²)
+the-suspension-as-a-table-of-points = A suspensão como tabela de pontos
+n-1-k-m-c-with-k-5000-n-m-m-34-45-kg-c-51-98-n-s-m-to-five-digits = 1/√((k − m ω²)² + (c ω)²) com k = 5000 N/m, m = 34,45 kg, c = 51,98 N·s/m, com cinco algarismos
+all-three-readings-should-give-the-same-system = As três leituras devem dar o mesmo sistema.
+the-table-is-rounded-to-five-digits = a tabela está arredondada a cinco algarismos
+the-half-power-points-lie-between-the-points-of-the-table = os pontos de meia potência ficam entre os pontos da tabela
+a-response-without-a-peak = Resposta sem pico
+a-peak-is-higher-than-the-static-value-rao-5th-ed-3-4 = Um pico é mais alto que o valor estático (Rao, 5ª ed., §3.4)
+a-table-that-ends-at-its-highest-point = Tabela que termina no seu ponto mais alto
+a-peak-has-lower-points-on-both-sides = Um pico tem pontos mais baixos dos dois lados
+first-mode-of-a-chain-from-three-complex-receptances = Primeiro modo de uma cadeia a partir de três receptâncias complexas
+code-aster-validation-manual-sdld21-sdld21a-comm-receptance-of-node-n5-frequency-of-sdld02-damping-c = Code_Aster, manual de validação, SDLD21 (sdld21a.comm): receptância do nó N5; frequência do SDLD02, amortecimento C = 5·10⁻⁴ K
+three-points-and-four-unknowns-with-a-real-residual-the-printed-damping-ratio-belongs-to-the-model = Três pontos e quatro incógnitas com um resíduo real. A razão de amortecimento impressa é a do modelo; os pontos têm cinco algarismos e vestígios de sete outros modos.
+three-points-of-five-digits-and-modes-that-a-constant-residual-does-not-follow = três pontos de cinco algarismos, e modos que um resíduo constante não acompanha
+the-nyquist-circle-of-the-same-three-receptances = O círculo de Nyquist das mesmas três receptâncias
+code-aster-validation-manual-sdld21-sdld21a-comm-three-points-of-node-n5-the-circle-through-three = Code_Aster, manual de validação, SDLD21 (sdld21a.comm): três pontos do nó N5; o círculo por três pontos é único
+a-mobility-by-amplitude-and-phase = Mobilidade por amplitude e fase
+i-k-m-ic-with-m-2-kg-10-hz-and-0-02-to-six-digits = iω/(k − mω² + icω) com m = 2 kg, 10 Hz e ζ = 0,02, com seis algarismos
+all-readings-should-give-the-same-mode = Todas as leituras devem dar o mesmo modo.
+a-hysteretic-mode-beside-the-stiffness-of-others = Modo histerético ao lado da rigidez de outros
+n-1-k-1-0-04i-m-2-10-m-n-with-m-2-kg-and-10-hz-to-six-digits = 1/(k(1 + 0,04i) − mω²) + 2·10⁻⁶ m/N com m = 2 kg e 10 Hz, com seis algarismos
+the-residual-moves-the-circle-off-the-origin-and-leaves-its-diameter-1-k = O resíduo desloca a circunferência da origem e mantém o seu diâmetro 1/(ηk).
+the-residual-is-a-thousandth-of-the-peak-and-the-table-has-six-digits = o resíduo é um milésimo do pico, e a tabela tem seis algarismos
+an-accelerance-with-decimal-commas-out-of-order = Acelerância com vírgulas decimais, fora de ordem
+k-m-ic-10-m-n-with-m-5-kg-25-hz-and-0-05-to-six-digits = −ω²/(k − mω² + icω) − ω²·10⁻⁶ m/N com m = 5 kg, 25 Hz e ζ = 0,05, com seis algarismos
+the-table-has-six-digits = a tabela tem seis algarismos
+free-test-at-9-8-hz-forced-peak-at-9-6-hz = Ensaio livre a 9,8 Hz, pico forçado a 9,6 Hz
+g-k-grover-mechanical-vibrations-ex-4-2-2 = G. K. Grover, Mechanical Vibrations, ex. 4.2.2
+the-book-rounds-on-the-way-d-1-2-1-gives-0-19706 = o livro arredonda no caminho; (ωₚ/ω_d)² = (1 − 2ζ²)/(1 − ζ²) dá 0,19706
+the-same-test-in-a-companion-to-the-book = O mesmo ensaio num complemento do livro
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-2-2 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.2.2
+the-companion-takes-d-for-its-square-d-1-2-1-so-that-0-19706-as-the-book-has-it = O complemento toma ωₚ/ω_d pelo seu quadrado: (ωₚ/ω_d)² = (1 − 2ζ²)/(1 − ζ²), de modo que ζ = 0,19706, como está no livro.
+it-follows-from-the-damping-ratio-without-the-square-9-8-hz-1-0-19706-is-9-996-hz = Decorre da razão de amortecimento sem o quadrado; 9,8 Hz/√(1 − 0,19706²) é 9,996 Hz.
+the-same-test-without-rounding-on-the-way = O mesmo ensaio sem arredondamentos intermediários
+d-2-d-3-88-99-92 = ζ² = (ω_d² − ωₚ²)/(2ω_d² − ωₚ²) = 3,88/99,92
+unbalance-12-mm-at-resonance-1-3-mm-far-above = Desbalanceamento: 12 mm na ressonância, 1,3 mm muito acima dela
+w-g-mclean-and-e-w-nelson-schaum-s-engineering-mechanics-prob-19-28 = W. G. McLean e E. W. Nelson, Schaum's Engineering Mechanics, probl. 19-28
+the-same-with-12-mm-as-the-largest-amplitude-of-all = O mesmo com 12 mm como a maior amplitude de todas
+w-g-mclean-and-e-w-nelson-schaum-s-engineering-mechanics-prob-19-28-with-the-peak-1-2-1 = W. G. McLean e E. W. Nelson, Schaum's Engineering Mechanics, probl. 19-28, com o pico 1/(2ζ√(1 − ζ²))
+unbalance-at-two-speeds = Desbalanceamento em duas rotações
+r-1-r-2-r-with-0-1-and-1200-rpm-m-e-m-2-mm = Λ = r²/√((1 − r²)² + (2ζr)²) com ζ = 0,1 e 1200 rpm, m₀e/m = 2 mm
+amplitude-at-resonance-over-that-at-four-fifths-of-it = Amplitude na ressonância sobre a amplitude a quatro quintos dela
+q-1-r-2-r-2-with-0-08-and-r-0-8 = q = √((1 − r²)² + (2ζr)²)/(2ζ) com ζ = 0,08 e r = 0,8
+unbalance-amplitude-at-resonance-over-that-at-twice-the-speed = Desbalanceamento: amplitude na ressonância sobre a amplitude no dobro da rotação
+q-1-r-2-r-2-r-with-0-08-and-r-2 = q = √((1 − r²)² + (2ζr)²)/(2ζr²) com ζ = 0,08 e r = 2
+a-forced-peak-above-the-free-frequency = Pico forçado acima da frequência livre
+n-1-2-is-never-above-n-1 = ω_n√(1 − 2ζ²) nunca está acima de ω_n√(1 − ζ²)
+two-different-values-at-one-frequency = Dois valores diferentes numa mesma frequência
+a-response-has-one-value-at-each-frequency = Uma resposta tem um único valor em cada frequência
+points-on-a-straight-line = Pontos sobre uma reta
+a-line-is-no-circle = Uma reta não é uma circunferência
+
+# frequency_response_matrix.toml
+two-masses-with-dampers-to-the-ground-forced-in-phase = Duas massas com amortecedores ao solo, forçadas em fase
+g-k-grover-mechanical-vibrations-example-6-8-2 = G. K. Grover, Mechanical Vibrations, exemplo 6.8.2
+eight-masses-with-dampers-between-them-forced-at-the-fourth = Oito massas com amortecedores entre elas, com força na quarta
+code-aster-validation-manual-v2-test-sdld21 = Manual de validação do Code_Aster, V2, teste SDLD21
+receptance-of-mass-4-under-1-n-at-5-5-5-10-and-40-hz-the-dampers-of-50-n-s-m-stand-beside-all-nine = Receptância da massa 4 sob 1 N, a 5; 5,5; 10 e 40 Hz. Os amortecedores de 50 N·s/m ficam em paralelo com todas as nove molas.
+two-masses-near-resonance-and-beyond = Duas massas perto da ressonância e além dela
+ansys-mechanical-apdl-verification-manual-vm183-vierck-vibration-analysis-4-2 = ANSYS Mechanical APDL Verification Manual, VM183 (Vierck, Vibration Analysis, §4-2)
+the-free-mass-is-coordinate-2-here-y1-in-the-manual-the-first-target-stands-0-4-above-the-first = A massa livre é aqui a coordenada 2, y1 no manual. O primeiro valor de referência fica 0,4 % acima da primeira frequência natural, 0,22508 Hz.
+modal-damping-of-one-mass-is-that-of-one-degree-of-freedom = O amortecimento modal de uma massa é o de um grau de liberdade
+x-f-k-m-c-at-f-2-k = X = F/√((k − mω²)² + (cω)²) em ω = ωₙ: F/(2ζk)
+resonance-without-damping = Ressonância sem amortecimento
+the-motion-grows-with-t-there-is-no-steady-state-rao-5th-ed-3-3 = O movimento cresce com t: não há regime permanente (Rao, 5ª ed., §3.3)
+a-force-on-a-mass-that-is-not-there = Força numa massa que não existe
+a-chain-of-one-mass-has-one-coordinate = Uma cadeia de uma só massa tem uma só coordenada
+
+# friction_damper.toml
+oscillator-of-944-6-kg-with-an-elastic-friction-damper = Oscilador de 944,6 kg com amortecedor elástico de atrito
+j-guillen-and-c-pierre-1999-target-of-the-verification-problem-vm320-of-ansys-mechanical-apdl = J. Guillen e C. Pierre, 1999; valor de referência do problema de verificação VM320 do Ansys Mechanical APDL
+the-printed-peak-is-read-off-the-curve-of-the-reference = O pico impresso é lido da curva da referência.
+read-off-a-curve = lido de uma curva
+where-half-the-amplitude-is-slip = Onde metade da amplitude é deslizamento
+x-2x-y-2-k-j-k-d-2-h-k-d = X = 2x_y: θ = π/2, k_j = k_d/2, h = k_d/π
+without-viscous-damping-the-peak-takes-f-hx-2f-d-at-k-k-d-2-m = Sem amortecimento viscoso, o pico exige F₀ = hX = 2F_d/π em √((k + k_d/2)/m).
+an-element-that-never-slips = Um elemento que nunca desliza
+viscous-oscillator-with-k-k-d-100-n-m-and-0-1-x-f-2-k-1 = Oscilador viscoso com k + k_d = 100 N/m e ζ = 0,1: X = F₀/(2ζk√(1 − ζ²))
+a-force-that-slip-cannot-hold = Uma força que o deslizamento não consegue conter
+n-4f-d-is-below-f-and-c-0 = 4F_d/π é menor que F₀ e c = 0
+
+# gun_recoil.toml
+barrel-of-600-kg = Cano de 600 kg
+g-k-grover-mechanical-vibrations-ex-3-3-3 = G. K. Grover, Mechanical Vibrations, ex. 3.3.3
+spring-of-294-kn-m-recoil-of-1-3-m-the-return-is-timed-up-to-50-mm-from-the-position-of-rest = Mola de 294 kN/m, recuo de 1,3 m; o tempo de retorno é contado até 50 mm da posição de repouso.
+the-printed-time-is-that-of-a-table-of-x-t-in-steps-of-0-01-s-read-at-0-22-s-of-the-return-there-the = O tempo impresso é o de uma tabela de x(t) em passos de 0,01 s, lida a 0,22 s do retorno; ali o cano ainda está a 59 mm. Ele passa por 50 mm aos 0,22858 s; 0,29954 s ao todo.
+the-barrel-timed-exactly = O cano com os tempos exatos
+x-r-1-t-e-t-with-the-numbers-of-grover-s-ex-3-3-3 = x₁ = R (1 + ωₙt) e^(−ωₙt) com os números do ex. 3.3.3 de Grover
+a-return-that-ends-before-it-begins = Retorno que termina antes de começar
+the-return-goes-from-the-end-of-the-recoil-towards-rest = O retorno vai do fim do recuo em direção ao repouso
+
+# half_car.toml
+a-car-whose-front-and-rear-do-not-mix = Carro em que a dianteira e a traseira não se acoplam
+j-m-l-f-l-r-each-end-is-a-body-mass-m-l-r-l-and-m-l-f-l-on-its-own-axle-two-systems-of-two-masses = J = m l_f l_r: cada extremidade é uma massa da carroceria, m l_r/l e m l_f/l, sobre o seu próprio eixo; dois sistemas de duas massas
+front-600-kg-on-18-kn-m-over-a-wheel-of-40-kg-on-160-kn-m-rear-400-kg-on-16-kn-m-over-40-kg-on-160-kn = Dianteira: 600 kg sobre 18 kN/m, acima de uma roda de 40 kg sobre 160 kN/m; traseira: 400 kg sobre 16 kN/m, acima de 40 kg sobre 160 kN/m. Cada par satisfaz (18e3 − 600λ)(178e3 − 40λ) = (18e3)² e (16e3 − 400λ)(176e3 − 40λ) = (16e3)².
+the-same-car-with-dampers = O mesmo carro com amortecedores
+roots-of-600s-1200s-18e3-40s-1200s-178e3-1200s-18e3-in-front-and-of-400s-1000s-16e3-40s-1000s-176e3 = Raízes de (600s² + 1200s + 18e3)(40s² + 1200s + 178e3) = (1200s + 18e3)² na dianteira e de (400s² + 1000s + 16e3)(40s² + 1000s + 176e3) = (1000s + 16e3)² na traseira
+a-body-as-heavy-as-no-number = Carroceria pesada demais para qualquer número
+a-mass-of-10-kg-beside-one-of-40-kg-cannot-be-represented = Uma massa de 10³⁰⁰ kg ao lado de uma de 40 kg não pode ser representada
+
+# harmonic_force.toml
+oscillator-driven-at-its-natural-frequency = Oscilador excitado na sua frequência natural
+w-t-thomson-theory-of-vibration-with-applications-ex-3-1-2-target-of-the-verification-problem-vm86-of = W. T. Thomson, Theory of Vibration with Applications, ex. 3.1-2; valor de referência do problema de verificação VM86 do Ansys Mechanical APDL
+power-of-a-shaker = Potência de um excitador
+g-k-grover-mechanical-vibrations-ex-4-5-1 = G. K. Grover, Mechanical Vibrations, ex. 4.5.1
+the-oscillator-is-known-by-its-damped-frequency-the-amplitude-is-prescribed-and-the-force-is-sought = O oscilador é conhecido pela sua frequência amortecida; a amplitude é imposta e procura-se a força.
+the-source-puts-the-damped-frequency-for-the-natural-one-in-c-2-m = a fonte põe a frequência amortecida no lugar da natural em c = 2ζωₙm
+build-up-of-resonance-with-one-per-cent-of-critical-damping = Crescimento da amplitude na ressonância com um por cento do amortecimento crítico
+code-aster-validation-manual-v2-01-321-sdld321 = Manual de validação do Code_Aster, V2.01.321, SDLD321
+the-oscillator-is-at-rest-until-the-force-f-sin-t-sets-in-at-its-own-natural-frequency-the-printed = O oscilador está em repouso até que a força F₀ sen ωt comece a agir na frequência natural dele. A forma fechada impressa é avaliada em 1 s.
+the-same-with-critical-damping = O mesmo com amortecimento crítico
+the-same-without-damping-unbounded = O mesmo sem amortecimento: sem limite
+x-f-2k-sin-t-t-cos-t-at-t-50 = x = F₀/(2k) (sen ωt − ωt cos ωt) em ωt = 50
+heavy-mass-on-a-soft-spring-at-its-natural-frequency = Massa pesada sobre mola macia, na sua frequência natural
+code-aster-validation-manual-v2-01-106-sdld106 = Manual de validação do Code_Aster, V2.01.106, SDLD106
+the-manual-writes-the-response-as-f-k-m-jc-the-damping-term-is-j-c-at-resonance-x-f-c-1-0-4-0-2-1-267 = O manual escreve a resposta como F/(K − Ω²M + jC). O termo de amortecimento é jΩC: na ressonância X = F/(cω) = 1/(0,4π · 0,2π) = 1,267 m.
+weight-in-oil = Peso imerso em óleo
+w-t-thomson-theory-of-vibration-with-applications-ch-3-free-period-1-80-s-ratio-of-successive = W. T. Thomson, Theory of Vibration with Applications, cap. 3: período livre de 1,80 s, razão de amplitudes sucessivas de 4,2; F = 2 cos 3t; X = F/√((k − mω²)² + (cω)²)
+the-mass-of-2-lb-0-907-kg-is-recalled-it-is-cut-off-in-the-statement-that-was-seen = A massa de 2 lb, 0,907 kg, é citada de memória: está cortada no enunciado consultado.
+hysteretic-spring-at-its-natural-frequency = Mola histerética na sua frequência natural
+x-f-k-90-rao-5th-ed-3-10-energy-k-x-in-a-cycle = X = F₀/(ηk), φ = 90° (Rao, 5ª ed., §3.10); energia π η k X² por ciclo
+overdamped-start-under-a-cosine-force = Início superamortecido sob uma força cossenoidal
+x-t-by-residues-of-the-laplace-transform-with-poles-5-and-20-rad-s-and-force-8-cos-10t-on-1-kg = x(t) pelos resíduos da transformada de Laplace, com polos em −5 e −20 rad/s e força 8 cos 10t sobre 1 kg
+k-100-n-m-c-25-n-s-m-x-8-250-m-90-so-x-0-032-sin-10t-c-e-5t-c-e-20t-with-c-c-0-32-15 = k = 100 N/m, c = 25 N·s/m: X = 8/250 m, φ = 90°, portanto x = 0,032 sen 10t + C₁e^(−5t) + C₂e^(−20t) com C₁ = −C₂ = −0,32/15.
+force-for-a-given-power = Força para uma potência dada
+p-c-x-and-f-x-k-m-c = P = ½ c ω² X² e F₀ = X √((k − mω²)² + (cω)²)
+c-20-n-s-m-30-rad-s-x-0-1-m-p-90-w-k-m-1000-900-100-n-m-f-0-1-100-600-n = c = 20 N·s/m, ω = 30 rad/s, X = 0,1 m: P = 90 W; k − mω² = 1000 − 900 = 100 N/m, F₀ = 0,1 √(100² + 600²) N.
+force-sought-at-an-undamped-resonance = Força procurada numa ressonância sem amortecimento
+any-force-makes-an-undamped-motion-at-the-natural-frequency-grow = Qualquer força faz crescer um movimento sem amortecimento na frequência natural
+
+# harmonic_sum.toml
+beating-of-two-motions = Batimento de dois movimentos
+g-k-grover-mechanical-vibrations-ex-1-5-1 = G. K. Grover, Mechanical Vibrations, ex. 1.5.1
+work-of-a-force-of-25-n-in-one-second = Trabalho de uma força de 25 N em um segundo
+g-k-grover-mechanical-vibrations-ex-1-7-1 = G. K. Grover, Mechanical Vibrations, ex. 1.7.1
+the-same-force-in-a-quarter-of-a-cycle = A mesma força em um quarto de ciclo
+three-vectors-of-one-frequency = Três vetores de uma mesma frequência
+n-3-cos-t-4-cos-t-90-5-cos-t-180-20-cos-t-116-565 = 3 cos ωt + 4 cos(ωt + 90°) + 5 cos(ωt + 180°) = √20 cos(ωt + 116,565°)
+three-motions-of-different-frequencies = Três movimentos de frequências diferentes
+mean-square-half-the-sum-of-the-squares-of-the-amplitudes = Valor quadrático médio: metade da soma dos quadrados das amplitudes
+two-motions-of-one-frequency-beat-with-a-third = Dois movimentos de uma mesma frequência batem com um terceiro
+n-3-and-4-mm-a-quarter-of-a-cycle-apart-make-5-mm-with-6-mm-the-amplitude-goes-between-11-and-1-mm = 3 e 4 mm, a um quarto de ciclo um do outro, dão 5 mm; com 6 mm a amplitude vai de 11 a 1 mm
+a-force-beyond-the-range-of-numbers = Força além do alcance dos números
+the-work-is-1e399-j-which-no-number-here-can-hold = O trabalho é de 1e399 J, que aqui nenhum número comporta
+
+# large_pendulum.toml
+pendulum-of-100-in-released-at-36-87 = Pêndulo de 100 in solto a 36,87°
+w-t-thomson-vibration-theory-and-applications-ex-5-4-1-ansys-mechanical-apdl-verification-manual-vm91 = W. T. Thomson, Vibration Theory and Applications, ex. 5.4-1; ANSYS Mechanical APDL Verification Manual, VM91
+a-metre-of-rod-released-level = Haste de um metro solta na horizontal
+iftomm-technical-committee-for-multibody-dynamics-library-of-computational-benchmark-problems-a01-1-m = IFToMM Technical Committee for Multibody Dynamics, Library of Computational Benchmark Problems, A01: 1 m, a partir do repouso a 90°
+published-positions-of-the-mass-good-to-six-digits-over-2000-s-follow-from-the-same-elliptic = As posições publicadas da massa, com seis algarismos corretos ao longo de 2000 s, decorrem das mesmas funções elípticas. Aos 10 s a massa está em x = −0,27509 m, do lado de onde foi solta, e à altura de −0,96142 m.
+half-a-circle-short-of-the-top = Meio círculo, quase até o topo
+abramowitz-and-stegun-handbook-of-mathematical-functions-table-17-1-k-m-0-99-3-695637362989875 = Abramowitz e Stegun, Handbook of Mathematical Functions, tabela 17.1: K(m = 0,99) = 3,695637362989875
+sin-2-0-99-1-rad-s = sen²(θ₀/2) = 0,99; ω₀ = 1 rad/s.
+t-2-l-g-1-16 = T = 2π√(L/g) (1 + θ₀²/16)
+
+# logarithmic_decrement.toml
+torsional-pendulum-in-a-viscous-fluid = Pêndulo de torção num fluido viscoso
+g-k-grover-mechanical-vibrations-ex-3-4-1 = G. K. Grover, Mechanical Vibrations, ex. 3.4.1
+successive-amplitudes-of-9-6-and-4-degrees-the-period-is-that-in-the-fluid-the-printed-frequency-that = Amplitudes sucessivas de 9, 6 e 4 graus. O período é o medido no fluido; a frequência impressa é a do movimento no ar. O texto impresso dá c em N·m/rad; o correto é N·m·s/rad.
+the-three-amplitudes-by-least-squares = As três amplitudes por mínimos quadrados
+n-9-6-and-4-of-grover-s-ex-3-4-1-are-an-exact-geometric-series-ln-1-5 = 9°, 6° e 4° do ex. 3.4.1 de Grover formam uma progressão geométrica exata: δ = ln 1,5
+machine-of-4000-lb-with-a-measured-decrement = Máquina de 4000 lb com decremento medido
+problem-without-a-printed-answer-tutorsglobe-question-51418516 = Problema sem resposta impressa (TutorsGlobe, questão 51418516)
+w-4000-lbf-on-10-000-lbf-in-0-314-measured-period-0-2025-s-from-mass-and-stiffness-31-068-rad-s-from = W = 4000 lbf sobre 10 000 lbf/in, δ = 0,314, período medido de 0,2025 s. Pela massa e pela rigidez ωₙ = 31,068 rad/s; pelo período medido, 31,067: os dois concordam. Os ciclos e o tempo são os de uma queda de 0,1 in a 0,01 in, com o período da massa e da rigidez.
+the-value-is-worked-with-the-measured-period-0-2025-s-ours-with-that-of-mass-and-stiffness = o valor é calculado com o período medido, 0,2025 s; o nosso, com o da massa e da rigidez
+the-machine-by-its-period-alone = A máquina só pelo seu período
+problem-without-a-printed-answer-tutorsglobe-question-51418516-t-n-t-d-n-ln-10 = Problema sem resposta impressa (TutorsGlobe, questão 51418516): t = n T_d, n = ln 10/δ
+decrement-of-a-damping-ratio-of-0-316 = Decremento de uma razão de amortecimento de 0,316
+e-w-nelson-c-l-best-and-w-g-mclean-schaum-s-outline-of-engineering-mechanics-dynamics-ch-19-problem = E. W. Nelson, C. L. Best e W. G. McLean, Schaum's Outline of Engineering Mechanics: Dynamics, cap. 19, problema 19-20
+n-25-4-rad-s-the-decrement-does-not-depend-on-it = ωₙ = 25,4 rad/s; o decremento não depende dela.
+the-print-multiplies-rounded-numbers-t-d-with-a-rounded-period = o texto impresso multiplica números arredondados: ζ ωₙ T_d com um período arredondado
+seven-amplitudes-15-1-at-180-cycles-a-minute = Sete amplitudes na razão 15:1 a 180 ciclos por minuto
+lists-06-08-list-08-question-4-with-ln-15-6 = Listas 06–08, lista 08, questão 4, com δ = (ln 15)/6
+seven-successive-amplitudes-are-six-cycles-apart-the-stiffness-is-that-of-the-network-of-the-question = Sete amplitudes sucessivas abrangem seis ciclos; a rigidez é a da associação de molas da questão.
+a-mass-and-a-period = Uma massa e um período
+k-m-2-t-d-1-with-0-6 = k = m (2π/T_d)²/(1 − ζ²) com ζ = 0,6
+a-motion-that-does-not-oscillate = Um movimento que não oscila
+there-is-no-decrement-at-1-and-above = Não há decremento com ζ = 1 ou maior
+amplitudes-that-grow = Amplitudes que crescem
+a-decay-falls = Num decaimento as amplitudes diminuem
+
+# mass_on_shaft.toml
+flywheel-between-two-fixed-shaft-ends = Volante entre duas extremidades fixas de um eixo
+t-bevan-the-theory-of-machines-ch-15-ex-2 = T. Bevan, The Theory of Machines, cap. 15, ex. 2
+a-flywheel-of-half-a-ton-on-a-shaft-of-2-in-both-parts-of-the-shaft-hold-it = Um volante de meia tonelada num eixo de 2 in; as duas partes do eixo o sustentam.
+the-printed-value-is-worked-from-a-rounded-static-deflection = o valor impresso é calculado a partir de uma deflexão estática arredondada
+weight-at-the-free-end-of-a-cantilever-shaft = Peso na extremidade livre de um eixo em balanço
+b-k-sarkar-theory-of-machines-ch-11-ill-1 = B. K. Sarkar, Theory of Machines, cap. 11, il. 1
+the-printed-solution-takes-as-3-147-and-f-as-0-4985 = a solução impressa toma π como 3,147 e f como 0,4985/√δ
+body-on-a-simply-supported-shaft = Corpo num eixo biapoiado
+b-k-sarkar-theory-of-machines-ch-11-ill-2 = B. K. Sarkar, Theory of Machines, cap. 11, il. 2
+flywheel-on-a-shaft-fixed-at-both-ends = Volante num eixo engastado nas duas extremidades
+b-k-sarkar-theory-of-machines-ch-11-ill-3 = B. K. Sarkar, Theory of Machines, cap. 11, il. 3
+the-printed-solution-takes-as-3-147 = a solução impressa toma π como 3,147
+a-bearing-at-the-far-end = Mancal na extremidade oposta
+k-768-e-i-7-l-at-the-middle-along-and-about-the-axis-only-the-fixed-half-holds = k = 768 E I/(7 L³) no meio; ao longo da linha de centro e em torno dela só a metade engastada sustenta
+e-i-200e9-0-04-64-25132-7-n-m-l-1-m-k-2757420-n-m = E I = 200e9·π·0,04⁴/64 = 25132,7 N·m², L = 1 m: k = 2757420 N/m.
+a-hollow-shaft = Eixo oco
+half-of-the-diameter-bored-away-takes-a-sixteenth-of-e-i-and-a-quarter-of-e-a = Um furo com metade do diâmetro retira um dezesseis avos de E I e um quarto de E A
+a-bore-wider-than-the-shaft = Furo mais largo que o eixo
+there-is-no-such-shaft = Um eixo assim não existe
+
+# modal_analysis.toml
+eight-masses-on-nine-springs-between-walls = Oito massas em nove molas entre paredes
+code-aster-validation-manual-v2-test-sdld02 = Manual de validação do Code_Aster, V2, teste SDLD02
+two-equal-masses-and-three-equal-springs = Duas massas iguais e três molas iguais
+w-t-thomson-theory-of-vibration-with-applications-problem-5-2-answer-p-529 = W. T. Thomson, Theory of Vibration with Applications, problema 5-2, resposta na p. 529
+the-book-answers-k-m-with-both-masses-in-step-and-3k-m-with-the-masses-opposed-here-with-k-1-n-m-and = O livro responde ω₁² = k/m com as duas massas em fase e ω₂² = 3k/m com as massas em oposição; aqui com k = 1 N/m e m = 1 kg. A figura do livro não estava disponível: a disposição é inferida da resposta.
+two-masses-on-a-stretched-string = Duas massas em uma corda tracionada
+w-t-thomson-theory-of-vibration-with-applications-problem-5-13-answer-p-529 = W. T. Thomson, Theory of Vibration with Applications, problema 5-13, resposta na p. 529
+answered-as-multiples-of-t-ml-here-t-1-n-l-1-m-m-1-kg-the-masses-2m-and-m-are-inferred-from-the = Respondido como múltiplos de √(T/ml); aqui T = 1 N, l = 1 m, m = 1 kg. As massas 2m e m são inferidas da ortogonalidade das formas impressas. O valor exato é ω² = (3 ∓ √3)/2.
+the-exact-ratio-is-1-3-2-1-36603-the-book-cut-a-digit-early = a razão exata é (1 + √3)/2 = 1,36603; o livro truncou um algarismo antes da hora
+damping-that-couples-the-modes-of-two-masses = Amortecimento que acopla os modos de duas massas
+vibration-toolbox-test-of-mdof-modes-system-non-proportional-damping = vibration_toolbox, teste de mdof.modes_system (amortecimento não proporcional)
+two-free-masses-and-a-spring = Duas massas livres e uma mola
+k-1-m-1-m-the-first-mode-rigid-node-at-the-common-centre-of-mass = ω² = k (1/m₁ + 1/m₂), com o primeiro modo de corpo rígido; nó no centro de massa comum
+a-mass-on-its-dampers-proportional-damping = Uma massa nos seus amortecedores: amortecimento proporcional
+c-k-2-with-k-m-3-5-2 = C = β K: ζᵣ = β ωᵣ/2, com ω² = k/m (3 ∓ √5)/2
+rayleigh-damping-of-5-at-2-hz-and-3-at-8-hz = Amortecimento de Rayleigh de 5 % a 2 Hz e 3 % a 8 Hz
+n-2-2-at-the-frequencies-k-m-4-rad-s-and-3k-m-of-two-masses-rao-5th-ed-6-15 = ζ = α/(2ω) + βω/2 nas frequências √(k/m) = 4π rad/s e √(3k/m) de duas massas (Rao, 5ª ed., §6.15)
+three-equal-masses-in-a-ring-of-two-equal-frequencies = Três massas iguais em anel, com duas frequências iguais
+k-k-3-1-1-1-zero-once-and-3k-m-twice = K = k (3·1 − 1 1ᵀ): zero uma vez e 3k/m duas vezes
+a-spring-that-pushes = Uma mola que empurra
+an-indefinite-stiffness-has-no-position-of-rest = Uma rigidez indefinida não tem posição de repouso
+a-matrix-that-is-not-symmetric = Uma matriz que não é simétrica
+maxwell-s-reciprocity = Reciprocidade de Maxwell
+a-coordinate-without-mass = Uma coordenada sem massa
+without-kinetic-energy-there-is-no-frequency = Sem energia cinética não há frequência
+
+# multi_degree_response.toml
+two-masses-under-a-pulse-on-the-free-one = Duas massas sob um pulso na que está livre
+ansys-mechanical-apdl-verification-manual-vm182-vierck-vibration-analysis-5-8 = ANSYS Mechanical APDL Verification Manual, VM182 (Vierck, Vibration Analysis, §5-8)
+the-free-mass-is-coordinate-2-here-y1-in-the-manual = A massa livre é aqui a coordenada 2, y1 no manual.
+resonance-from-rest-without-damping = Ressonância a partir do repouso, sem amortecimento
+x-f-t-sin-t-2m-rao-5th-ed-3-3-at-t-2-s-with-1-rad-s-4-m = x = F t sen(ωₙt)/(2mωₙ) (Rao, 5ª ed., §3.3): em t = π/2 s com ωₙ = 1 rad/s, π/4 m
+two-free-masses-and-a-constant-force-the-common-motion-goes-on = Duas massas livres e uma força constante: o movimento comum prossegue
+x-f-t-2-m-m-and-a-relative-vibration-about-rest-at-a-whole-period-of-it-2-2k-m = x = F t²/(2(m₁ + m₂)) e uma vibração relativa em torno do repouso; ao fim de um período inteiro dela, 2π/√(2k/m)
+m-1-kg-each-k-2-n-m-so-2-rad-s-and-the-period-is-s-f-4-n-on-the-first-4-4-9-869604-m-for-both = m = 1 kg cada uma, k = 2 N/m, portanto ω = 2 rad/s e o período é π s; F = 4 N na primeira: π²·4/4 = 9,869604 m para as duas.
+a-damped-chain-with-a-start-and-three-kinds-of-force = Cadeia amortecida com condições iniciais e três tipos de força
+taylor-series-of-the-equations-of-motion-step-by-step-as-the-second-way = Série de Taylor das equações de movimento, passo a passo, como segundo método
+critical-damping-from-a-start = Amortecimento crítico a partir de condições iniciais
+x-x-v-x-t-e-t-rao-5th-ed-2-6-2-rad-s-3-e-at-1-s = x = (x₀ + (v₀ + ωx₀) t) exp(−ωt) (Rao, 5ª ed., §2.6): ω = 2 rad/s, 3 e⁻² em 1 s
+a-table-of-force-whose-times-go-back = Tabela de força cujos tempos retrocedem
+time-does-not = O tempo não volta atrás
+
+# multi_span_beam.toml
+four-equal-spans-on-pins = Quatro vãos iguais sobre apoios simples
+r-d-blevins-formulas-for-natural-frequency-and-mode-shape-ch-8-multispan-beams = R. D. Blevins, Formulas for Natural Frequency and Mode Shape, cap. 8 (vigas de vários vãos)
+of-one-span-is-a-quarter-of-ours-3-1416-3-3932-3-9266-4-4633-then-2-the-stiffnesses-of-a-span-that = O β de um vão é um quarto do nosso: 3,1416; 3,3932; 3,9266; 4,4633; depois 2π; as rigidezes de um vão que gira satisfazem próxima + distante · cos(jπ/4) = 0 nos apoios internos.
+three-equal-spans-between-clamped-ends = Três vãos iguais entre extremidades engastadas
+near-far-cos-j-3-0-for-j-2-and-1-then-cos-cosh-1 = próxima + distante · cos(jπ/3) = 0 para j = 2 e 1, depois cos β cosh β = 1
+the-third-frequency-is-that-of-a-span-clamped-at-both-ends-the-slopes-at-the-pins-are-zero = A terceira frequência é a de um vão biengastado: as inclinações nos apoios são nulas.
+clamped-between-the-spans-two-beams-of-their-own = Engaste entre os vãos: duas vigas independentes
+roots-of-tan-tanh-each-of-them-twice = Raízes de tan β = tanh β, cada uma delas duas vezes
+a-clamp-parts-the-spans-2-3-926602 = Um engaste separa os vãos: 2 · 3,926602.
+a-step-without-a-step = Um degrau sem degrau
+cantilever-in-three-parts-roots-of-cos-cosh-1-rao-5th-ed-8-5 = Viga em balanço em três partes: raízes de cos β cosh β = −1 (Rao, 5ª ed., §8.5)
+the-joints-between-the-spans-hold-nothing-and-change-nothing = As junções entre os vãos nada seguram e nada mudam.
+two-spans-of-one-pinned-beam-on-the-ground = Dois vãos de uma mesma viga biapoiada sobre o solo
+ei-n-l-n-n-l-k-m-of-a-beam-pinned-at-both-ends = ω² = (EI(nπ/L)⁴ + N(nπ/L)² + k)/m̄ de uma viga biapoiada
+a-joint-that-holds-nothing-at-0-7-m-2-m-long = Uma junção que nada segura a 0,7 m; 2 m de comprimento.
+a-shaft-that-nothing-holds-in-two-diameters-of-one = Eixo sem nenhum apoio, em dois trechos de mesmo diâmetro
+roots-of-cos-cosh-1-of-a-free-beam-rao-5th-ed-8-5 = Raízes de cos β cosh β = 1 de uma viga livre (Rao, 5ª ed., §8.5)
+the-two-motions-as-a-whole-are-not-counted = Os dois movimentos como corpo rígido não são contados.
+too-much-compression = Compressão demais
+two-pinned-spans-of-1-m-buckle-at-ei-l-19-74-kn = Dois vãos biapoiados de 1 m flambam com π²EI/L² = 19,74 kN
+
+# overhung_disc.toml
+overhung-disc-of-10-kg = Disco em balanço de 10 kg
+g-k-grover-mechanical-vibrations-ex-8-6-1-as-its-scilab-companion-prints-it = G. K. Grover, Mechanical Vibrations, ex. 8.6.1, como impresso no seu complemento em Scilab
+the-example-calls-4071-8-and-19509-rpm-critical-speeds-its-frequency-equation-takes-i-d-so-they-are = O exemplo chama 4071,8 e 19509 rpm de velocidades críticas; a sua equação das frequências toma + I_d, portanto são as frequências naturais do disco que não gira. Com o efeito giroscópico, a velocidade que o desbalanceamento excita é 4866 rpm, e não há outra: I_p é maior que I_d.
+the-same-disc-synchronous-whirl = O mesmo disco, precessão síncrona
+the-frequency-equation-with-i-d-i-p-and-i-d-i-p-in-the-place-of-i-d-den-hartog-6-6 = A equação das frequências com I_d − I_p e I_d + I_p no lugar de I_d (Den Hartog, §6.6)
+a-disc-so-small-that-it-does-not-tilt = Disco tão pequeno que não inclina
+mass-at-the-tip-of-a-cantilever-3ei-ml-here-3-200e9-1e-7-10-1-6000-s = Massa na ponta de uma viga em balanço, ω² = 3EI/(mL³); aqui 3·200e9·1e-7/(10·1) = 6000 s⁻²
+a-long-disc-between-two-equal-bearings = Disco longo entre dois mancais iguais
+deflection-and-slope-apart-0-1-m-and-the-tilting-has-1-i-d-i-p-forward-1-i-d-i-p-backward = Deflexão e inclinação desacopladas, β = 0: ω = 1/√(α m), e a inclinação tem ω² = 1/(γ (I_d − I_p)) direta, 1/(γ (I_d + I_p)) retrógrada
+n-1e-6-m-n-m-25-kg-200-rad-s-1e-4-rad-n-m-i-d-i-p-0-04-kg-m-and-i-d-i-p-0-16-kg-m-500-and-250-rad-s = α = 1e-6 m/N, m = 25 kg: 200 rad/s. γ = 1e-4 rad/(N m), I_d − I_p = 0,04 kg m² e I_d + I_p = 0,16 kg m²: 500 e 250 rad/s. Em repouso I_d = 0,1 kg m²: 316,228 rad/s.
+influence-coefficients-of-no-shaft = Coeficientes de influência de eixo nenhum
+the-elastic-energy-of-any-load-is-positive = A energia elástica de qualquer carga é positiva: α γ > β²
+
+# pendulum_absorber.toml
+four-pendulums-against-the-third-order = Quatro pêndulos contra a terceira ordem
+r-r-n-and-t-4-m-r-r-r-with-n = r = R/n² e T = 4 m r (R + r) ω₀² φ, com ω₀ = nΩ
+at-the-tuned-order-the-rotor-stands-still-and-the-pendulums-swing-at-their-limit = Na ordem sintonizada o rotor fica parado e os pêndulos oscilam no seu limite.
+a-pendulum-below-its-tuned-order-acts-like-a-flywheel = Abaixo da sua ordem sintonizada, um pêndulo age como um volante
+j-e-m-r-r-1-n-r-r-t-j-j-e = J_e = m (R + r)²/(1 − n² r/R), Θ = −T/((J + J_e) ω²)
+a-solid-roller-of-order-four-and-a-half = Rolete maciço de ordem quatro e meio
+n-r-r-1-a-a-2 = n² = R/(r (1 + κ²/a²)), κ² = a²/2
+a-ring-needs-a-shorter-arm-than-a-bifilar-weight = Um anel exige um braço mais curto que um peso bifilar
+n-r-2-r-for-a-ring = n² = R/(2 r) para um anel
+a-body-whose-arm-is-the-larger-root = Corpo cujo braço é a raiz maior
+r-75-r-900-0-in-mm-r-60-mm-or-15-mm-from-n-r-r-r = r² − 75 r + 900 = 0 em mm: r = 60 mm ou 15 mm, por n² = R r/(r² + κ²)
+rotor-on-a-shaft-torque-of-the-second-order = Rotor num eixo, torque de segunda ordem
+roots-and-steady-amplitudes-of-the-2-2-matrices-of-the-small-motions = Raízes e amplitudes permanentes das matrizes 2 × 2 dos pequenos movimentos
+a-floor-held-still-by-a-weight-on-a-string = Piso mantido imóvel por um peso num fio
+l-g-m-f-l-roots-of-the-2-2-matrices-of-the-small-motions = l = g/ω², m = F₀/(l ω² φ), raízes das matrizes 2 × 2 dos pequenos movimentos
+a-body-with-inertia-of-its-own-under-a-mass = Corpo com inércia própria sob uma massa
+g-l-l-and-the-2-2-matrices-of-the-small-motions = ω₀ = √(g l/(l² + κ²)) e as matrizes 2 × 2 dos pequenos movimentos
+a-body-too-large-for-its-order = Corpo grande demais para a sua ordem
+r-2-h-r-has-no-real-root-for-h = r² − 2 h r + κ² não tem raiz real para κ > h
+a-limited-swing-without-a-torque = Oscilação limitada sem torque
+the-mass-follows-from-the-torque-that-is-taken-up = A massa decorre do torque que é absorvido
+
+# periodic_excitation.toml
+square-wave-at-a-third-of-the-natural-frequency = Onda quadrada a um terço da frequência natural
+u-4-sin-n-t-n-over-odd-n-undamped-r-0-3-x-4f-n-k-1-n-r = u = (4/π) Σ sen(nωt)/n para n ímpar; sem amortecimento, r = 0,3: |Xₙ| = 4F₀/(nπk |1 − n²r²|)
+the-third-harmonic-lies-at-0-9-of-the-natural-frequency-and-is-the-largest = O terceiro harmônico fica a 0,9 da frequência natural e é o maior.
+cam-that-lifts-and-drops = Came que levanta e deixa cair
+sawtooth-y-y-t-t-on-spring-and-damper-mean-y-2-harmonics-y-n-transmissibility-of-each = Dente de serra y = Y t/T sobre mola e amortecedor: média Y/2, harmônicos Y/(nπ), transmissibilidade de cada um
+slow-triangular-force = Força triangular lenta
+far-below-the-natural-frequency-the-motion-is-the-force-over-the-stiffness-root-mean-square-1-3-of = Muito abaixo da frequência natural o movimento é a força sobre a rigidez: valor eficaz igual a 1/√3 da altura
+half-rectified-sine-with-damping = Seno de meia onda com amortecimento
+f-f-2-f-2f-n-1-for-even-n-and-the-magnification-of-each = F₁ = F₀/2, Fₙ = 2F₀/((n² − 1)π) para n par, e a amplificação de cada um
+pulses-of-a-quarter-of-the-period = Pulsos de um quarto do período
+f-2f-sin-n-d-n-the-fourth-harmonic-is-missing = Fₙ = 2F₀ |sen nπd|/(nπ): falta o quarto harmônico
+rectified-sine-on-critically-damped-springs = Seno retificado sobre molas com amortecimento crítico
+f-4f-4n-1-magnification-1-1-n-r = Fₙ = 4F₀/((4n² − 1)π), amplificação 1/(1 + n²r²)
+square-wave-as-a-table = Onda quadrada como tabela
+the-square-wave-again-typed-point-by-point-at-a-third-of-a-period = A onda quadrada outra vez, digitada ponto a ponto, em um terço do período
+undamped-under-a-constant-force-the-motion-is-a-cosine-about-the-deflection-of-that-half-period-x-f-k = Sem amortecimento e sob força constante, o movimento é um cosseno em torno da deflexão desse meio período: x = (F₀/k)(1 − cos(ωₙ(t − T/4))/cos(ωₙT/4)).
+undamped-with-the-third-harmonic-at-resonance = Sem amortecimento e com o terceiro harmônico na ressonância
+a-square-wave-has-odd-harmonics = Uma onda quadrada tem harmônicos ímpares
+
+# piecewise_spring.toml
+a-spring-that-saturates = Mola com saturação
+w-t-thomson-vibration-theory-and-applications-fig-5-6-1-ansys-mechanical-apdl-verification-manual = W. T. Thomson, Vibration Theory and Applications, fig. 5.6-1; ANSYS Mechanical APDL Verification Manual, VM79
+two-stops-with-play = Dois batentes com folga
+t-4y-v-2-m-k-free-flight-between-the-stops-and-half-an-oscillation-at-each = T = 4y/v + 2π√(m/k): percurso livre entre os batentes e meia oscilação em cada um
+below-the-corner-the-spring-is-linear = Abaixo do canto a mola é linear
+t-2-m-k-a-x-m-v-k = T = 2π√(m/k), A = √(x₀² + m v₀²/k)
+against-a-stiffer-stop = Contra um batente mais rígido
+m-v-k-y-k-y-d-k-d-8-j-2-j-80-d-100-d-d-0-06904158-m = ½ m v² = ½ k₁ y² + k₁ y d + ½ k₂ d²: 8 J = 2 J + 80 d + 100 d², d = 0,06904158 m
+at-rest-inside-the-gap = Em repouso dentro da folga
+limit-nothing-moves = Limite: nada se move
+
+# plate_and_membrane.toml
+circular-drum = Tambor circular
+zeros-of-j-n-abramowitz-stegun-table-9-5 = Zeros de J_n (Abramowitz & Stegun, tabela 9.5)
+the-first-of-them-are-j-j-j-j-j-j = Os primeiros deles são j₀₁, j₁₁, j₂₁, j₀₂, j₃₁, j₁₂.
+rectangular-membrane = Membrana retangular
+c-m-a-n-b-rao-5th-ed-8-6 = ω = πc√((m/a)² + (n/b)²) (Rao, 5ª ed., §8.6)
+clamped-circular-plate = Placa circular engastada
+a-w-leissa-vibration-of-plates-nasa-sp-160-table-2-1 = A. W. Leissa, Vibration of Plates, NASA SP-160, tabela 2.1
+of-the-shapes-with-0-1-2-nodal-diameters-then-of-that-with-one-nodal-circle = λ² das formas com 0, 1, 2 diâmetros nodais, depois da forma com uma circunferência nodal.
+simply-supported-circular-plate = Placa circular simplesmente apoiada
+roots-of-j-n-1-j-n-i-n-1-i-n-2-1-with-0-3 = Raízes de Jₙ₊₁/Jₙ + Iₙ₊₁/Iₙ = 2λ/(1 − ν) com ν = 0,3
+n-2-2215-for-the-first-of-them-often-printed-as-4-935-leissa-s-table-of-1969-has-4-977 = λ = 2,2215 para a primeira delas; muitas vezes impresso como λ² = 4,935 (a tabela de Leissa de 1969 tem 4,977).
+free-circular-plate = Placa circular livre
+a-w-leissa-vibration-of-plates-nasa-sp-160-table-2-5-0-33 = A. W. Leissa, Vibration of Plates, NASA SP-160, tabela 2.5 (ν = 0,33)
+two-nodal-diameters-one-nodal-circle-three-nodal-diameters = Dois diâmetros nodais, uma circunferência nodal, três diâmetros nodais.
+the-roots-of-the-determinant-are-5-2620-9-0689-and-12-2439-to-which-the-energies-of-the-shapes-give = As raízes do determinante são 5,2620; 9,0689 e 12,2439, que as energias das formas devolvem com nove algarismos; a tabela, compilada de antigos cálculos à mão, erra no terceiro ou no quarto algarismo.
+free-circular-plate-with-0-3 = Placa circular livre com ν = 0,3
+later-tables-5-358-for-two-nodal-diameters-9-003-for-one-nodal-circle-12-439 = Tabelas posteriores: λ² = 5,358 para dois diâmetros nodais; 9,003 para uma circunferência nodal; 12,439
+simply-supported-all-round = Simplesmente apoiada em todo o contorno
+navier-m-na-b = Navier: Λ = π²(m² + (na/b)²)
+a-b-1-5 = a/b = 1,5.
+two-edges-simply-supported-two-clamped = Duas bordas simplesmente apoiadas, duas engastadas
+a-w-leissa-the-free-vibration-of-rectangular-plates-j-sound-vib-31-1973-257-293-square-plate-0-3 = A. W. Leissa, The free vibration of rectangular plates, J. Sound Vib. 31 (1973), 257–293: placa quadrada, ν = 0,3
+three-edges-simply-supported-one-clamped = Três bordas simplesmente apoiadas, uma engastada
+three-edges-simply-supported-one-free = Três bordas simplesmente apoiadas, uma livre
+two-edges-simply-supported-one-clamped-one-free = Duas bordas simplesmente apoiadas, uma engastada, uma livre
+two-edges-simply-supported-two-free = Duas bordas simplesmente apoiadas, duas livres
+a-plate-that-carries-twice-its-mass-besides = Placa que carrega ainda o dobro da sua massa
+frequencies-fall-with-3 = As frequências diminuem com √3
+the-first-number-is-2-of-a-square-plate = O primeiro número é 2π² para uma placa quadrada.
+a-strip = Uma faixa
+one-side-is-200-times-the-other = Um lado é 200 vezes o outro
+
+# random_chain.toml
+two-masses-on-a-base-shaken-from-10-to-100-hz = Duas massas sobre uma base excitada de 10 a 100 Hz
+r-k-vierck-vibration-analysis-2nd-ed-ch-7-target-of-the-verification-problem-vm68-of-ansys-mechanical = R. K. Vierck, Vibration Analysis, 2ª ed., cap. 7; valor de referência do problema de verificação VM68 do Ansys Mechanical APDL
+one-sigma-accelerations-relative-to-the-base-in-multiples-of-386-4-in-s = Acelerações de um sigma relativas à base, em múltiplos de 386,4 in/s².
+the-printed-value-comes-from-modal-sums-in-steps-of-frequency = o valor impresso vem de somas modais em passos de frequência
+a-chain-of-one-mass-under-white-noise = Cadeia de uma só massa sob ruído branco
+z-s-4-a-s-1-4-4-with-s-per-rad-s = σ_z² = π S/(4ζωₙ³), σ_a² = π S ωₙ(1 + 4ζ²)/(4ζ) com S por rad/s
+as-the-50-hz-mount-of-the-random-response-of-one-mass = Como o coxim de 50 Hz na resposta aleatória de uma só massa.
+the-variance-of-undamped-modes-under-noise-grows-with-time = A variância de modos sem amortecimento sob ruído cresce com o tempo
+
+# random_response.toml
+white-acceleration-on-a-lightly-damped-mount = Aceleração branca sobre um coxim pouco amortecido
+z-s-4-a-s-1-4-4-with-s-per-rad-s-miles-formula-2-f-q-s = σ_z² = π S/(4ζωₙ³), σ_a² = π S ωₙ(1 + 4ζ²)/(4ζ) com S por rad/s; fórmula de Miles √(π/2 fₙ Q S)
+n-50-hz-q-10-0-04-g-hz-miles-gives-5-605-g = 50 Hz; Q = 10; 0,04 g²/Hz: Miles dá 5,605 g.
+a-band-about-the-resonance = Faixa em torno da ressonância
+partial-fractions-of-h-over-20-to-2000-hz = Frações parciais de |H|² de 20 a 2000 Hz
+the-same-band-by-its-table = A mesma faixa pela sua tabela
+a-table-of-two-equal-points-is-the-band = Uma tabela de dois pontos iguais é a banda
+a-test-specification-with-slopes = Especificação de ensaio com rampas
+simpson-s-rule-with-180-000-steps-over-the-log-log-lines = Regra de Simpson com 180 000 passos sobre as retas log-log
+n-3-db-an-octave-up-to-80-hz-level-to-350-hz-3-db-an-octave-down-to-2000-hz = 3 dB por oitava subindo até 80 Hz, constante até 350 Hz, 3 dB por oitava descendo até 2000 Hz.
+white-force-on-a-mass = Força branca sobre uma massa
+x-s-2-k-c-with-s-per-rad-s-v-s-2-m-c = σ_x² = π S/(2 k c) com S por rad/s; σ_v² = π S/(2 m c)
+force-in-a-band-far-below-the-resonance = Força numa faixa muito abaixo da ressonância
+nearly-static-x-s-f-k = Quase estático: σ_x = √(S Δf)/k
+the-mean-square-is-larger-than-the-static-one-by-2-f-f-some-0-01 = O valor quadrático médio é maior que o estático em 2(f/fₙ)², cerca de 0,01 %.
+the-variance-of-an-undamped-oscillator-under-white-noise-grows-with-time = A variância de um oscilador sem amortecimento sob ruído branco cresce com o tempo
+
+# rayleigh_damping.toml
+n-5-at-0-3-hz-and-2-at-1-2-hz = 5 % a 0,3 Hz e 2 % a 1,2 Hz
+technical-note-nts-02-on-rayleigh-damping = Nota técnica NTS-02 sobre amortecimento de Rayleigh
+its-closed-forms-and-its-program-are-right-its-printed-formula-for-the-damping-at-a-frequency-lacks-a = As suas formas fechadas e o seu programa estão certos; na fórmula impressa para o amortecimento em uma frequência falta um fator de um meio no termo da massa.
+the-printed-formula-takes-2-f-where-4-f-f-stands-at-1-hz-the-two-known-modes-leave-0-02107 = A fórmula impressa toma α/(2π f) onde está ζ = α/(4π f) + β π f; a 1 Hz os dois modos conhecidos deixam 0,02107.
+the-same-damping-at-both-frequencies = O mesmo amortecimento nas duas frequências
+n-2-2-2 = α = 2ζω₁ω₂/(ω₁ + ω₂), β = 2ζ/(ω₁ + ω₂), ζ₀ = 2ζ√(ω₁ω₂)/(ω₁ + ω₂)
+two-modes-of-one-frequency = Dois modos de uma mesma frequência
+limit-the-two-equations-are-the-same = Limite: as duas equações são a mesma
+
+# response_spectrum.toml
+beam-on-two-supports-that-follow-one-displacement-spectrum = Viga sobre dois apoios que seguem um mesmo espectro de deslocamento
+j-m-biggs-introduction-to-structural-dynamics-p-262-target-of-the-verification-problem-vm70-of-ansys = J. M. Biggs, Introduction to Structural Dynamics, p. 262; valor de referência do problema de verificação VM70 do Ansys Mechanical APDL
+the-first-mode-alone-0-2-lbf-s-in-of-mass-for-each-inch-of-length-273-9726-in-of-0-00073-lbf-s-in = Somente o primeiro modo; 0,2 lbf s²/in de massa por polegada de comprimento (273,9726 in² de 0,00073 lbf s²/in⁴).
+the-printed-stress-is-cut-off-20158-55 = a tensão impressa está truncada: 20158,55
+the-same-beam-with-three-modes = A mesma viga com três modos
+n-4-n-alternating-in-sign-e-c-n-l-y = Γφ = 4/(nπ), de sinal alternado; σ = E c (nπ/L)² y
+at-a-constant-displacement-the-higher-modes-add-little-to-the-deflection-and-much-to-the-stress = Com deslocamento constante, os modos superiores acrescentam pouco à deflexão e muito à tensão.
+two-masses-under-a-constant-acceleration = Duas massas sob aceleração constante
+two-equal-links-3-5-2-k-m-from-the-eigenvectors-1-1-5-2 = Dois elos iguais: ω² = (3 ∓ √5)/2 k/m, Γφ pelos autovetores (1, (1 ± √5)/2)
+two-modes-near-each-other = Dois modos próximos um do outro
+cqc-with-8-1-r-r-r-1-r-4-r-1-r = CQC com ρ = 8ζ²(1 + r)r√r/((1 − r²)² + 4ζ²r(1 + r)²)
+the-modes-work-against-each-other-srss-overstates-the-response = Os modos atuam um contra o outro: a SRSS superestima a resposta.
+a-mode-outside-the-table = Um modo fora da tabela
+a-spectrum-says-nothing-beyond-its-ends = Um espectro nada diz além das suas extremidades
+
+# rod_impact.toml
+bar-stopped-at-one-end = Barra detida numa extremidade
+s-timoshenko-vibration-problems-in-engineering-p-305-target-of-the-verification-problem-vm85-of-ansys = S. Timoshenko, Vibration Problems in Engineering, p. 305; valor de referência do problema de verificação VM85 do Ansys Mechanical APDL
+a-bar-of-10000-in-at-100-in-s-density-0-00073-lbf-s-in = Uma barra de 10000 in a 100 in/s; massa específica de 0,00073 lbf·s²/in⁴.
+steel-rod-at-one-metre-a-second = Barra de aço a um metro por segundo
+c-v-v-l-c-contact-2-l-c-timoshenko-ch-5 = σ = ρ c v, δ = v L/c, contato 2 L/c (Timoshenko, cap. 5)
+c-200-10-8000-5000-m-s-8000-5000-1-40-mpa-1-5000-m-0-4-ms-1-cm-carries-4-kn-250-mpa-are-reached-at-6 = c = √(200·10⁹/8000) = 5000 m/s: σ = 8000·5000·1 = 40 MPa, δ = 1/5000 m, 0,4 ms; 1 cm² leva 4 kN; chega-se a 250 MPa com 6,25 m/s.
+faster-than-its-waves = Mais rápida que as suas ondas
+the-strain-v-c-would-reach-one = A deformação v/c chegaria a um
+
+# rotating_beam.toml
+flapwise-at-1 = Em batimento, com η = 1
+a-d-wright-c-e-smith-r-w-thresher-and-j-l-c-wang-j-appl-mech-49-1982-uniform-blade-without-a-hub = A. D. Wright, C. E. Smith, R. W. Thresher e J. L. C. Wang, J. Appl. Mech. 49 (1982): pá uniforme sem cubo
+flapwise-at-2 = Em batimento, com η = 2
+flapwise-at-5 = Em batimento, com η = 5
+flapwise-at-12 = Em batimento, com η = 12
+at-rest-a-cantilever = Em repouso, uma viga em balanço
+roots-of-cos-cosh-1-squared-rao-5th-ed-8-5 = Raízes de cos β cosh β = −1, ao quadrado (Rao, 5ª ed., §8.5)
+lagwise-at-5 = Em avanço e recuo, com η = 5
+f-with-the-flapwise-6-4495-of-wright-and-others = ω² = ω_f² − Ω² com o valor 6,4495 de Wright e outros, em batimento
+n-6-4495-25-4-0739 = √(6,4495² − 25) = 4,0739.
+worked-from-the-printed-6-4495 = calculado a partir do valor impresso 6,4495
+at-45-degrees = A 45 graus
+f-2 = ω² = ω_f² − Ω²/2
+n-6-4495-12-5-5-3938 = √(6,4495² − 12,5) = 5,3938.
+too-fast = Rápida demais
+a-blade-without-stiffness-is-a-string = Uma pá sem rigidez é uma corda
+
+# rotating_unbalance.toml
+fan-on-a-cantilever = Ventilador sobre viga em balanço
+lists-06-08-list-07-question-2 = Listas 06–08, lista 07, questão 2
+the-damping-is-known-only-by-the-largest-steady-amplitude-at-any-speed-20-3-mm = O amortecimento é conhecido apenas pela maior amplitude em regime permanente em qualquer rotação, 20,3 mm.
+the-peak-ratio-is-m-x-max-m-e-8-12-the-printed-solution-puts-20-3e-3-m-in-its-place-finds-no-real = A razão do pico é Λ = m X_max/(m₀e) = 8,12; a solução impressa põe 20,3e-3 m no lugar dela, não encontra raiz real e supõe 0,707. A raiz é ζ = 0,06169.
+follows-from-the-assumed-0-707-with-the-damping-that-the-stated-20-3-mm-fixes-x-19-456-mm = Decorre da hipótese ζ = 0,707. Com o amortecimento que os 20,3 mm do enunciado determinam, X = 19,456 mm.
+the-fan-as-it-should-have-come-out = O ventilador com o resultado correto
+lists-06-08-list-07-question-2-with-the-smaller-root-of-4-1-1 = Listas 06–08, lista 07, questão 2, com a menor raiz de 4Λ²ζ²(1 − ζ²) = 1
+the-fan-with-the-assumed-damping = O ventilador com o amortecimento adotado
+lists-06-08-list-07-question-2-with-0-707-as-the-printed-solution-assumes = Listas 06–08, lista 07, questão 2, com ζ = 0,707, como supõe a solução impressa
+the-printed-amplitude-follows-from-the-assumption-only-the-assumption-is-wrong = A amplitude impressa decorre da hipótese; só a hipótese está errada.
+exhaust-fan-on-undamped-springs = Exaustor sobre molas sem amortecimento
+exhaust-fan-problem-with-printed-answers-edu-com-question-1058325 = Problema do exaustor com respostas impressas (edu.com, questão 1058325)
+the-springs-are-known-by-their-static-deflection-of-45-mm-k-m-g-with-g-9-81-m-s = As molas são conhecidas pela sua deflexão estática de 45 mm: k = m g/δ com g = 9,81 m/s².
+the-printed-force-is-computed-from-rounded-numbers = a força impressa é calculada com números arredondados
+motor-with-up-to-a-tenth-of-critical-damping = Motor com até um décimo do amortecimento crítico
+g-k-grover-mechanical-vibrations-ex-4-3-1 = G. K. Grover, Mechanical Vibrations, ex. 4.3.1
+the-stiffness-is-that-of-a-resonance-at-2210-rpm-1-kg-runs-60-mm-off-the-axis-the-amplitude-lies = A rigidez é a de uma ressonância a 2210 rpm; 1 kg gira a 60 mm do eixo de rotação. A amplitude fica entre a de um décimo do amortecimento crítico e a sem amortecimento.
+engine-with-a-piston = Motor com um pistão
+g-k-grover-mechanical-vibrations-ex-4-10-2 = G. K. Grover, Mechanical Vibrations, ex. 4.10.2
+the-piston-of-2-kg-with-a-stroke-of-80-mm-is-an-unbalance-of-2-kg-times-40-mm = O pistão de 2 kg com curso de 80 mm é um desbalanceamento de 2 kg vezes 40 mm.
+exciter-at-its-natural-frequency = Excitador na sua frequência natural
+w-t-thomson-theory-of-vibration-with-applications-2nd-printing-ex-3-3-1-target-of-the-verification = W. T. Thomson, Theory of Vibration with Applications, 2ª impressão, ex. 3.3-1; valor de referência do problema de verificação VM88 do Ansys Mechanical APDL
+two-counter-rotating-weights-the-unbalance-is-the-force-of-2-4-lbf-at-5-415947-hz-over-the-square-of = Dois pesos que giram em sentidos opostos; o desbalanceamento é a força de 2,4 lbf a 5,415947 Hz sobre o quadrado dessa frequência.
+the-exciter-far-above-its-natural-frequency = O excitador muito acima da sua frequência natural
+shaft-on-two-bearings-with-a-light-disc = Eixo em dois mancais com um disco leve
+turbine-disc-problem-of-rao-ch-9-amplitude-e-r-1-r-2-r-at-6000-rpm = Problema do disco de turbina de Rao, cap. 9: amplitude e r²/√((1 − r²)² + (2ζr)²) a 6000 rpm
+e-207-gpa-is-assumed = Supõe-se E = 207 GPa.
+a-largest-amplitude-below-that-of-a-very-fast-machine = Maior amplitude abaixo da de uma máquina muito rápida
+the-peak-is-never-below-m-e-m-rao-5th-ed-3-7 = O pico nunca está abaixo de m₀e/m (Rao, 5ª ed., §3.7)
+
+# rotor_dynamics.toml
+two-discs-on-isotropic-bearings-at-4000-rpm = Dois discos em mancais isotrópicos a 4000 rpm
+m-i-friswell-et-al-dynamics-of-rotating-machines-ex-5-9-1-as-the-program-ross-asserts-it = M. I. Friswell et al., Dynamics of Rotating Machines, ex. 5.9.1, como o verifica o programa ROSS
+six-timoshenko-elements-ross-lists-650-41-rad-s-too-a-torsional-mode-not-a-lateral-one-the-unbalance = Seis elementos de Timoshenko. O ROSS lista também 650,41 rad/s: um modo torcional, não lateral. O desbalanceamento é nosso.
+the-same-rotor-at-rest = O mesmo rotor em repouso
+ours-is-716-786-on-the-edge-of-the-printed-place = o nosso é 716,786, no limite da casa impressa
+two-discs-on-softer-bearings-along-y = Dois discos em mancais mais flexíveis ao longo de y
+m-i-friswell-et-al-dynamics-of-rotating-machines-ex-5-9-3-as-the-program-ross-asserts-it = M. I. Friswell et al., Dynamics of Rotating Machines, ex. 5.9.3, como o verifica o programa ROSS
+ross-divides-these-values-by-2-and-compares-them-with-a-tolerance-of-100-taken-as-hertz-they-are = O ROSS divide estes valores por 2π e os compara com uma tolerância de 100 %; tomados como hertz, estão certos.
+the-mesh-behind-the-printed-value-is-another-one-78-745-with-six-elements = a malha por trás do valor impresso é outra: 78,745 com seis elementos
+the-mesh-behind-the-printed-value-is-another-one-120-33-with-six-elements = a malha por trás do valor impresso é outra: 120,33 com seis elementos
+two-discs-on-cross-coupled-bearings-as-labelled = Dois discos em mancais com acoplamento cruzado, conforme indicado
+m-i-friswell-et-al-dynamics-of-rotating-machines-ex-5-9-4-as-the-program-ross-asserts-it = M. I. Friswell et al., Dynamics of Rotating Machines, ex. 5.9.4, como o verifica o programa ROSS
+the-second-value-14-80-hz-is-14-79-hz-at-4000-rpm = O segundo valor, 14,80 Hz, é 14,79 Hz a 4000 rpm.
+at-4000-rpm-the-value-is-11-652-hz-the-printed-list-is-labelled-so-but-is-that-of-the-rotor-at-rest = A 4000 rpm o valor é 11,652 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
+at-4000-rpm-the-value-is-33-155-hz-the-printed-list-is-labelled-so-but-is-that-of-the-rotor-at-rest = A 4000 rpm o valor é 33,155 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
+at-4000-rpm-the-value-is-49-686-hz-the-printed-list-is-labelled-so-but-is-that-of-the-rotor-at-rest = A 4000 rpm o valor é 49,686 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
+at-4000-rpm-the-value-is-89-401-hz-the-printed-list-is-labelled-so-but-is-that-of-the-rotor-at-rest = A 4000 rpm o valor é 89,401 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
+at-4000-rpm-the-value-is-133-721-hz-the-printed-list-is-labelled-so-but-is-that-of-the-rotor-at-rest = A 4000 rpm o valor é 133,721 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
+two-discs-on-cross-coupled-bearings-at-rest = Dois discos em mancais com acoplamento cruzado, em repouso
+the-printed-list-is-labelled-4000-rpm-it-holds-at-rest = A lista impressa está rotulada como de 4000 rpm; ela vale em repouso.
+the-mesh-behind-the-printed-value-is-another-one-97-944-with-six-elements = a malha por trás do valor impresso é outra: 97,944 com seis elementos
+the-mesh-behind-the-printed-value-is-another-one-126-568-with-six-elements = a malha por trás do valor impresso é outra: 126,568 com seis elementos
+example-rotor-of-ross-at-100-rad-s = Rotor de exemplo do ROSS a 100 rad/s
+ross-2-3-0-rotor-example = ROSS 2.3.0, rotor_example
+damped-rotor-of-thirty-elements-with-its-unbalance-response = Rotor amortecido de trinta elementos, com a sua resposta ao desbalanceamento
+ross-2-3-0-1-5-m-two-equal-discs-30-elements-at-400-rad-s = ROSS 2.3.0: 1,5 m, dois discos iguais, 30 elementos, a 400 rad/s
+stepped-rotor-of-18-stations-whirl-as-fast-as-it-spins = Rotor escalonado de 18 estações, precessão tão rápida quanto a rotação
+h-d-nelson-and-j-m-mcvaugh-1976-targets-of-the-verification-problem-vm247-of-ansys-mechanical-apdl = H. D. Nelson e J. M. McVaugh (1976); valores de referência do problema de verificação VM247 do Ansys Mechanical APDL
+the-stations-are-those-of-the-input-file-of-vm247-shear-is-left-out-the-first-third-and-fifth-whirl = As estações são as do arquivo de entrada do VM247; o cisalhamento é omitido. O primeiro, o terceiro e o quinto têm precessão contra a rotação.
+the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-15486 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 15486 rpm
+the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-17148 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 17148 rpm
+the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-46749 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 46749 rpm
+the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-50128 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 50128 rpm
+the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-64858 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 64858 rpm
+the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-95883 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 95883 rpm
+stepped-rotor-of-18-stations-whirl-four-times-as-fast = Rotor escalonado de 18 estações, precessão quatro vezes mais rápida
+the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-4016 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 4016,8 rpm
+the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-4120 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 4120,5 rpm
+the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-12025 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 12025 rpm
+the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-12236 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 12236 rpm
+the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-18189 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 18189 rpm
+the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-20130 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 20130 rpm
+shaft-with-internal-viscous-damping-above-its-first-critical-speed = Eixo com amortecimento viscoso interno acima da sua primeira velocidade crítica
+e-s-zorzi-and-h-d-nelson-1976-targets-of-the-verification-problem-vm261-of-ansys-mechanical-apdl = E. S. Zorzi e H. D. Nelson (1976); valores de referência do problema de verificação VM261 do Ansys Mechanical APDL
+five-elements-of-the-length-bending-alone-the-printed-decrement-is-without-sign = Cinco elementos ao longo do comprimento, somente flexão. O decremento impresso está sem sinal.
+the-reference-is-read-off-a-campbell-diagram-forward-whirl-meets-the-line-at-5000-rpm = a referência é lida de um diagrama de Campbell; a precessão direta encontra a reta a 5000 rpm
+the-reference-is-read-off-a-campbell-diagram-forward-whirl-meets-the-line-at-10525-rpm = a referência é lida de um diagrama de Campbell; a precessão direta encontra a reta a 10525 rpm
+read-off-a-figure-the-decrement-of-the-first-forward-mode-at-539-25-rad-s-is-0-0038-the-sign = Lido de uma figura. O decremento do primeiro modo direto a 539,25 rad/s é −0,0038; o sinal, instabilidade acima da primeira velocidade crítica, é o mesmo.
+the-same-shaft-above-its-second-critical-speed = O mesmo eixo acima da sua segunda velocidade crítica
+read-off-a-figure-the-decrement-of-the-second-forward-mode-at-1444-rad-s-is-0-0166-the-sign = Lido de uma figura. O decremento do segundo modo direto a 1444 rad/s é −0,0166; o sinal, instabilidade acima da velocidade crítica, é o mesmo.
+uniform-shaft-on-rigid-bearings = Eixo uniforme em mancais rígidos
+a-1-ik-a-2-ik-eik-with-k-n-l-critical-at-eik-a-1-ik-a-forward-1-3ik-a-backward = ρA(1 + Ik²/A)ω² ∓ 2ρIk²Ωω = EIk⁴ com k = nπ/L; crítica em ω² = EIk⁴/(ρA(1 ∓ Ik²/A)) na precessão direta, 1 + 3Ik²/A na retrógrada
+twelve-elements = doze elementos
+internal-damping-turns-a-shaft-on-rigid-bearings-unstable-at-its-critical-speed = O amortecimento interno torna instável um eixo em mancais rígidos na sua velocidade crítica
+with-v-alone-the-whirl-of-the-damping-is-marginal-where-at-the-forward-critical-speed-4714-72-rpm = Só com η_v, a precessão ω é marginal quanto ao amortecimento onde ω = Ω: na velocidade crítica direta, 4714,72 rpm
+bearings-that-stiffen-with-speed = Mancais que enrijecem com a rotação
+short-stiff-shaft-on-two-bearings-m-2k-with-and-k-10-kn-m-390-kn-m-3000-rpm-m-12-3308-kg = Eixo curto e rígido sobre dois mancais: mω² = 2k(Ω) com ω = Ω e k = 10 kN/m + Ω·390 kN/m/(3000 rpm); m = 12,3308 kg
+the-shaft-is-not-quite-rigid = o eixo não é totalmente rígido
+the-same-bearings-their-table-from-500-rpm-on = Os mesmos mancais, com a tabela a partir de 500 rpm
+the-same-shaft-along-x-half-of-that-line-of-stiffness-over-speed-along-y-all-of-it = O mesmo eixo; na direção x, metade dessa reta da rigidez em função da rotação; na direção y, toda ela
+the-diagrams-begin-where-the-tables-do = Os diagramas começam onde começam as tabelas.
+diagrams-beyond-the-table-of-a-bearing = Diagramas além da tabela de um mancal
+nothing-is-known-of-a-bearing-beyond-the-last-row-of-its-table = Nada se sabe de um mancal além da última linha da sua tabela
+a-disc-beside-the-shaft = Disco fora do eixo
+a-disc-can-only-be-where-the-shaft-is = Um disco só pode estar onde há eixo
+a-shaft-compressed-beyond-buckling = Eixo comprimido além da flambagem
+euler-ei-l-248-05-kn = Euler: π²EI/L² = 248,05 kN
+
+# shaft_clearance.toml
+francis-turbine-with-a-damping-ratio-of-0-30 = Turbina Francis com razão de amortecimento de 0,30
+lists-06-08-list-08-question-3 = Listas 06–08, lista 08, questão 3
+length-and-young-s-modulus-are-those-of-the-figure-of-rao-s-example-2-m-and-207-gpa-with-0-30-the = O comprimento e o módulo de elasticidade são os da figura do exemplo de Rao, 2 m e 207 GPa. Com ζ = 0,30 a amplitude nunca passa de 0,035 mm, de modo que todo diâmetro é permitido.
+the-printed-solution-puts-the-damping-ratio-in-the-place-of-the-coefficient-c-0-3-n-s-m-which-is-next = A solução impressa põe a razão de amortecimento no lugar do coeficiente, c = 0,3 N·s/m, o que é quase não ter amortecimento, olha apenas a maior rotação e abandona o ramo flexível. Com ζ = 0,30 a maior amplitude de qualquer eixo é 0,0349 mm, contra uma folga de 5 mm: todo diâmetro é permitido.
+the-turbine-with-a-damping-ratio-of-0-30-as-it-should-have-come-out = A turbina com razão de amortecimento de 0,30, com o resultado correto
+lists-06-08-list-08-question-3-with-the-peak-e-2-1 = Listas 06–08, lista 08, questão 3, com o pico e/(2ζ√(1 − ζ²))
+the-turbine-without-damping = A turbina sem amortecimento
+lists-06-08-list-08-question-3-with-k-m-m-e-r-at-480-and-7200-rpm = Listas 06–08, lista 08, questão 3, com k = (m ∓ m₀e/R)ω² a 480 e 7200 rpm
+between-the-two-branches-the-critical-speed-falls-into-the-range = Entre os dois ramos, a velocidade crítica cai dentro da faixa.
+the-turbine-with-30-read-as-0-3-n-s-m = A turbina com 30 % lido como 0,3 N·s/m
+lists-06-08-list-08-question-3-with-the-coefficient-of-the-printed-solution = Listas 06–08, lista 08, questão 3, com o coeficiente da solução impressa
+the-printed-stiffness-and-diameter-are-those-of-the-stiff-branch-the-soft-one-is-missing = A rigidez e o diâmetro impressos são os do ramo rígido; falta o flexível.
+the-soft-branch-is-missing-diameters-up-to-113-4-mm-keep-the-rotor-clear-as-well-above-its-critical = Falta o ramo flexível: diâmetros de até 113,4 mm também mantêm o rotor sem contato, acima da sua velocidade crítica.
+the-turbine-of-the-textbook-without-damping-and-margins = A turbina do livro, sem amortecimento nem margens
+s-s-rao-mechanical-vibrations-4th-ed-ex-3-5 = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5
+the-book-solves-m-e-k-m-r-at-600-rpm-which-is-the-stiff-side-of-the-resonance-there-a-shaft-of-127-0 = O livro resolve m₀eω²/(k − mω²) = R a 600 rpm, que ali é o lado rígido da ressonância. Um eixo de 127,0 mm tem a sua velocidade crítica em 601 rpm, dentro da faixa. Os eixos flexíveis terminam em 126,74 mm, os rígidos começam em 401,6 mm.
+the-textbook-turbine-as-it-should-have-come-out = A turbina do livro com o resultado correto
+s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-with-k-m-m-e-r-at-600-and-6000-rpm = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5, com k = (m ∓ m₀e/R)ω² a 600 e 6000 rpm
+the-turbine-with-next-to-no-damping = A turbina quase sem amortecimento
+k-m-1-2-m-e-m-r-4-1-with-0-001 = k/(m ω²) = 1 − 2ζ² ∓ √((m₀e/(m R))² − 4ζ²(1 − ζ²)) com ζ = 0,001
+the-undamped-turbine-with-shafts-from-150-to-400-mm-only = A turbina sem amortecimento, só com eixos de 150 a 400 mm
+the-permitted-diameters-113-4-mm-and-less-or-439-9-mm-and-more-are-none-of-these = Os diâmetros permitidos, de até 113,4 mm ou a partir de 439,9 mm, não incluem nenhum destes
+a-shaft-on-two-bearings = Eixo em dois mancais
+d-64-k-l-48-e-with-k-m-m-e-r = d = ⁴√(64 k L³/(48 π E)) com k = (m ∓ m₀e/R)ω²
+speeds-in-the-wrong-order = Rotações na ordem errada
+a-range-begins-with-its-lowest-speed = Uma faixa começa pela sua menor rotação
+stiffness-of-the-textbook-turbine = Rigidez da turbina do livro
+largest-unbalance-of-a-damped-rotor-that-runs-through-its-resonance = Maior desbalanceamento de um rotor amortecido que atravessa a sua ressonância
+the-peak-e-2-1-is-the-clearance-e-2-0-05-1-0-05-5-mm = O pico e/(2ζ√(1 − ζ²)) é a folga: e = 2·0,05·√(1 − 0,05²)·5 mm
+largest-eccentricity-of-an-undamped-rotor-below-its-critical-speed = Maior excentricidade de um rotor sem amortecimento abaixo da sua velocidade crítica
+e-r-1-r-r-with-r-m-k-at-half-the-critical-speed-3r = e = R(1 − r²)/r² com r² = ω²m/k; na metade da velocidade crítica, 3R
+no-eccentricity-will-do = Nenhuma excentricidade serve
+an-undamped-rotor-with-its-critical-speed-within-the-range-rao-5th-ed-9-5 = Um rotor sem amortecimento com a velocidade crítica dentro da faixa (Rao, 5ª ed., §9.5)
+speeds-of-the-textbook-turbine-on-its-shaft-of-127-mm = Rotações da turbina do livro no seu eixo de 127 mm
+s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-with-r-r-e = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5, com ω = ωₙ√(R/(R ± e))
+the-band-of-600-to-6000-rpm-begins-inside-the-forbidden-one-the-shaft-of-the-book-touches-the-stator = A faixa de 600 a 6000 rpm começa dentro da proibida: o eixo do livro toca o estator assim que deixa 600 rpm.
+every-speed-of-the-damped-turbine = Qualquer rotação da turbina amortecida
+the-peak-e-2-1-is-below-the-clearance-from-0-002-on = O pico e/(2ζ√(1 − ζ²)) fica abaixo da folga a partir de ζ = 0,002
+stiffnesses-of-the-textbook-turbine-up-to-50-mn-m = Rigidezes da turbina do livro até 50 MN/m
+s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-the-stiff-branch-begins-at-99-09-mn-m = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5: o ramo rígido começa em 99,09 MN/m
+
+# shaft_with_discs.toml
+three-loads-on-a-shaft-of-3-m = Três cargas num eixo de 3 m
+b-k-sarkar-theory-of-machines-ch-11-ill-6-fossee-companion = B. K. Sarkar, Theory of Machines, cap. 11, il. 6 (complemento FOSSEE)
+the-companion-puts-the-second-load-2000-n-in-the-place-of-the-third-1000-n-with-the-loads-of-the = O complemento põe a segunda carga, 2000 N, no lugar da terceira, 1000 N. Com as cargas do enunciado Dunkerley dá 4,276 Hz; com 2000 N duas vezes dá 4,076 Hz.
+the-three-loads-with-the-slip-of-the-companion = As três cargas com o lapso do complemento
+b-k-sarkar-theory-of-machines-ch-11-ill-6-fossee-companion-with-2000-n-in-the-third-place-too = B. K. Sarkar, Theory of Machines, cap. 11, il. 6 (complemento FOSSEE), com 2000 N também na terceira posição
+the-printed-frequency-follows-from-the-slip-the-companion-takes-as-3-147-and-f-as-0-4985 = A frequência impressa decorre do engano; o complemento toma π como 3,147 e f como 0,4985/√δ.
+one-load-and-a-heavy-shaft = Uma carga e um eixo pesado
+b-k-sarkar-theory-of-machines-ch-11-ill-10-fossee-companion = B. K. Sarkar, Theory of Machines, cap. 11, il. 10 (complemento FOSSEE)
+the-density-of-40000-kg-m-is-that-of-the-statement-the-exact-value-is-that-of-the-dynamic-stiffness = A massa específica de 40000 kg/m³ é a do enunciado. O valor exato é o da rigidez dinâmica.
+the-companion-takes-as-3-147-and-f-as-0-4985 = o complemento toma π como 3,147 e f como 0,4985/√δ
+three-masses-and-the-weight-of-the-shaft = Três massas e o peso do eixo
+b-k-sarkar-theory-of-machines-ch-11-ill-11-fossee-companion = B. K. Sarkar, Theory of Machines, cap. 11, il. 11 (complemento FOSSEE)
+the-companion-calls-1962-the-weight-of-the-shaft-in-n-its-formula-and-the-density-of-steel-make-it = O complemento chama 1962 de peso do eixo em N; a sua fórmula e a massa específica do aço fazem dele 1962 N por metro.
+one-disc-at-the-middle = Um disco no meio
+n-48ei-l-m-rao-5th-ed-2-2-with-one-disc-all-methods-are-exact = ω² = 48EI/(L³m) (Rao, 5ª ed., §2.2): com um só disco todos os métodos são exatos
+e-i-4-kn-m-48-4000-10-138-564-rad-s = E I = 4 kN·m²: ω = √(48·4000/10) = 138,564 rad/s.
+shaft-with-next-to-no-disc = Eixo quase sem disco
+ei-m-l-the-static-deflection-gives-rayleigh-1-00144-of-it-rao-5th-ed-8-5-8-7 = ω = π²√(EI/(m̄L⁴)); com a deflexão estática, Rayleigh dá π²√(1,00144…) disso (Rao, 5ª ed., §§8.5, 8.7)
+e-i-4-kn-m-m-4-kg-m-312-104-rad-s-rayleigh-with-the-deflection-under-its-own-weight-wy-m-y-3024-31-ei = E I = 4 kN·m², m̄ = 4 kg/m: 312,104 rad/s. Rayleigh com a deflexão sob o peso próprio: ω² = (∫wy)/(∫m̄y²) = 3024/31·EI/(m̄L⁴), 312,327 rad/s.
+disc-on-an-overhang = Disco num trecho em balanço
+n-3ei-c-l-c-m-shigley-table-a-9 = ω² = 3EI/(c²(l + c)m) (Shigley, tabela A-9)
+l-0-8-m-c-0-2-m-e-i-4-kn-m-5-kg-3-4000-0-04-1-5-244-949-rad-s = l = 0,8 m, c = 0,2 m, E I = 4 kN·m², 5 kg: ω = √(3·4000/(0,04·1·5)) = 244,949 rad/s.
+cantilever-with-two-discs-and-its-own-mass = Eixo em balanço com dois discos e a sua massa própria
+dynamic-stiffness-with-strain-and-kinetic-energy-of-its-shape-as-the-second-way = Rigidez dinâmica, com as energias de deformação e cinética da sua forma como segundo método
+a-disc-beyond-the-shaft = Disco além do eixo
+the-disc-must-stand-on-the-shaft = O disco tem de estar sobre o eixo
+
+# shock_response_spectrum.toml
+half-sine-pulse-on-undamped-oscillators = Pulso de meio seno em osciladores sem amortecimento
+shock-spectrum-of-a-half-sine-pulse-1-77-at-t-d-t-0-81-quoted-in-many-texts-among-them-c-m-harris-and = Espectro de choque de um pulso de meio seno, 1,77 em t_d/T = 0,81: citado em muitos textos, entre eles C. M. Harris e A. G. Piersol, Harris' Shock and Vibration Handbook, cap. 8
+the-same-to-more-digits = O mesmo, com mais algarismos
+the-greatest-primary-of-the-half-sine-sin-2-r-1-r-1-r-with-r-t-2t-d-over-r = O maior valor primário do meio seno, sen(2π r/(1 + r))/(1 − r) com r = T/(2t_d), sobre r
+at-100-hz-the-pulse-lasts-1-1-periods-the-residual-is-4n-cos-n-1-4n = A 100 Hz o pulso dura 1,1 período; o residual é 4n cos(πn)/(1 − 4n²).
+amplification-2-sin-n-up-to-n-1-2-2-from-there-on-rao-5th-ed-4-6 = Amplificação 2 sen(πn) até n = 1/2, 2 a partir daí (Rao, 5ª ed., §4.6)
+terminal-peak-sawtooth-with-a-twentieth-of-critical-damping = Dente de serra de pico final com um vigésimo do amortecimento crítico
+runge-kutta-integration-of-the-motion-relative-to-the-base = Integração de Runge–Kutta do movimento relativo à base
+a-record-by-its-table = Um registro pela sua tabela
+the-table-of-a-rectangle-gives-the-rectangle-2-sin-n = A tabela de um retângulo dá o retângulo: 2 sen(πn)
+a-range-without-width = Faixa sem largura
+a-spectrum-needs-a-range = Um espectro precisa de uma faixa
+
+# spring_network.toml
+mass-on-a-rubber-pad-above-a-felt-pad = Massa sobre um coxim de borracha acima de um coxim de feltro
+g-k-grover-mechanical-vibrations-ex-3-3-2 = G. K. Grover, Mechanical Vibrations, ex. 3.3.2
+the-book-combines-springs-and-dampers-each-in-series-the-exact-root-of-the-third-order-equation = O livro associa molas e amortecedores, cada grupo em série; a raiz exata da equação de terceira ordem consta ao lado.
+the-two-pads-exactly = Os dois coxins com exatidão
+m-c-c-s-m-k-k-c-c-s-k-c-k-c-s-k-k-0 = m (c₁ + c₂) s³ + (m (k₁ + k₂) + c₁ c₂) s² + (k₁ c₂ + k₂ c₁) s + k₁ k₂ = 0
+a-kelvin-voigt-element-in-series-with-another-is-exact-in-k-cs-only-as-a-spring-and-a-damper-apart-it = Um elemento de Kelvin–Voigt em série com outro só é exato na forma k + cs; como mola e amortecedor separados, desvia-se aqui 0,03 % na frequência.
+a-bridge-of-springs = Uma ponte de molas
+balanced-bridge-the-spring-across-carries-nothing-and-two-pairs-in-series-stand-side-by-side = Ponte equilibrada: a mola transversal não leva força, e dois pares em série ficam em paralelo
+n-3-and-6-kn-m-in-series-are-2-kn-m-6-and-12-kn-m-in-series-are-4-kn-m = 3 e 6 kN/m em série são 2 kN/m, 6 e 12 kN/m em série são 4 kN/m.
+a-spring-beside-a-spring-and-damper-in-series = Mola ao lado de mola e amortecedor em série
+standard-linear-solid-k-i-k-k-i-c-k-i-c = Sólido linear padrão: k(iω) = k₁ + k₂ iωc/(k₂ + iωc)
+at-k-c-the-branch-gives-k-1-i-2 = Em ω = k₂/c o ramo dá k₂ (1 + i)/2.
+two-masses-in-a-row = Duas massas em sequência
+equal-masses-and-springs-one-end-fixed-2-k-m-sin-10-and-sin-3-10 = Massas e molas iguais, uma extremidade fixa: ω = 2 √(k/m) sen(π/10) e sen(3π/10)
+a-node-that-nothing-holds = Um nó que nada segura
+there-is-no-such-equilibrium = Um equilíbrio assim não existe
+a-mass-shaken-at-its-natural-frequency = Massa excitada na sua frequência natural
+
+# string_rod_shaft.toml
+guitar-string = Corda de violão
+r-d-blevins-formulas-for-natural-frequency-and-mode-shape-table-7-1-target-of-the-verification = R. D. Blevins, Formulas for Natural Frequency and Mode Shape, tabela 7-1; valor de referência do problema de verificação VM76 do Ansys Mechanical APDL
+a-string-of-0-71-m-under-84-n-fixed-at-both-ends = Uma corda de 0,71 m sob 84 N, fixa nas duas extremidades.
+stretched-wire = Fio esticado
+w-t-thomson-vibration-theory-and-applications-art-8-2-target-of-the-verification-problem-vm53-of = W. T. Thomson, Vibration Theory and Applications, art. 8.2; valor de referência do problema de verificação VM53 do Ansys Mechanical APDL
+n-100-in-under-500-lbf-fixed-at-both-ends-the-density-is-0-00073-lbf-s-in = 100 in sob 500 lbf, fixa nas duas extremidades; a massa específica é 0,00073 lbf·s²/in⁴.
+drill-pipe-with-a-collar = Tubo de perfuração com um comando
+w-t-thomson-vibration-theory-and-applications-ex-8-4-5-target-of-the-verification-problem-vm57-of = W. T. Thomson, Vibration Theory and Applications, ex. 8.4-5; valor de referência do problema de verificação VM57 do Ansys Mechanical APDL
+n-5000-ft-of-tube-fixed-at-the-top-the-collar-of-29-3-lbf-ft-s-at-its-lower-end-density-15-2174-slug = 5000 ft de tubo, fixo no topo, com o colar de 29,3 lbf·ft·s² na extremidade inferior; massa específica de 15,2174 slug/ft³.
+free-rod = Barra livre
+w-t-thomson-vibration-theory-and-applications-ex-8-3-1-target-of-the-verification-problem-vm61-of = W. T. Thomson, Vibration Theory and Applications, ex. 8.3-1; valor de referência do problema de verificação VM61 do Ansys Mechanical APDL
+n-800-in-of-steel-free-at-both-ends-the-source-counts-the-motion-as-a-whole-as-the-first-mode-its = 800 in de aço, livre nas duas extremidades. A fonte conta o movimento como corpo rígido como primeiro modo; a segunda e a terceira frequências dela são aqui a primeira e a segunda.
+tower-of-thin-walls-in-shear = Torre de paredes finas em cisalhamento
+r-d-blevins-formulas-for-natural-frequency-and-mode-shape-target-of-the-verification-problem-vm202-of = R. D. Blevins, Formulas for Natural Frequency and Mode Shape; valor de referência do problema de verificação VM202 do Ansys Mechanical APDL
+a-square-tube-10-m-wide-and-30-m-high-clamped-at-its-foot = Um tubo quadrado, de 10 m de largura e 30 m de altura, engastado na base.
+the-frequencies-of-a-shear-beam-clamped-at-one-end-are-as-1-3-5-so-that-the-first-target-17-375-hz = As frequências de uma viga de cisalhamento engastada numa extremidade são como 1 : 3 : 5, de modo que o primeiro valor de referência, 17,375 Hz, dá 52,126 Hz para o segundo.
+deep-square-beam-in-torsion = Viga alta de seção quadrada em torção
+nafems-test-fv5-torsional-modes-target-in-the-verification-problem-vmp09-t5-of-ansys-mechanical-apdl = NAFEMS, teste FV5, modos torcionais; valor de referência no problema de verificação VMP09-T5 do Ansys Mechanical APDL
+n-10-m-long-and-2-m-by-2-m-held-against-turning-at-one-end-only = 10 m de comprimento e 2 m por 2 m; impedido de girar em uma só extremidade.
+the-target-takes-the-torsion-constant-of-the-square-as-0-1406-a-saint-venant-s-series-gives-0-140577 = o valor de referência toma a constante de torção do quadrado como 0,1406 a⁴; a série de Saint-Venant dá 0,140577 a⁴
+deep-square-beam-in-torsion-with-the-constant-of-the-tables = Viga alta de seção quadrada em torção com a constante das tabelas
+the-torsion-constant-is-0-1406-a = A constante de torção é 0,1406 a⁴.
+deep-square-beam-along-its-axis = Viga alta de seção quadrada ao longo do seu eixo
+nafems-test-fv5-axial-mode-target-in-the-verification-problem-vmp09-t5-of-ansys-mechanical-apdl = NAFEMS, teste FV5, modo axial; valor de referência no problema de verificação VMP09-T5 do Ansys Mechanical APDL
+short-beam-along-its-axis = Viga curta ao longo do seu eixo
+code-aster-validation-manual-v2-test-sdll01-axial-modes = Manual de validação do Code_Aster, V2, teste SDLL01, modos axiais
+held-along-its-axis-at-one-end-only = Preso na direção longitudinal em uma só extremidade.
+rod-with-its-own-mass-at-its-end = Barra com a sua própria massa na extremidade
+tan-1-for-a-mass-equal-to-that-of-the-rod-rao-5th-ed-8-3 = β tan β = 1 para uma massa igual à da barra (Rao, 5ª ed., §8.3)
+a-spring-as-stiff-as-the-rod = Mola tão rígida quanto a barra
+tan-for-a-rod-fixed-at-one-end-with-a-spring-ea-l-at-the-other = tan β = −β para uma barra fixa numa extremidade, com uma mola EA/L na outra
+a-light-rod-between-two-masses = Barra leve entre duas massas
+two-masses-on-a-spring-ea-l-ea-l-1-m-1-m-where-the-rod-has-next-to-no-mass = Duas massas sobre uma mola EA/L: ω² = (EA/L)(1/m₁ + 1/m₂), quando a barra quase não tem massa
+weight-of-a-cable = Peso de um cabo
+c-t-g-w-f-c-2l = c = √(T g/w), f = c/(2L)
+a-cable-of-20-n-m-under-50-kn-c-50000-9-81-20-156-605-m-s = Um cabo de 20 N/m sob 50 kN: c = √(50000·9,81/20) = 156,605 m/s.
+a-density-without-an-area = Massa específica sem área
+the-mass-of-each-length-is-density-times-area = A massa por unidade de comprimento é a massa específica vezes a área
+
+# swing_test.toml
+connecting-rod-on-a-knife-edge = Biela sobre um cutelo
+g-t-4-j-o-m-s-j-m-s-s = λ = g T²/(4π²), J_O = m s λ, J = m s (λ − s)
+fifty-swings-in-85-70-s = Cinquenta oscilações em 85,70 s.
+a-uniform-bar-gives-its-own-moment-of-inertia = Uma barra uniforme devolve o seu próprio momento de inércia
+j-m-l-12-with-l-1-2-m-t-2-s-g-s-with-s-0-5-m = J = m L²/12 com L = 1,2 m, T = 2π √((κ² + s²)/(g s)) com s = 0,5 m
+the-rod-swings-by-60-degrees-to-each-side = A biela oscila 60 graus para cada lado
+t-t-agm-1-cos-2 = T₀ = T agm(1, cos θ₀/2)
+taken-as-small-these-swings-would-give-a-moment-of-inertia-more-than-half-as-large-again = Tomadas como pequenas, estas oscilações dariam um momento de inércia maior em mais da metade.
+a-weight-in-pounds = Um peso em libras
+g-t-4-j-m-s-s-m-w-g = λ = g T²/(4π²), J = m s (λ − s), m = W/g
+two-points-the-mass-centre-between-them = Dois pontos, com o centro de massa entre eles
+h-l-l-2l-h-h-periods-of-0-2-m-at-0-3-m-and-0-15-m-to-0-1-ms = h₁ = L (L − λ₂)/(2L − λ₁ − λ₂), κ² = h₁ (λ₁ − h₁); períodos para κ = 0,2 m a 0,3 m e 0,15 m, com precisão de 0,1 ms
+two-points-on-one-side-of-the-mass-centre = Dois pontos de um mesmo lado do centro de massa
+h-l-l-2l-periods-of-0-2-m-at-0-3-m-and-0-12-m-to-0-1-ms = h₁ = L (L + λ₂)/(2L − λ₁ + λ₂); períodos para κ = 0,2 m a 0,3 m e 0,12 m, com precisão de 0,1 ms
+on-a-trifilar-platform = Numa plataforma trifilar
+j-m-m-g-r-t-4-l-m-g-r-t-4-l = J = (m + m₀) g r² T²/(4π² l) − m₀ g r² T₀²/(4π² l)
+bifilar-the-wires-wider-at-the-top = Bifilar, com os fios mais afastados em cima
+j-m-g-r-r-t-4-h-h-l-r-r = J = m g r R T²/(4π² h), h² = l² − (R − r)²
+a-torsion-wire-and-a-known-ring = Fio de torção e um anel conhecido
+j-j-a-t-t-a-t-k-t-4-j-a-t-a-t = J = J_a T²/(T_a² − T²), k_t = 4π² J_a/(T_a² − T²)
+a-torsion-wire-of-known-stiffness = Fio de torção de rigidez conhecida
+j-k-t-t-4 = J = k_t T²/(4π²)
+a-known-body-instead-on-the-same-wire = Um corpo conhecido no lugar, no mesmo fio
+j-j-k-t-t-k = J = J_k (T/T_k)²
+a-wheel-on-its-journals-in-hollow-rails = Roda sobre os seus munhões em trilhos côncavos
+g-t-4-r-1 = κ² = ρ² (g T²/(4π² (R − ρ)) − 1)
+a-wheel-that-rolls-down-inclined-rails = Roda que desce trilhos inclinados
+g-sin-t-2-s-1 = κ² = ρ² (g sen α t²/(2 s) − 1)
+a-period-too-short-for-its-distance = Período curto demais para a sua distância
+s-for-every-body = λ > s para todo corpo
+a-reversible-pendulum = Pêndulo reversível
+l-leaves-the-mass-centre-open = λ₁ = λ₂ = L deixa indeterminado o centro de massa
+
+# tapered_beam.toml
+triangular-plate-spring = Mola de lâmina triangular
+s-timoshenko-vibration-problems-in-engineering-art-62-target-of-the-verification-problem-vm62-of = S. Timoshenko, Vibration Problems in Engineering, art. 62; valor de referência do problema de verificação VM62 do Ansys Mechanical APDL
+a-cantilever-of-16-in-4-in-wide-at-the-root-and-pointed-at-the-tip-1-in-thick-density-0-000728-lbf-s = Uma viga em balanço de 16 in, com 4 in de largura na raiz e terminada em ponta, de 1 in de espessura; massa específica de 0,000728 lbf·s²/in⁴.
+the-settled-frequency-number-is-7-1565-which-gives-260-72-hz-rayleigh-ritz-an-upper-bound-and-the = O número de frequência convergido é 7,1565, o que dá 260,72 Hz: Rayleigh–Ritz, um limite superior, e o quociente dos momentos concordam em nove algarismos. O valor de referência está 0,6 % abaixo.
+the-plate-spring-as-it-should-have-come-out = A mola de lâmina com o resultado correto
+finite-elements-260-716-hz-frequency-number-7-156 = Elementos finitos, 260,716 Hz (número de frequência 7,156)
+double-taper-breadth-ratio-4 = Afilamento duplo, razão de larguras 4
+h-h-mabie-and-c-b-rogers-j-acoust-soc-am-51-1972-code-aster-validation-manual-test-sdll09-v2-02-009 = H. H. Mabie e C. B. Rogers, J. Acoust. Soc. Am. 51 (1972); manual de validação do Code_Aster, teste SDLL09 (V2.02.009)
+a-cantilever-whose-height-falls-to-a-quarter-and-whose-breadth-to-a-quarter-the-frequency-numbers-are = Uma viga em balanço cuja altura se reduz a um quarto e cuja largura se reduz a um quarto; os números de frequência são ωL²√(12ρ/E)/h₁ com a altura h₁ da extremidade livre, que aqui é a esquerda.
+the-printed-table-is-0-013-below-the-settled-value-23-2921 = a tabela impressa fica 0,013 % abaixo do valor convergido 23,2921
+the-printed-table-is-0-024-below-the-settled-value-73-918 = a tabela impressa fica 0,024 % abaixo do valor convergido 73,918
+the-printed-table-is-0-032-below-the-settled-value-165-283 = a tabela impressa fica 0,032 % abaixo do valor convergido 165,283
+the-printed-table-is-0-025-below-the-settled-value-299-77 = a tabela impressa fica 0,025 % abaixo do valor convergido 299,77
+the-printed-table-is-0-015-below-the-settled-value-478-17 = a tabela impressa fica 0,015 % abaixo do valor convergido 478,17
+double-taper-breadth-ratio-5 = Afilamento duplo, razão de larguras 5
+a-cantilever-whose-height-falls-to-a-quarter-and-whose-breadth-to-a-fifth-the-frequency-numbers-are-l = Uma viga em balanço cuja altura se reduz a um quarto e cuja largura se reduz a um quinto; os números de frequência são ωL²√(12ρ/E)/h₁ com a altura h₁ da extremidade livre, que aqui é a esquerda.
+the-printed-table-is-0-012-below-the-settled-value-24-3110 = a tabela impressa fica 0,012 % abaixo do valor convergido 24,3110
+the-printed-table-is-0-022-below-the-settled-value-75-577 = a tabela impressa fica 0,022 % abaixo do valor convergido 75,577
+the-printed-table-is-0-023-below-the-settled-value-167-249 = a tabela impressa fica 0,023 % abaixo do valor convergido 167,249
+the-printed-table-is-0-012-below-the-settled-value-480-46 = a tabela impressa fica 0,012 % abaixo do valor convergido 480,46
+double-taper-between-two-bounds = Afilamento duplo entre dois limites
+rayleigh-ritz-from-above-and-the-quotient-of-the-moments-from-below-which-agree-to-twelve-digits = Rayleigh–Ritz por cima e o quociente dos momentos por baixo, que concordam em doze algarismos
+wedge = Cunha
+kirchhoff-5-315-ei-a-l-for-a-clamped-wedge-timoshenko-art-62 = Kirchhoff: ω = 5,315 √(EI₀/(ρA₀L⁴)) para uma cunha engastada (Timoshenko, art. 62)
+kirchhoff-8-719-ei-a-l-for-a-clamped-cone-timoshenko-art-62 = Kirchhoff: ω = 8,719 √(EI₀/(ρA₀L⁴)) para um cone engastado (Timoshenko, art. 62)
+no-taper = Sem afilamento
+uniform-cantilever-roots-of-cos-cosh-1-rao-5th-ed-8-5 = Viga em balanço uniforme: Λ = β², raízes de cos β cosh β = −1 (Rao, 5ª ed., §8.5)
+a-point-that-is-to-be-held = Uma ponta aguda que se quer apoiar
+a-section-without-area-carries-nothing = Uma seção sem área nada sustenta
+
+# torsional_train.toml
+three-rotors-on-one-shaft = Três rotores num mesmo eixo
+t-bevan-the-theory-of-machines-ch-15-ex-9 = T. Bevan, The Theory of Machines, cap. 15, ex. 9
+w-r-is-printed-in-long-tons-times-ft-g-32-2-ft-s = W R² está impresso em toneladas longas vezes ft²; g = 32,2 ft/s².
+the-printed-value-follows-from-node-positions-read-to-three-figures = o valor impresso decorre de posições dos nós lidas com três algarismos
+two-rotors-on-a-shaft-of-five-steps = Dois rotores num eixo de cinco degraus
+t-bevan-the-theory-of-machines-ch-15-ex-8-as-worked-in-a-companion-program = T. Bevan, The Theory of Machines, cap. 15, ex. 8, como calculado num programa complementar
+w-r-is-printed-in-lb-times-ft-g-32-2-ft-s = W R² está impresso em lb vezes ft²; g = 32,2 ft/s².
+the-companion-program-divides-whole-numbers-so-that-3-5-and-3-7-become-zero-and-the-steps-of-5-in-and = O programa complementar faz divisão de números inteiros, de modo que (3/5)⁴ e (3/7)⁴ se tornam zero e os trechos de 5 in e 7 in desaparecem; com eles a frequência é 22,26 Hz.
+the-five-steps-as-they-should-have-come-out = Os cinco degraus com o resultado correto
+k-j-j-j-j-1-k-32-l-g-d-g-32-2-ft-s = ω = √(k (J₁ + J₂)/(J₁ J₂)), 1/k = Σ 32 l/(π G d⁴), g = 32,2 ft/s²
+two-discs-on-a-long-shaft = Dois discos num eixo longo
+g-k-grover-mechanical-vibrations-ex-5-3-3 = G. K. Grover, Mechanical Vibrations, ex. 5.3.3
+n-58-16595-was-cut-not-rounded = 58,16595 foi truncado, não arredondado
+the-two-discs-with-half-of-the-shaft-twice-as-thick = Os dois discos com metade do eixo duas vezes mais grossa
+g-k-grover-mechanical-vibrations-ex-5-3-3-second-part = G. K. Grover, Mechanical Vibrations, ex. 5.3.3, segunda parte
+printed-as-a-ratio-of-1-372-to-the-first-frequency-9-257-hz-12-70-hz = Impresso como razão de 1,372 para a primeira frequência, 9,257 Hz: 12,70 Hz.
+two-equal-flywheels = Dois volantes iguais
+w-g-mclean-and-e-w-nelson-schaum-s-outline-of-engineering-mechanics-ch-19-prob-13 = W. G. McLean e E. W. Nelson, Schaum's Outline of Engineering Mechanics, cap. 19, probl. 13
+motor-and-pump-through-a-gear-of-three-to-one = Motor e bomba por uma engrenagem de três para um
+b-k-sarkar-theory-of-machines-ch-11-ill-12 = B. K. Sarkar, Theory of Machines, cap. 11, il. 12
+the-motor-runs-at-1500-rpm-three-times-as-fast-as-the-pump-the-gears-are-taken-as-light = O motor gira a 1500 rpm, três vezes mais depressa que a bomba; as engrenagens são tomadas como leves.
+four-discs-under-a-harmonic-torque = Quatro discos sob um torque harmônico
+g-k-grover-mechanical-vibrations-ex-7-7-2-as-worked-in-a-companion-program = G. K. Grover, Mechanical Vibrations, ex. 7.7.2, como calculado num programa complementar
+n-10-kn-m-at-5-rad-s-on-the-second-disc = 10 kN·m a 5 rad/s no segundo disco.
+the-printed-amplitudes-are-worked-with-four-figures = as amplitudes impressas são calculadas com quatro algarismos
+the-torque-of-the-third-shaft-was-summed-without-that-of-the-first-disc-and-the-torque-from-outside = O torque do terceiro eixo foi somado sem o do primeiro disco e sem o torque externo. Os quatro torques de inércia e os 10 kN·m equilibram-se com −1,9604 rad.
+three-rotors-with-nodes = Três rotores com nós
+r-s-khurmi-s-problem-of-three-rotors-stated-without-an-answer-transtutors-question-1418436 = Problema dos três rotores de R. S. Khurmi, enunciado sem resposta (transtutors, questão 1418436)
+held-to-the-quadratic-of-three-discs-the-nodes-follow-from-the-amplitudes-along-each-shaft = Conferido com a equação do segundo grau de três discos; os nós decorrem das amplitudes ao longo de cada eixo.
+a-branched-train-with-geared-sides = Trem ramificado com lados engrenados
+three-equal-branches-on-a-hub-k-j-of-a-branch-twice-and-k-1-j-3-j-h = Três ramos iguais num cubo: ω² = k/J de um ramo, duas vezes, e k (1/J + 3/J_h)
+the-third-branch-stands-behind-gears-of-two-to-one-with-a-quarter-of-the-stiffness-and-the-inertia = O terceiro ramo fica atrás de engrenagens de dois para um, com um quarto da rigidez e da inércia: reduzido, é como os outros.
+a-disc-between-two-walls-at-a-trial-frequency = Disco entre duas paredes, a uma frequência de tentativa
+k-k-j-at-30-rad-s-the-walls-ask-for-900-n-m-rad-less-than-the-2500-they-can-give = ω = √((k₁ + k₂)/J); em ω = 30 rad/s as paredes exigem 900 N·m/rad a menos que os 2500 que podem dar
+a-torque-at-a-natural-frequency = Torque numa frequência natural
+two-discs-of-1-kg-m-on-50-n-m-rad-10-rad-s = Dois discos de 1 kg·m² ligados por 50 N·m/rad: ω = 10 rad/s
+a-shaft-that-closes-a-loop = Eixo que fecha uma malha
+a-train-is-a-tree = Um trem torcional é uma árvore
+
+# transient_response.toml
+beam-with-a-load-that-rises-in-75-ms = Viga com carga que sobe em 75 ms
+j-m-biggs-introduction-to-structural-dynamics-p-50-ex-e-target-of-the-verification-problem-vm77-of = J. M. Biggs, Introduction to Structural Dynamics, p. 50, ex. E; valor de referência do problema de verificação VM77 do Ansys Mechanical APDL
+n-20-kip-on-the-mass-in-the-middle-of-a-simply-supported-beam-the-printed-values-are-read-from-a = 20 kip na massa no meio de uma viga biapoiada. Os valores impressos são lidos de um ábaco.
+the-printed-value-is-read-from-a-chart = o valor impresso é lido de um ábaco
+it-follows-from-the-chart = decorre do ábaco
+the-same-beam-by-the-closed-form-of-the-ramp = A mesma viga pela fórmula fechada da rampa
+x-max-1-sin-t-r-t-t-r-t-ramp-that-is-held-rao-5th-ed-4-6 = x_max = δ(1 + |sen(πt_r/T)|/(πt_r/T)), rampa que se mantém (Rao, 5ª ed., §4.6)
+impulse-without-damping = Impulso sem amortecimento
+w-t-thomson-vibration-theory-and-applications-art-4-1-target-of-the-verification-problem-vm74-of = W. T. Thomson, Vibration Theory and Applications, art. 4.1; valor de referência do problema de verificação VM74 do Ansys Mechanical APDL
+impulse-with-seven-tenths-of-critical-damping = Impulso com sete décimos do amortecimento crítico
+step-without-damping = Degrau sem amortecimento
+w-t-thomson-vibration-theory-and-applications-art-4-3-target-of-the-verification-problem-vm75-of = W. T. Thomson, Vibration Theory and Applications, art. 4.3; valor de referência do problema de verificação VM75 do Ansys Mechanical APDL
+step-with-half-of-critical-damping = Degrau com metade do amortecimento crítico
+unit-step-on-a-second-order-system = Degrau unitário num sistema de segunda ordem
+c-m-close-and-d-k-frederick-modeling-and-analysis-of-dynamic-systems-p-314-target-of-the-verification = C. M. Close e D. K. Frederick, Modeling and Analysis of Dynamic Systems, p. 314; valor de referência do problema de verificação VME3 do Ansys Mechanical APDL
+the-peak-is-asked-as-a-multiple-of-the-value-that-stays = O pico é pedido como múltiplo do valor que permanece.
+the-peak-is-printed-as-1-5 = o pico está impresso como 1,5
+impulse-in-the-shape-of-a-triangle = Impulso em forma de triângulo
+w-t-thomson-theory-of-vibration-with-applications-prob-4-20 = W. T. Thomson, Theory of Vibration with Applications, probl. 4-20
+no-answer-is-printed-the-triangle-is-symmetric-g-386-in-s-the-value-is-the-sum-of-three-ramps = Nenhuma resposta é impressa. O triângulo é simétrico; g = 386 in/s². O valor é a soma de três rampas.
+the-triangle-s-impulse-given-at-once = O impulso do triângulo aplicado de uma só vez
+x-max-i-m-w-t-thomson-theory-of-vibration-with-applications-prob-4-20-taken-as-an-ideal-impulse = x_max = I/(m ωₙ): W. T. Thomson, Theory of Vibration with Applications, probl. 4-20, tomado como um impulso ideal
+the-triangle-lasts-most-of-a-period-taking-it-as-an-impulse-overstates-the-motion-by-two-thirds = O triângulo dura a maior parte de um período: tomá-lo como impulso superestima o movimento em dois terços.
+half-sine-pulse-in-resonance = Pulso de meio seno em ressonância
+a-half-sine-as-long-as-half-the-period-x-sin-t-t-cos-t-2-which-reaches-2-at-its-end = Um meio seno com a duração de meio período: x = δ(sen ωt − ωt cos ωt)/2, que chega a πδ/2 no seu fim
+the-usual-formula-with-1-r-below-the-line-fails-here = A fórmula usual, com 1 − r² no denominador, falha aqui.
+blast-a-triangle-with-its-peak-at-the-start = Explosão: triângulo com o pico no início
+t-m-2-arctan-t-d-x-1-cos-t-sin-t-t-d-t-t-d-for-a-blast-as-long-as-the-period = t_m = 2 arctan(ω t_d)/ω, x = δ(1 − cos ωt + sen ωt/(ω t_d) − t/t_d), para uma explosão com a duração do período
+rectangular-pulse-shorter-than-half-a-period = Pulso retangular mais curto que meio período
+x-max-2-sin-t-d-t-reached-after-the-pulse-rao-5th-ed-4-6 = x_max = 2δ sen(π t_d/T), atingido depois do pulso (Rao, 5ª ed., §4.6)
+overdamped-step = Degrau com superamortecimento
+x-1-s-e-s-t-s-e-s-t-s-s-with-2 = x = δ(1 − (s₂e^(−s₁t) − s₁e^(−s₂t))/(s₂ − s₁)) com ζ = 2
+critically-damped-after-an-impulse = Amortecimento crítico após um impulso
+x-max-i-m-e-at-t-1 = x_max = I/(m ωₙ e) em t = 1/ωₙ
+exponential-force = Força exponencial
+x-e-t-cos-t-sin-t-1-1-its-first-peak = x = δ(e^(−t/τ) − cos ωt + sen(ωt)/(ωτ))/(1 + 1/(ωτ)²), o seu primeiro pico
+fifty-g-for-eleven-milliseconds-on-a-damped-20-hz-mount = Cinquenta g durante onze milissegundos sobre um coxim amortecido de 20 Hz
+half-sine-base-pulse-integrated-numerically-classical-runge-kutta-400-000-steps-a-second = Pulso de meio seno na base, integrado numericamente (Runge–Kutta clássico, 400 000 passos por segundo)
+a-triangle-by-its-table = Um triângulo pela sua tabela
+the-table-of-the-symmetric-triangle-gives-the-triangle = A tabela do triângulo simétrico dá o triângulo
+as-the-triangle-of-prob-4-20-by-three-points = Como o triângulo do probl. 4-20, por três pontos.
+released-with-a-velocity = Solto com uma velocidade
+free-vibration-x-x-v = Vibração livre: X = √(x₀² + (v₀/ωₙ)²)
+x-t-sin-t-t-r-unbounded-but-known-at-every-time = x = δ(t − sen(ωt)/ω)/t_r: ilimitado, mas conhecido em qualquer instante
+a-force-on-a-mass-that-is-not-known = Força numa massa que não é conhecida
+a-force-moves-a-mass = Uma força move uma massa
+
+# vibration_absorber.toml
+machine-of-1500-kg-below-its-resonance = Máquina de 1500 kg abaixo da sua ressonância
+exercise-on-a-machine-of-1500-kg-physicsforums-com-368412-by-k-a-f-x-a-m-a-k-a-and-the-frequency = Exercício sobre uma máquina de 1500 kg (physicsforums.com 368412), por k_a = F₀/X_a, m_a = k_a/ω² e pela equação das frequências
+the-thread-has-no-answer-the-force-of-200-n-acts-at-80-of-the-natural-frequency-and-the-absorber-may = A discussão não tem resposta. A força de 200 N atua a 80 % da frequência natural, e o absorvedor pode mover-se 10 mm.
+rotor-with-a-torsional-absorber-on-four-springs = Rotor com absorvedor torcional em quatro molas
+g-k-grover-mechanical-vibrations-ex-5-7-1 = G. K. Grover, Mechanical Vibrations, ex. 5.7.1
+both-resonances-are-to-be-at-least-20-away-from-the-speed-the-lower-one-decides-the-book-numbers-the = As duas ressonâncias devem ficar a pelo menos 20 % da rotação; a inferior é a que decide. O livro dá ao absorvedor o número 2: J₂, b₂.
+trial-absorber-of-1-kg-then-a-better-one = Absorvedor de ensaio de 1 kg, depois um melhor
+g-k-grover-mechanical-vibrations-ex-5-7-2 = G. K. Grover, Mechanical Vibrations, ex. 5.7.2
+tuned-to-220-cpm-the-trial-absorber-splits-the-resonance-into-188-and-258-cpm-with-the-new-one-there = Sintonizado em 220 cpm, o absorvedor de ensaio divide a ressonância em 188 e 258 cpm; com o novo não deve haver nenhuma de 150 a 310 cpm. O livro toma a média de duas razões de massas; o complemento chama o segundo par de sistema principal, mas é o novo absorvedor.
+the-same-trial-both-resonances-met-exactly = O mesmo ensaio, com as duas ressonâncias atendidas com exatidão
+m-a-and-1-p-p-1-on-the-numbers-of-g-k-grover-ex-5-7-2 = ω_m = Ω₁Ω₂/ω_a e μ = (1 − p₁²)(p₂² − 1), com os números de G. K. Grover, ex. 5.7.2
+two-resonances-give-two-unknowns-mass-and-stiffness-the-main-system-has-220-47-cpm-and-not-220 = Duas ressonâncias dão duas incógnitas: massa e rigidez. O sistema principal tem 220,47 cpm e não 220.
+a-mass-ratio-of-one-quarter-tuned-to-resonance = Razão de massas de um quarto, sintonizada na ressonância
+g-2-25g-1-0-g-4-25-0-5-2 = g⁴ − 2,25g² + 1 = 0: g = (√4,25 ∓ 0,5)/2
+an-absorber-that-is-not-tuned = Absorvedor que não está sintonizado
+two-equations-by-hand-k-300-k-a-200-m-m-a-1-at-100-400-100-200-0-is-a-resonance-at-400-100-200-200 = Duas equações à mão: k = 300, k_a = 200, m = m_a = 1 em ω² = 100: Δ = 400·100 − 200² = 0 é uma ressonância; em ω² = 400, Δ = 100·(−200) − 200² = −60000
+a-disc-absorber-of-known-inertia = Absorvedor em disco de inércia conhecida
+j-a-j-4-tuned-to-resonance-g-4-25-0-5-2-k-ta-j-a = J_a = J/4 sintonizado na ressonância: g = (√4,25 ∓ 0,5)/2; k_ta = J_a ω²
+resonances-that-are-not-on-both-sides-of-the-absorber = Ressonâncias que não estão dos dois lados do absorvedor
+interlacing-the-natural-frequency-of-an-undamped-absorber-lies-between-the-two-resonances = Entrelaçamento: a frequência natural de um absorvedor sem amortecimento fica entre as duas ressonâncias
+a-stroke-without-a-force = Curso sem força
+k-a-f-x-a-needs-f = k_a = F₀/X_a precisa de F₀
+
+# vibration_instrument.toml
+vibrometer-and-its-peak-to-peak-record = Vibrômetro e o seu registro de pico a pico
+s-s-rao-mechanical-vibrations-ch-10-vibrometer-with-4-rad-s-and-0-2 = S. S. Rao, Mechanical Vibrations, cap. 10: vibrômetro com ωₙ = 4 rad/s e ζ = 0,2
+the-source-writes-2z-0-0008-m-and-goes-on-with-z-0-004-m-the-record-is-8-mm-from-peak-to-peak = A fonte escreve 2Z = 0,0008 m e continua com Z = 0,004 m; o registro é de 8 mm de pico a pico.
+undamped-vibrometer-at-twice-its-natural-frequency = Vibrômetro sem amortecimento no dobro da sua frequência natural
+g-k-grover-mechanical-vibrations-ex-4-11-1 = G. K. Grover, Mechanical Vibrations, ex. 4.11.1
+accelerometer-far-above-its-natural-frequency = Acelerômetro muito acima da sua frequência natural
+exercise-on-an-accelerometer-of-1-khz-with-answers-homeworksource-com-1109896 = Exercício sobre um acelerômetro de 1 kHz com respostas (homeworksource.com 1109896)
+the-reading-is-1-1-16-2-0-1-4-0-0666-of-the-acceleration-the-error-is-93-34 = A leitura é 1/√((1 − 16)² + (2 · 0,1 · 4)²) = 0,0666 da aceleração: o erro é −93,34 %.
+n-1-1-r-2-r-1-01-at-r-0-1005-so-the-error-is-1-at-100-5-hz-at-46-hz-it-is-0-21 = 1/√((1 − r²)² + (2ζr)²) = 1,01 em r = 0,1005, portanto o erro é de 1 % a 100,5 Hz; a 46 Hz é de 0,21 %.
+the-accelerometer-as-it-should-have-come-out = O acelerômetro com o resultado correto
+r-from-1-r-4-r-1-1-01-factor-and-phase-in-closed-form = r por (1 − r²)² + 4ζ²r² = 1/1,01²; fator e fase em forma fechada
+vibrometer-known-by-its-two-natural-frequencies = Vibrômetro conhecido pelas suas duas frequências naturais
+textbook-exercise-answered-by-a-homework-site-studyx-ai-111617473 = Exercício de livro respondido por um site de exercícios (studyx.ai 111617473)
+the-site-used-a-formula-for-a-bandwidth-with-0-6-the-reading-overshoots-by-4-2-it-comes-back-to-2-at = O site usou uma fórmula de largura de banda. Com ζ = 0,6 a leitura tem um excesso de 4,2 %; ela volta a +2 % a 35,12 Hz, e 4 Hz fica abaixo da frequência natural, onde um vibrômetro quase nada lê.
+the-same-vibrometer-as-it-should-have-come-out = O mesmo vibrômetro com o resultado correto
+u-2-1-2-u-1-1-1-02-in-u-f-f-peak-1-2-1 = u² − 2(1 − 2ζ²)u + 1 = 1/1,02² em u = (fₙ/f)²; pico 1/(2ζ√(1 − ζ²))
+flattest-accelerometer = Acelerômetro de resposta mais plana
+with-1-2-the-reading-is-1-1-r = Com ζ = 1/√2 a leitura é 1/√(1 + r⁴)
+n-1-is-reached-at-r-1-0-99-1-at-r-0-2-the-reading-is-1-1-0016 = 1 % é atingido em r⁴ = 1/0,99² − 1; em r = 0,2 a leitura é 1/√1,0016.
+two-tones-on-an-accelerometer-of-seven-tenths-of-critical-damping = Dois tons num acelerômetro com sete décimos do amortecimento crítico
+factor-1-1-r-2-r-and-delay-of-each-tone = Fator 1/√((1 − r²)² + (2ζr)²) e atraso φ/ω de cada tom
+with-0-7-the-lag-is-nearly-proportional-to-the-frequency-the-delays-of-20-hz-and-40-hz-differ-by = Com ζ = 0,7 o atraso de fase é quase proporcional à frequência: os atrasos de 20 Hz e 40 Hz diferem pouco.
+a-vibrometer-that-reads-an-acceleration = Vibrômetro que lê uma aceleração
+a-vibrometer-reads-displacements = Um vibrômetro lê deslocamentos
+
+# vibration_isolation.toml
+radio-in-an-aircraft = Rádio num avião
+w-t-thomson-theory-of-vibration-with-applications-prob-3-24-by-st-g-1-1-t = W. T. Thomson, Theory of Vibration with Applications, probl. 3-24, por δ_st = g (1 + 1/T)/ω²
+the-book-gives-no-answer-the-engine-runs-between-1600-and-2200-rpm-85-isolation-at-the-lowest-speed = O livro não dá resposta. O motor gira entre 1600 e 2200 rpm; 85 % de isolamento na menor rotação, sem amortecimento, com g = 9,81 m/s².
+refrigeration-unit-on-three-springs = Unidade de refrigeração sobre três molas
+w-t-thomson-theory-of-vibration-with-applications-prob-3-25-and-answers = W. T. Thomson, Theory of Vibration with Applications, probl. 3-25 e respostas
+machine-with-a-transmissibility-of-one-twelfth = Máquina com transmissibilidade de um doze avos
+w-g-mclean-and-e-w-nelson-engineering-mechanics-schaum-ch-19-prob-25 = W. G. McLean e E. W. Nelson, Engineering Mechanics (Schaum), cap. 19, probl. 25
+machine-with-an-unbalance-on-springs-of-known-deflection = Máquina com desbalanceamento sobre molas de deflexão conhecida
+w-t-thomson-theory-of-vibration-with-applications-prob-3-26-by-f-t-m-e-r-1 = W. T. Thomson, Theory of Vibration with Applications, probl. 3-26, por F_T = m₀e ω²/(r² − 1)
+the-book-gives-no-answer-g-9-81-m-s = O livro não dá resposta. g = 9,81 m/s².
+the-same-machine-on-a-concrete-block = A mesma máquina sobre um bloco de concreto
+w-t-thomson-theory-of-vibration-with-applications-prob-3-27-by-x-m-e-r-m-r-1 = W. T. Thomson, Theory of Vibration with Applications, probl. 3-27, por X = m₀e r²/(m (r² − 1))
+the-book-gives-no-answer-the-block-of-1136-kg-leaves-the-static-deflection-as-it-was-the-same-force = O livro não dá resposta. O bloco de 1136 kg deixa a deflexão estática como estava: a mesma força no piso, e menos movimento.
+machine-on-damped-isolators = Máquina sobre isoladores amortecidos
+exercise-on-a-machine-of-100-kg-tutorsglobe-com-5285870-by-the-closed-formulas-of-transmissibility = Exercício sobre uma máquina de 100 kg (tutorsglobe.com 5285870), pelas fórmulas fechadas da transmissibilidade e da amplitude
+the-page-gives-no-answer = A página não dá resposta.
+engine-with-a-piston-on-rubber = Motor com um pistão sobre borracha
+run-up-through-resonance-on-damped-mounts = Partida com passagem pela ressonância sobre coxins amortecidos
+largest-transmissibility-at-r-1-8-1-4-with-0-5-that-is-3-1-and-tr-1-1-r = Maior transmissibilidade em r² = (√(1 + 8ζ²) − 1)/(4ζ²); com ζ = 0,5 isso é √3 − 1, e TR² = 1/(1 − r⁴)
+the-speeds-reach-from-far-below-the-natural-frequency-of-100-rad-s-to-far-above-80-isolation-with = As rotações vão de muito abaixo a muito acima da frequência natural de 100 rad/s; 80 % de isolamento com este amortecimento exige r² = 13 + √193.
+instrument-in-a-case-that-falls = Instrumento numa caixa que cai
+v-2gh-k-between-m-v-d-and-m-a-v = v₀ = √(2gh), k entre m v₀²/d² e m A²/v₀²
+undamped-mounts-within-the-speeds = Coxins sem amortecimento, com a ressonância entre as rotações
+without-damping-there-is-no-steady-state-at-the-natural-frequency = Sem amortecimento não há regime permanente na frequência natural
+run-up-of-a-lightly-damped-machine-to-just-above-resonance = Partida de uma máquina pouco amortecida até logo acima da ressonância
+largest-of-r-1-4-r-1-r-4-r-within-the-speeds-by-golden-sections = O maior valor de r⁴(1 + 4ζ²r²)/((1 − r²)² + 4ζ²r²) entre as rotações, por seção áurea
+damped-mounts-for-nine-tenths-of-isolation = Coxins amortecidos para nove décimos de isolamento
+r-b-b-1-t-1-with-b-1-2-2-t = r² = b + √(b² + 1/T² − 1) com b = 1 − 2ζ² + 2ζ²/T²
+with-0-15-a-transmissibility-of-0-1-needs-r-4-0990-and-not-11-3-3166 = Com ζ = 0,15, uma transmissibilidade de 0,1 exige r = 4,0990 e não √11 = 3,3166.
+
+# whirling_shaft.toml
+turbine-disc-above-its-critical-speed = Disco de turbina acima da sua velocidade crítica
+s-s-rao-mechanical-vibrations-ch-9-problem-of-the-turbine-disc = S. S. Rao, Mechanical Vibrations, cap. 9, problema do disco de turbina
+the-book-prints-no-answer-e-207-gpa-is-assumed-held-to-a-e-r-1-r-2-r-to-k-a-m-g-on-two-bearings-and = O livro não imprime resposta; supõe-se E = 207 GPa. Conferido com A = e r²/√((1 − r²)² + (2ζr)²), com k A + m g sobre dois mancais e com a tensão 6 E d (A + δ)/L².
+the-turbine-disc-at-its-critical-speed = O disco de turbina na sua velocidade crítica
+s-s-rao-mechanical-vibrations-ch-9-problem-of-the-turbine-disc-with-a-e-2 = S. S. Rao, Mechanical Vibrations, cap. 9, problema do disco de turbina, com A = e/(2ζ)
+a-quarter-of-the-span-no-shaft-stands-this-which-is-the-answer = Um quarto do vão: nenhum eixo suporta isso, e essa é a resposta.
+the-turbine-disc-at-one-and-a-half-times-its-critical-speed = O disco de turbina a uma vez e meia a sua velocidade crítica
+forbidden-band-of-a-vertical-shaft-under-a-stress-limit = Faixa proibida de um eixo vertical sob um limite de tensão
+b-k-sarkar-theory-of-machines-ch-11-ill-13-as-printed-by-its-fossee-python-companion = B. K. Sarkar, Theory of Machines, cap. 11, il. 13, como impresso no seu complemento FOSSEE em Python
+n-15-kg-in-the-middle-of-a-shaft-of-15-mm-clamped-at-both-ends-the-companion-takes-the-critical = 15 kg no meio de um eixo biengastado de 15 mm. O complemento toma a frequência crítica como 0,4985/√δ em metros e π como 3,147; as suas rotações ficam todas 0,09 % acima.
+the-print-rounds-g-2-to-0-4985 = o texto impresso arredonda √g/(2π) para 0,4985
+the-same-band-without-rounding-on-the-way = A mesma faixa sem arredondamentos intermediários
+b-k-sarkar-theory-of-machines-ch-11-ill-13-with-r-r-e-and-r-l-12ed = B. K. Sarkar, Theory of Machines, cap. 11, il. 13, com ω = ωₙ√(R/(R ± e)) e R = σL²/(12Ed)
+rotor-of-60-kg-at-its-speed-and-on-the-way-to-it = Rotor de 60 kg, na sua rotação e a caminho dela
+tutorsglobe-com-question-51533194 = tutorsglobe.com, questão 51533194
+no-answer-is-printed-held-to-a-e-r-1-r-2-r-and-to-its-peak-e-2-1 = Nenhuma resposta é impressa. Conferido com A = e r²/√((1 − r²)² + (2ζr)²) e com o seu pico e/(2ζ√(1 − ζ²)).
+the-same-rotor-its-damping-read-from-the-run-up = O mesmo rotor, com o amortecimento lido na partida
+n-1-1-e-a-2-of-the-peak-a-20-02505-mm = ζ = √((1 − √(1 − (e/A)²))/2) pelo pico A = 20,02505 mm
+so-much-damping-that-the-limit-is-never-reached = Amortecimento tão grande que o limite nunca é atingido
+the-peak-e-2-1-with-0-3-is-1-747-e = O pico e/(2ζ√(1 − ζ²)) com ζ = 0,3 é 1,747 e
+a-limit-below-the-eccentricity = Limite abaixo da excentricidade
+far-above-its-critical-speed-a-rotor-turns-about-its-mass-centre-the-shaft-is-bent-by-e-r-r-e-with-r = Muito acima da sua velocidade crítica um rotor gira em torno do seu centro de massa: o eixo fica fletido de e. ω = ωₙ√(R/(R + e)) com R = e/2 é ωₙ/√3
+an-undamped-rotor-at-its-critical-speed = Rotor sem amortecimento na sua velocidade crítica
+the-whirl-grows-in-proportion-to-the-time-rao-5th-ed-9-5 = A precessão cresce em proporção ao tempo (Rao, 5ª ed., §9.5)
+a-stress-limit-on-a-shaft-without-dimensions = Limite de tensão num eixo sem dimensões
+a-stiffness-alone-tells-no-stress = Uma rigidez sozinha não revela nenhuma tensão

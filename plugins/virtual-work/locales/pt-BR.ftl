@@ -1743,3 +1743,628 @@ presses-and-lifts = Prensas e elevadores
 plane-linkages = Mecanismos planos de barras
 any-mechanism = Mecanismos quaisquer
 engines-gears-and-wheels = Motores, engrenagens e rodas
+
+### Published cases
+
+# a_frame.toml
+step-ladder-held-at-its-feet = Escada dupla mantida pelos pés
+s-s-bhavikatti-engineering-mechanics-example-8-15 = S. S. Bhavikatti, Engineering Mechanics, exemplo 8.15
+two-uniform-ladders-of-200-n-at-30-from-the-vertical-on-a-smooth-floor-the-length-does-not-matter = Duas escadas uniformes de 200 N a 30° da vertical em piso liso; o comprimento não importa.
+step-ladder-held-by-a-rope = Escada dupla mantida por uma corda
+the-rope-is-tied-at-three-quarters-of-the-length-from-the-top-as-t-400-tan-30-3-tells = A corda está amarrada a três quartos do comprimento a partir do topo, como indica T = 400 tan 30°/3.
+angle-that-a-rope-of-100-n-holds-under-a-load = Ângulo que uma corda de 100 N mantém sob uma carga
+tan-2-s-t-w-q = tan θ = 2 s T/(W + Q)
+friction-for-ladders-without-load-at-the-hinge = Atrito para escadas sem carga na articulação
+tan = μ = ½ tan θ
+ladders-without-weight = Escadas sem peso
+no-load-no-force = Sem carga, não há força
+
+# bar_and_cord.toml
+bar-at-20-under-a-pulley = Barra a 20° sob uma polia
+r-c-hibbeler-a-gupta-engineering-mechanics-example-11-6 = R. C. Hibbeler, A. Gupta, Engineering Mechanics, exemplo 11.6
+a-uniform-bar-of-10-kg-and-1-5-m-pinned-at-its-lower-end-the-pulley-is-1-2-m-above-the-pin = Uma barra uniforme de 10 kg e 1,5 m, articulada na extremidade inferior; a polia está 1,2 m acima da articulação.
+all-positions-that-6-5334708-kg-holds = Todas as posições que 6,5334708 kg mantêm
+r-c-hibbeler-a-gupta-engineering-mechanics-example-11-6-read-the-other-way-round = R. C. Hibbeler, A. Gupta, Engineering Mechanics, exemplo 11.6, lido no sentido inverso
+cos-0-is-an-equilibrium-too-the-bar-straight-up-or-down = cos θ = 0 também é equilíbrio: a barra na vertical, para cima ou para baixo.
+cord-to-the-middle-of-the-bar = Cabo no meio da barra
+m-m-s-2-b-for-b-l-2-and-h-the-moment-of-the-cord-p-b-h-cos-s-against-w-l-2-cos-gives-p-w-s-h = m = M s/(2 b) para b = L/2 e h: o momento do cabo, P b h cos θ/s, contra W (L/2) cos θ, dá P = W s/h
+no-mass-can-tell-an-upright-bar = Barra na vertical não determina a massa
+at-90-neither-weight-does-virtual-work = Em θ = 90° nenhum dos pesos realiza trabalho virtual
+
+# compound_lever.toml
+bolt-cutter = Alicate corta-vergalhão
+ratio-400-30-60-20-40-of-its-two-levers = Razão (400/30)·(60/20) = 40 das suas duas alavancas
+one-half-the-handle-turns-about-the-common-pin-and-pushes-the-rear-arm-of-the-jaw = Uma metade: o cabo gira em torno do pino comum e empurra o braço traseiro da mandíbula.
+two-levers-with-loads-that-help-and-hinder = Duas alavancas com cargas a favor e contra
+beer-johnston-vector-mechanics-for-engineers-statics-9th-ed-problem-10-1 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 9ª ed., problema 10.1
+moving-a-by-y-moves-c-by-2-y-d-by-y-e-and-g-by-y-2-arms-that-give-these-ratios = Deslocar A de δy desloca C de 2 δy, D de δy, E e G de δy/2. Braços que dão estas razões.
+the-two-levers-with-the-loads-of-the-later-edition = As duas alavancas com as cargas da edição posterior
+beer-johnston-vector-mechanics-for-engineers-statics-10th-and-11th-ed-problem-10-1 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 10ª e 11ª ed., problema 10.1
+couple-on-one-lever-force-on-another-force-at-g = Conjugado em uma alavanca, força em outra: força em G
+beer-johnston-vector-mechanics-for-engineers-statics-8th-ed-problem-10-1-of-two-levers-abc-and-defg = Beer & Johnston, Vector Mechanics for Engineers: Statics, 8ª ed., problema 10.1 com duas alavancas ABC e DEFG
+abc-drives-defg-with-125-mm-on-375-mm-so-that-defg-turns-a-third-as-much-g-is-100-2-mm-from-the-pivot = ABC aciona DEFG com 125 mm sobre 375 mm, de modo que DEFG gira um terço disso; G está a 100√2 mm do pivô, a 45° da linha da força vertical.
+couple-on-one-lever-force-on-another-couple-on-defg = Conjugado em uma alavanca, força em outra: conjugado em DEFG
+beer-johnston-vector-mechanics-for-engineers-statics-8th-ed-problem-10-3-of-two-levers-abc-and-defg = Beer & Johnston, Vector Mechanics for Engineers: Statics, 8ª ed., problema 10.3 com duas alavancas ABC e DEFG
+single-lever = Uma só alavanca
+f-a-p-b = F a = P b
+a-lever-that-is-not-there = Alavanca inexistente
+one-link-two-levers = Uma ligação, duas alavancas
+
+# engine.toml
+steam-engine-with-expansion = Máquina a vapor com expansão
+khurmi-gupta-theory-of-machines-ex-15-14 = Khurmi & Gupta, Theory of Machines, ex. 15.14
+the-book-works-with-two-terms-in-displacement-and-acceleration-the-pressures-are-gauge-ones-the = O livro trabalha com dois termos, no deslocamento e na aceleração; as pressões são manométricas, com atmosfera de 1,03 bar.
+mean-effective-pressure-of-the-same-engine = Pressão média efetiva da mesma máquina
+closed-form-of-hyperbolic-expansion-p-m-p-a-c-1-ln-1-c-p-b = forma fechada da expansão hiperbólica: p_m = p_a c (1 + ln 1/c) − p_b
+with-the-exact-motion-whose-work-is-that-of-the-pressures-903-kpa-1-ln-3-3-28-kpa-on-both-sides-of = Com o movimento exato, cujo trabalho é o das pressões: 903 kPa × (1 + ln 3)/3 − 28 kPa dos dois lados do pistão.
+inertia-torque-of-a-high-speed-engine-over-a-turn = Torque de inércia de um motor de alta rotação ao longo de uma volta
+kinetic-energy-of-piston-and-rod-the-torque-is-de-d-and-has-no-mean = energia cinética do pistão e da biela: o torque é −dE/dθ e não tem média
+crank-40-mm-rod-140-mm-3000-rpm-the-extremes-are-symmetrical-about-the-dead-centre = Manivela de 40 mm, biela de 140 mm, 3000 rpm. Os extremos são simétricos em relação ao ponto morto.
+engine-held-by-a-couple-crank-at-30 = Motor mantido por um conjugado, manivela a 30°
+beer-johnston-vector-mechanics-for-engineers-statics-12th-ed-prob-10-21 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 12ª ed., probl. 10.21
+crank-50-mm-rod-200-mm-4-kn-on-the-piston-the-couple-on-the-crank-holds-the-turning-moment = Manivela de 50 mm, biela de 200 mm, 4 kN no pistão; o conjugado na manivela equilibra o torque.
+engine-held-by-a-couple-crank-at-150 = Motor mantido por um conjugado, manivela a 150°
+force-on-the-piston-for-a-couple-on-the-crank-at-60 = Força no pistão para um conjugado na manivela, a 60°
+beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-20 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.20
+force-on-the-piston-for-a-couple-on-the-crank-at-120 = Força no pistão para um conjugado na manivela, a 120°
+couple-for-a-thousand-pounds-on-the-piston-crank-at-30 = Conjugado para mil libras no pistão, manivela a 30°
+after-beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-m-p-r-sin-cos = baseado em Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19; M = P r sen(θ + φ)/cos φ
+couple-for-a-thousand-pounds-on-the-piston-crank-at-150 = Conjugado para mil libras no pistão, manivela a 150°
+force-on-the-slider-for-a-load-at-the-crank-pin = Força no cursor para uma carga no pino da manivela
+hibbeler-gupta-engineering-mechanics-ex-11-3 = Hibbeler & Gupta, Engineering Mechanics, ex. 11.3
+the-200-n-at-the-pin-between-crank-and-rod-turn-the-crank-with-200-n-0-6-m-cos-45-the-force-on-the = Os 200 N no pino entre manivela e biela giram a manivela com 200 N × 0,6 m × cos 45°; a força no cursor tem de dar esse torque.
+velocity-and-acceleration-of-a-piston = Velocidade e aceleração de um pistão
+khurmi-gupta-theory-of-machines-ex-15-4 = Khurmi & Gupta, Theory of Machines, ex. 15.4
+the-same-piston-in-another-book = O mesmo pistão em outro livro
+b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-2 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.2
+r-sin-sin-2-2n-5-6549-0-64279-0-98481-10-4-192-m-s-as-khurmi-gupta-print-for-the-same-data-4-4-m-s = r ω (sen θ + sen 2θ/(2n)) = 5,6549 × (0,64279 + 0,98481/10) = 4,192 m/s, como Khurmi & Gupta imprimem para os mesmos dados; 4,4 m/s vem de um parêntese fora do lugar.
+r-cos-cos-2-n-106-59-0-76604-0-17365-5-85-36-m-s-83-5-m-s-comes-of-2n-in-place-of-n-in-the-secondary = r ω² (cos θ + cos 2θ/n) = 106,59 × (0,76604 + 0,17365/5) = 85,36 m/s²; 83,5 m/s² vem de 2n em lugar de n no termo secundário.
+motion-of-a-connecting-rod = Movimento de uma biela
+khurmi-gupta-theory-of-machines-ex-15-5 = Khurmi & Gupta, Theory of Machines, ex. 15.5
+the-book-gives-the-angular-acceleration-by-its-size-the-obliquity-grows-ever-more-slowly-at-60 = O livro dá a aceleração angular em módulo; a 60° a obliquidade cresce cada vez mais devagar.
+the-same-rod-with-the-exact-motion = A mesma biela com o movimento exato
+closure-of-the-slider-crank-r-cos-n-sin = fechamento do cursor-manivela: ω_r = ω cos θ/√(n² − sen²θ)
+inertia-force-of-reciprocating-parts = Força de inércia das peças alternativas
+khurmi-gupta-theory-of-machines-ex-15-6 = Khurmi & Gupta, Theory of Machines, ex. 15.6
+by-construction-the-book-also-finds-18-78-kn = Por construção gráfica o livro também obtém 18,78 kN.
+printed-with-52-4-rad-s-for-500-rpm-ours-is-18-506-kn = impresso com 52,4 rad/s para 500 rpm; o nosso é 18,506 kN
+vertical-steam-engine-on-its-way-down = Máquina a vapor vertical na descida
+khurmi-gupta-theory-of-machines-ex-15-8 = Khurmi & Gupta, Theory of Machines, ex. 15.8
+petrol-engine-and-the-speed-at-which-the-gudgeon-pin-is-unloaded = Motor a gasolina e a rotação em que o pino do pistão fica sem carga
+khurmi-gupta-theory-of-machines-ex-15-9 = Khurmi & Gupta, Theory of Machines, ex. 15.9
+printed-with-the-cosine-of-a-rounded-angle-ours-is-1865-39-n = impresso com o cosseno de um ângulo arredondado; o nosso é 1865,39 N
+steam-engine-with-the-acceleration-of-its-piston-given = Máquina a vapor com a aceleração do pistão dada
+khurmi-gupta-theory-of-machines-ex-15-10 = Khurmi & Gupta, Theory of Machines, ex. 15.10
+n-28-263-kn-tan-6-379-3-16-kn-the-printed-listing-takes-the-tangent-of-6-379-as-if-it-were-radians = 28,263 kN × tan 6,379° = 3,16 kN. A listagem impressa toma a tangente de 6,379 como se fossem radianos, e arredonda 2,7 kN para cima.
+vertical-petrol-engine-at-2000-rpm = Motor a gasolina vertical a 2000 rpm
+khurmi-gupta-theory-of-machines-ex-15-11 = Khurmi & Gupta, Theory of Machines, ex. 15.11
+printed-with-rounded-numbers-ours-is-2255-8-n = impresso com números arredondados; o nosso é 2255,8 N
+printed-with-a-rounded-angle-ours-is-2263-5-n = impresso com um ângulo arredondado; o nosso é 2263,5 N
+printed-with-a-rounded-angle-ours-is-185-8-n = impresso com um ângulo arredondado; o nosso é 185,8 N
+printed-with-rounded-numbers-ours-is-2602-7-rpm = impresso com números arredondados; o nosso é 2602,7 rpm
+vertical-petrol-engine-at-1800-rpm = Motor a gasolina vertical a 1800 rpm
+b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-4 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.4
+printed-with-a-rounded-obliquity-ours-is-2652-99-n = impresso com uma obliquidade arredondada; o nosso é 2652,99 N
+printed-with-rounded-numbers-ours-is-2528-2-rpm = impresso com números arredondados; o nosso é 2528,2 rpm
+steam-engine-with-a-piston-rod-and-its-flywheel = Máquina a vapor com haste de pistão, e o seu volante
+b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-6 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.6
+printed-with-a-rounded-obliquity-ours-is-4234-85-n-m = impresso com uma obliquidade arredondada; o nosso é 4234,85 N·m
+printed-with-a-rounded-obliquity-ours-is-16322-7-n = impresso com uma obliquidade arredondada; o nosso é 16322,7 N
+from-the-printed-torque-ours-is-122-29-rad-s = do torque impresso; o nosso é 122,29 rad/s²
+vertical-steam-engine-at-360-rpm = Máquina a vapor vertical a 360 rpm
+b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-7 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.7
+gas-and-inertia-nearly-cancel-two-terms-are-1-9-above-the-exact-motion-which-gives-2321-7-n-m = Gás e inércia quase se cancelam: os dois termos ficam 1,9 % acima do movimento exato, que dá 2321,7 N·m.
+printed-with-rounded-numbers-ours-is-2365-97-n-m = impresso com números arredondados; o nosso é 2365,97 N·m
+steam-engine-at-200-rpm = Máquina a vapor a 200 rpm
+b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-3 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.3
+printed-with-rounded-numbers-ours-is-60457-5-n = impresso com números arredondados; o nosso é 60457,5 N
+from-the-printed-effort-ours-is-12607-0-n-m = do esforço impresso; o nosso é 12607,0 N·m
+inertia-force-of-a-heavy-connecting-rod = Força de inércia de uma biela pesada
+khurmi-gupta-theory-of-machines-ex-15-19 = Khurmi & Gupta, Theory of Machines, ex. 15.19
+the-moment-of-inertia-is-not-given-and-not-needed = O momento de inércia não é dado nem necessário.
+by-klein-s-construction-drawn-to-scale-ours-is-350-96-m-s = pela construção de Klein, desenhada em escala; o nosso é 350,96 m/s²
+by-klein-s-construction-drawn-to-scale-ours-is-23-94-kn = pela construção de Klein, desenhada em escala; o nosso é 23,94 kN
+torque-against-inertia-and-weight-of-a-horizontal-engine = Torque contra a inércia e o peso de um motor horizontal
+khurmi-gupta-theory-of-machines-ex-15-20 = Khurmi & Gupta, Theory of Machines, ex. 15.20
+the-book-gives-the-torque-that-has-to-be-put-in-the-turning-moment-of-the-engine-is-its-opposite-the = O livro dá o torque que é preciso fornecer; o torque do motor é o oposto. A correção da biela está do mesmo lado que o resto; uma diferença em seu lugar daria 3719,7 N·m.
+printed-to-the-nearest-ten-ours-is-3840-5-n-m = impresso com arredondamento à dezena; o nosso é −3840,5 N·m
+force-on-the-crank-pin-of-a-vertical-engine = Força no pino da manivela de um motor vertical
+khurmi-gupta-theory-of-machines-ex-15-22 = Khurmi & Gupta, Theory of Machines, ex. 15.22
+the-book-draws-its-components-are-read-off = O livro resolve por desenho; as suas componentes são lidas nele.
+read-off-a-drawing-ours-is-7-825-kn = lido em um desenho; o nosso é 7,825 kN
+n-7-55-kn-is-the-part-f-p-cos-of-the-effort-alone-the-lateral-force-takes-1-24-kn-from-it-and-the = 7,55 kN é só a parcela F_P cos θ do esforço. A força lateral tira dela 1,24 kN, e a força centrífuga da parcela da biela no pino da manivela, 3,51 kN: restam 2,81 kN, como também dão as equações de Newton e Euler do pistão e da biela.
+moments-of-the-rod-about-the-crank-pin-f-p-tan-2-16-kn-less-0-23-kn-for-the-correction-couple = Momentos da biela em relação ao pino da manivela: F_P tan φ = 2,16 kN, menos 0,23 kN do conjugado de correção.
+even-the-printed-components-8-03-and-7-55-kn-have-a-resultant-of-11-0-kn-those-of-the-equations-of = Mesmo as componentes impressas, 8,03 e 7,55 kN, têm uma resultante de 11,0 kN; as das equações do movimento, 7,82 e 2,81 kN, uma de 8,32 kN.
+inertia-torque-of-an-engine-in-pounds-and-feet = Torque de inércia de um motor em libras e pés
+bevan-the-theory-of-machines-ch-12-ex-5 = Bevan, The Theory of Machines, cap. 12, ex. 5
+printed-with-g-32-2-ft-s-and-the-approximate-arm-r-sin-sin-2-2n-ours-is-2153-5-lbf-ft = impresso com g = 32,2 ft/s² e o braço aproximado r (sen θ + sen 2θ/(2n)); o nosso é −2153,5 lbf·ft
+the-two-masses-have-500-lb-41-19-25-in-too-much-inertia-with-sin-40-5-and-cos-40-25-sin-40-the-moment = As duas massas têm 500 lb × (41 × 19 − 25²) in² de inércia a mais; com φ̈ = −ω² sen 40°/5 e φ′ = cos 40°/√(25 − sen² 40°) o conjugado é −52 lbf·ft. −1,3 vem de 40° convertidos duas vezes em radianos.
+n-500-lbf-41-60-1-ft-cos-40-261-7-lbf-ft-341-6-is-that-product-without-the-cosine-the-cosine-was = 500 lbf × 41/60 × 1 ft × cos 40° = 261,7 lbf·ft. 341,6 é esse produto sem o cosseno: o cosseno foi tomado de 40° convertidos duas vezes em radianos.
+the-sum-holds-the-two-moments-above-2153-52-262-2467-lbf-ft = A soma contém os dois momentos acima: −2153 − 52 − 262 = −2467 lbf·ft.
+engine-at-314-rad-s-with-a-heavy-rod = Motor a 314 rad/s com biela pesada
+course-notes-on-dynamics-of-machinery-in-turkish-example-9-as-quoted-in-a-public-collection-of-tests = Notas de aula de dinâmica das máquinas (em turco), exemplo 9, citadas em uma coleção pública de testes
+from-a-velocity-polygon-ours-is-41-05-rad-s = de um polígono de velocidades; o nosso é 41,05 rad/s
+printed-with-rounded-intermediate-numbers-ours-is-196-64-n-m = impresso com números intermediários arredondados; o nosso é 196,64 N·m
+the-course-s-slider-crank-with-a-motion-that-closes-its-loop = O cursor-manivela da disciplina com um movimento que fecha a malha
+riul-unit-ii-example-1-with-r-150-mm-and-l-200-mm-equations-of-newton-and-euler-of-another-program = Riul, Unidade II, exemplo 1, com r = 150 mm e l = 200 mm; equações de Newton e Euler de outro programa
+n-5000-n-pull-the-slider-away-from-the-crank-so-that-the-engine-has-to-be-driven = 5000 N puxam o cursor para longe da manivela, de modo que o motor tem de ser acionado.
+four-stroke-engine-with-an-indicator-diagram = Motor de quatro tempos com diagrama indicador
+an-indicator-diagram-of-a-small-petrol-engine-equations-of-newton-and-euler-in-a-second-way = um diagrama indicador de um pequeno motor a gasolina; equações de Newton e Euler como segundo método
+an-inclined-engine-with-offset-and-a-diagram-over-the-stroke = Motor inclinado com excentricidade e diagrama sobre o curso
+an-indicator-diagram-that-is-a-rectangle-the-mean-effective-pressure-is-its-height = um diagrama indicador retangular: a pressão média efetiva é a sua altura
+n-6-bar-on-the-way-out-and-1-bar-on-the-way-back-over-a-stroke-of-l-r-e-l-r-e = 6 bar na ida e 1 bar na volta, em um curso de √((l + r)² − e²) − √((l − r)² − e²).
+sixteen-orders-of-the-motion = Dezesseis ordens do movimento
+fourier-series-of-the-exact-motion-beyond-the-sixteenth-order-less-than-a-millionth-is-left = série de Fourier do movimento exato: além da décima sexta ordem resta menos de um milionésimo
+r-0-15-m-n-4-450-rpm-and-60-as-above-with-the-exact-motion = r = 0,15 m, n = 4, 450 rpm e 60°, como acima com o movimento exato.
+a-crank-that-gathers-speed = Manivela que ganha velocidade
+equations-of-newton-and-euler-in-a-second-way = equações de Newton e Euler como segundo método
+the-force-that-gives-this-engine-its-moment = A força que dá a este motor o seu torque
+the-engine-above-from-its-turning-moment-back-to-the-900-n = o motor acima, do seu torque de volta aos 900 N
+polytropic-expansion-with-clearance = Expansão politrópica com folga
+closed-form-p-m-p-a-k-1-1-1-p-b = forma fechada: p_m = p_a [ε + (ε + κ)/(k − 1) (1 − ((ε + κ)/(1 + κ))ᵏ⁻¹)] − p_b
+a-dead-centre = Ponto morto
+no-force-on-the-piston-has-an-arm-about-the-crankshaft = nenhuma força no pistão tem braço em relação ao eixo da manivela
+a-crank-of-100-mm-and-a-rod-of-100-mm = uma manivela de 100 mm e uma biela de 100 mm
+a-given-acceleration-and-a-rod-with-mass = Aceleração dada e biela com massa
+the-motion-of-the-rod-is-not-known = o movimento da biela não é conhecido
+
+# epicyclic_train.toml
+ring-with-outside-teeth-driven-by-a-pinion = Coroa com dentes externos movida por um pinhão
+t-bevan-the-theory-of-machines-ch-12-ex-2 = T. Bevan, The Theory of Machines, cap. 12, ex. 2
+sun-of-31-teeth-fixed-ring-of-83-teeth-inside-and-90-outside-driven-by-a-pinion-of-25-the-arm-is = Sol de 31 dentes, fixo; coroa de 83 dentes internos e 90 externos, movida por um pinhão de 25; o braço é movido. 10 lbf·ft no pinhão; a carga atua no braço no mesmo sentido em que gira o pinhão, pois braço e coroa giram no sentido contrário.
+the-same-train-to-more-digits = O mesmo trem com mais algarismos
+n-10-90-25-83-31-83 = 10·(90/25)·(83 + 31)/83
+fixed-ring-driving-sun = Coroa fixa, sol motor
+a-s-z-s-z-s-z-r-1-4-with-24-and-72-teeth-t-a-4-t-s-t-r-3-t-s = ω_A/ω_S = z_S/(z_S + z_R) = 1/4 com 24 e 72 dentes; T_A = −4 T_S, T_R = 3 T_S
+great-reduction-with-two-suns = Grande redução com dois sóis
+e-101-99-100-100-0-9999-with-the-first-sun-fixed-the-second-turns-by-1-e-1-10000-of-the-arm = e = (101·99)/(100·100) = 0,9999: com o primeiro sol fixo, o segundo gira 1 − e = 1/10000 do braço
+star-gear-the-arm-is-fixed = Trem estrela: o braço é fixo
+r-s-z-s-z-2-z-1-z-r-20-30-40-90 = ω_R/ω_S = −z_S z_2/(z_1 z_R) = −20·30/(40·90)
+a-fixed-member-cannot-drive = Um membro fixo não pode ser motor
+two-different-members-are-needed = são necessários dois membros diferentes
+suns-that-hold-each-other = Sóis que se travam
+e-1-both-suns-turn-alike = e = 1: os dois sóis giram igual
+fixed-sun-driving-arm = Sol fixo, braço motor
+r-a-1-z-s-z-r-1-40-80-t-r-t-a-1-5-the-sun-is-held-by-the-rest = ω_R/ω_A = 1 + z_S/z_R = 1 + 40/80; T_R = −T_A/1,5, e o sol é retido pelo restante
+
+# equilibrium.toml
+bar-with-a-cord-over-a-pulley = Barra com um cabo sobre uma polia
+r-c-hibbeler-engineering-mechanics-statics-example-11-6 = R. C. Hibbeler, Engineering Mechanics: Statics, exemplo 11.6
+a-uniform-bar-of-10-kg-and-1-5-m-on-a-pin-a-cord-from-its-tip-over-a-small-pulley-1-2-m-above-the-pin = Uma barra uniforme de 10 kg e 1,5 m em uma articulação; um cabo da sua ponta, passando por uma pequena polia 1,2 m acima da articulação, sustenta o bloco de 6,53 kg que o livro encontra para 20°. A massa é dada com mais algarismos, para que o ângulo resulte exato a menos do arredondamento.
+the-book-rounds-the-mass-of-the-block-before-it-goes-on = o livro arredonda a massa do bloco antes de prosseguir
+weight-on-a-disc-with-a-spring = Peso em um disco com mola
+f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-sample-problem-10-4 = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, problema resolvido 10.4
+n-10-kg-on-an-arm-of-300-mm-a-spring-of-4-kn-m-on-a-cord-wrapped-at-80-mm-unstretched-with-the-weight = 10 kg em um braço de 300 mm, uma mola de 4 kN/m em um cabo enrolado a 80 mm, sem alongamento com o peso na vertical, para cima; a mola é a mola de torção equivalente k a² = 25,6 N·m/rad. Os dois equilíbrios do livro.
+three-bars-hung-in-a-chain = Três barras suspensas em cadeia
+w-g-mclean-e-w-nelson-engineering-mechanics-schaum-problem-11-5 = W. G. McLean, E. W. Nelson, Engineering Mechanics (Schaum), problema 11.5
+three-equal-bars-of-60-lb-90-lb-pulling-sideways-at-the-free-end-tan-90-150-90-90-90-30-from-the = Três barras iguais de 60 lb, 90 lb puxando de lado na extremidade livre: tan θ = 90/150, 90/90, 90/30 a partir da vertical; aqui a partir da horizontal, portanto 90° menos.
+two-bar-linkage-pushed-at-its-sliding-end = Duas barras articuladas empurradas na extremidade deslizante
+r-c-hibbeler-a-gupta-engineering-mechanics-example-11-1 = R. C. Hibbeler, A. Gupta, Engineering Mechanics, exemplo 11.1
+two-uniform-bars-of-10-kg-and-1-m-one-on-a-pin-the-other-with-a-sliding-end-that-25-n-push-towards = Duas barras uniformes de 10 kg e 1 m, uma articulada, a outra com uma extremidade deslizante que 25 N empurram em direção à articulação.
+the-book-rounds-to-a-tenth-of-a-degree = o livro arredonda a um décimo de grau
+inverted-bar-between-two-springs-just-stiff-enough = Barra invertida entre duas molas de rigidez apenas suficiente
+k-p-l-2-a = k = P l/(2 a²)
+a-weight-of-200-n-at-900-mm-on-a-pin-springs-at-500-mm-on-both-sides-360-n-m-each-is-critical-with = Um peso de 200 N a 900 mm de uma articulação, molas a 500 mm dos dois lados: 360 N/m em cada uma é o valor crítico. Com 361 N/m a posição vertical para cima é estável e outras duas, onde cos φ = P l/(2 k a²), não são; V″ = 2 k a² − P l = 0,5 N·m/rad na primeira ordem das molas longas.
+the-springs-are-long-but-not-endless = as molas são longas, mas não infinitas
+a-weight-that-only-falls = Peso que só cai
+a-pendulum-away-from-its-two-places-of-rest = Um pêndulo longe das suas duas posições de repouso
+
+# equivalent_rod.toml
+rod-with-its-centre-of-mass-near-the-gudgeon-pin = Biela com o centro de massa perto do pino do pistão
+khurmi-gupta-theory-of-machines-ex-15-18 = Khurmi & Gupta, Theory of Machines, ex. 15.18
+the-masses-are-printed-to-a-tenth-of-a-kilogram-the-correction-couple-is-that-of-masses-in-the-two = As massas estão impressas até o décimo de quilograma. O conjugado de correção é o de massas nos dois pinos; atua no sentido da aceleração angular, pois essas massas têm inércia a mais.
+a-uniform-rod = Biela uniforme
+k-l-12-and-a-l-2-in-the-formulas = k² = l²/12 e a = l/2 nas fórmulas
+a-quarter-of-the-mass-at-the-end-three-quarters-at-l-6-beyond-the-middle-b-l-6-m-m-4-m-3m-4-masses-m = Um quarto da massa na extremidade, três quartos a l/6 além do meio: b′ = l/6, m₁ = m/4, m₂ = 3m/4; massas m/2 nos pinos têm m l²/4, m l²/6 a mais.
+a-rod-swung-about-its-gudgeon-pin = Biela oscilando em torno do pino do pistão
+the-first-rod-with-the-period-2-k-a-g-a-of-its-oscillation = a primeira biela, com o período 2π √((k² + a²)/(g a)) da sua oscilação
+a-rod-swung-about-both-pins = Biela oscilando em torno dos dois pinos
+the-first-rod-with-the-periods-of-its-oscillations-about-either-pin = a primeira biela, com os períodos das suas oscilações em torno de cada pino
+a-centre-of-mass-beyond-the-rod = Centro de massa além da biela
+a-distance-above-the-length-of-the-rod = uma distância maior que o comprimento da biela
+
+# five_bar.toml
+two-cranks-hold-a-force-at-the-apex = Duas manivelas sustentam uma força no vértice
+t-j-f-with-the-displacements-of-the-apex-by-each-crank-the-torques-of-the-mechanism-put-together-were = T = −Jᵀ F com os deslocamentos do vértice por cada manivela; os torques do mecanismo montado peça a peça foram os mesmos
+links-50-120-120-and-50-mm-pivots-100-mm-apart-cranks-at-75-and-120-100-n-up-and-40-n-to-the-right = Barras de 50, 120, 120 e 50 mm, pivôs distantes 100 mm, manivelas a 75° e 120°; 100 N para cima e 40 N para a direita.
+geared-cranks = Manivelas engrenadas
+equal-gears-on-the-pivots-70-and-110-virtual-work-and-finite-differences-of-the-height-of-the-apex = Engrenagens iguais nos pivôs, 70° e 110°: trabalho virtual, e diferenças finitas da altura do vértice
+n-100-n-up-at-the-apex-the-linkage-is-symmetric-so-the-apex-moves-straight-up-and-down = 100 N para cima no vértice; o mecanismo é simétrico, e o vértice se move na vertical.
+force-from-the-two-torques = Força a partir dos dois torques
+the-torques-of-the-first-case-give-its-force-back = os torques do primeiro caso devolvem a sua força
+rhombus-standing-on-its-pivots = Losango apoiado nos seus pivôs
+cranks-upright-rods-at-60-each-rod-carries-f-2-sin-60-with-the-lever-arm-a-cos-60-t-f-a-2-tan-60 = Manivelas na vertical, bielas a 60°: cada biela suporta F/(2 sen 60°) com o braço de alavanca a cos 60°: T = ∓F a/(2 tan 60°)
+force-of-a-geared-linkage = Força de um mecanismo engrenado
+one-equation-for-two-components = uma equação para duas componentes
+rods-too-short = Bielas curtas demais
+a-and-b-are-500-mm-apart = A e B distam 500 mm
+
+# flywheel.toml
+two-stroke-engine-with-a-second-harmonic = Motor de dois tempos com segundo harmônico
+t-1000-300-sin-2-500-cos-2-the-fluctuation-of-energy-is-300-500-n-m-after-khurmi-gupta-theory-of = T = 1000 + 300 sen 2θ − 500 cos 2θ: a flutuação de energia é √(300² + 500²) N·m; segundo Khurmi & Gupta, Theory of Machines, cap. 16
+areas-of-a-petrol-engine-s-diagram = Áreas do diagrama de um motor a gasolina
+n-295-685-40-340-960-270-mm-after-khurmi-gupta-theory-of-machines-ch-16 = 295 − 685 + 40 − 340 + 960 − 270 mm², segundo Khurmi & Gupta, Theory of Machines, cap. 16
+the-sums-run-from-295-to-690-mm-985-mm-5-n-m-mm-1-mm = As somas vão de 295 a −690 mm²; 985 mm² × 5 N·m/mm × 1°/mm.
+speeds-of-a-heavy-flywheel = Rotações de um volante pesado
+e-i = ΔE = ½ I (ω₁² − ω₂²)
+inertia-for-one-per-cent = Inércia para um por cento
+t-20-000-9500-sin-2-5700-cos-2-n-m-e-9500-5700-n-m-i-c-s-after-khurmi-gupta-theory-of-machines-ch-16 = T = 20 000 + 9500 sen 2θ − 5700 cos 2θ N·m: ΔE = √(9500² + 5700²) N·m = I ω² C_s; segundo Khurmi & Gupta, Theory of Machines, cap. 16
+a-triangle-on-the-power-stroke-of-four = Um triângulo no tempo motor de um ciclo de quatro tempos
+a-triangle-of-800-n-m-over-180-of-720-t-m-100-n-m-above-the-mean-t-max-7-8-2-of-its-base = um triângulo de 800 N·m em 180° de 720°: T_m = 100 N·m; acima da média, T_max (7/8)²/2 da sua base
+e-700-n-m-7-8 = ΔE = ½ × 700 N·m × (7/8) π.
+a-moment-that-does-not-repeat = Um torque que não se repete
+an-order-of-0-3 = uma ordem de 0,3
+
+# four_bar.toml
+coupler-and-rocker-with-masses-at-95-rad-s = Acoplador e balancim com massas a 95 rad/s
+dynamics-of-machines-turkish-lecture-notes-example-7-the-answers-are-known-from-a-program-that-quotes = Dinâmica das máquinas, notas de aula em turco, exemplo 7 (as respostas são conhecidas por um programa que as cita)
+frame-100-mm-crank-50-mm-coupler-151-mm-rocker-111-mm-at-120-steady-95-rad-s-the-notes-print = Base de 100 mm, manivela de 50 mm, acoplador de 151 mm, balancim de 111 mm a 120°, 95 rad/s constantes. As notas de aula imprimem módulos e resolvem por desenho: velocidades e acelerações desviam de 1 a 3 %, o torque 0,5 %.
+the-notes-read-the-velocities-off-a-drawing = as notas de aula leem as velocidades em um desenho
+the-notes-read-the-accelerations-off-a-drawing = as notas de aula leem as acelerações em um desenho
+the-notes-compute-with-accelerations-read-off-a-drawing = as notas de aula calculam com acelerações lidas em um desenho
+the-same-linkage-to-more-digits = O mesmo mecanismo com mais algarismos
+dynamics-of-machines-turkish-lecture-notes-example-7-virtual-power-and-the-equations-of-newton-and = Dinâmica das máquinas, notas de aula em turco, exemplo 7: potência virtual e as equações de Newton e Euler
+mechanical-advantage-of-a-crank-rocker = Vantagem mecânica de uma manivela-balancim
+t-4-t-2-2-4-with-the-ratio-of-the-speeds-from-instant-centre-24 = T_4 = T_2 ω_2/ω_4, com a razão das velocidades pelo centro instantâneo 24
+n-10-n-m-on-the-crank-the-torque-on-the-rocker-that-balances-it-turns-the-other-way = 10 N·m na manivela; o torque no balancim que o equilibra gira no sentido contrário.
+velocity-of-the-coupler = Velocidade do acoplador
+r-s-khurmi-j-k-gupta-theory-of-machines-ex-6-1 = R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 6.1
+ab-300-mm-at-100-rpm-bc-cd-360-mm-ad-600-mm-angle-bad-60-the-book-measures-the-distance-to-the = AB = 300 mm a 100 rpm, BC = CD = 360 mm, AD = 600 mm, ângulo BAD = 60°. O livro mede em um desenho a distância ao centro instantâneo, 500 mm, e imprime o módulo.
+the-book-takes-the-distance-to-the-instant-centre-from-a-drawing = o livro toma de um desenho a distância ao centro instantâneo
+parallelogram-with-a-force-on-its-coupler = Paralelogramo com uma força no acoplador
+a-c-b-d-the-coupler-keeps-its-angle-every-point-of-it-moves-as-the-crank-pin-t-f-a-cos = a = c, b = d: o acoplador conserva o seu ângulo, e todos os seus pontos se movem como o pino da manivela; T = F a cos θ
+crossed-closing-of-the-crank-rocker = Fechamento cruzado da manivela-balancim
+t-4-t-2-h-4-with-h-4-a-sin-2-3-c-sin-4-3-on-the-crossed-branch = T_4 = T_2/h_4 com h_4 = a sen(θ_2 − θ_3)/(c sen(θ_4 − θ_3)) no ramo cruzado
+a-double-rocker-comes-to-its-end = Um duplo balancim chega ao seu limite
+cos-a-d-b-c-2-a-d-where-coupler-and-rocker-stretch-out = cos θ = (a² + d² − (b + c)²)/(2 a d) onde acoplador e balancim se esticam
+weights-of-uniform-bars = Pesos de barras uniformes
+parallelogram-centres-of-crank-and-rocker-rise-by-a-2-cos-that-of-the-coupler-by-a-cos-t-2-2-3-2-2-g = Paralelogramo: os centros de manivela e balancim sobem (a/2) cos θ δθ, o do acoplador a cos θ δθ: T = (2/2 + 3 + 2/2) g a cos θ
+links-that-do-not-reach = Barras que não se alcançam
+from-a-to-c-are-0-5-0-1-0-4-m-coupler-and-rocker-span-0-2-m = de A a C são 0,5 − 0,1 = 0,4 m; acoplador e balancim alcançam 0,2 m
+coupler-and-rocker-in-one-line = Acoplador e balancim alinhados
+n-3-4-5-at-90-the-way-from-a-to-c-is-500-mm-the-links-are-200-mm-and-300-mm = 3-4-5: em θ = 90° de A a C são 500 mm, as barras têm 200 mm e 300 mm
+
+# guided_bar.toml
+bar-with-a-horizontal-spring = Barra com mola horizontal
+r-c-hibbeler-engineering-mechanics-statics-14th-ed-problem-11-41 = R. C. Hibbeler, Engineering Mechanics: Statics, 14ª ed., problema 11-41
+a-bar-of-100-kg-and-4-m-hangs-with-its-upper-end-in-a-horizontal-guide-the-spring-at-its-middle-500-n = Uma barra de 100 kg e 4 m pende com a extremidade superior em uma guia horizontal; a mola no seu meio, de 500 N/m, não está alongada a 60°: V = ½ k (2 sen 60° − 2 sen θ)² − m g 2 cos θ.
+the-bar-with-the-spring-its-curvature = A barra com a mola, a sua curvatura
+v-of-k-2-sin-60-2-sin-m-g-2-cos-at-its-root = V″ de ½ k (2 sen 60° − 2 sen θ)² − m g 2 cos θ na sua raiz
+ladder-held-at-its-foot = Escada mantida pelo pé
+f-w-tan-on-a-smooth-floor-and-wall = F = ½ W tan θ em piso e parede lisos
+collars-pressed-by-a-vertical-force = Cursores pressionados por uma força vertical
+p-l-sin-k-l-cos-cos-sin-p-k-l-cos-cos = P L sen θ = k L² (cos θ₀ − cos θ) sen θ: P = k L (cos θ₀ − cos θ)
+the-spring-between-a-and-the-corner-is-unstretched-with-the-bar-upright-and-pressed-as-a-comes-down = A mola entre A e o canto não está deformada com a barra na vertical, e é comprimida quando A desce.
+upright-bar-on-a-spring = Barra na vertical sobre uma mola
+v-0-at-0-for-f-0-the-bar-stands-for-k-l-m-g-l-2-with-the-horizontal-spring-at-b = V″ = 0 em θ = 0 para F = 0: a barra fica em pé para k L² > m g L/2 com a mola horizontal em B
+a-bar-along-its-guide-tells-no-force-at-a = Barra ao longo da sua guia não determina força em A
+at-0-the-point-a-stands-still = Em θ = 0 o ponto A fica parado
+
+# hanging_chain.toml
+chain-of-three-bars = Cadeia de três barras
+e-w-nelson-c-l-best-w-g-mclean-schaum-s-outline-of-engineering-mechanics-problem-11-5 = E. W. Nelson, C. L. Best, W. G. McLean, Schaum's Outline of Engineering Mechanics, problema 11.5
+three-equal-bars-of-60-lbf-each-pulled-with-90-lbf-at-the-free-end-the-weight-is-that-of-the-printed = Três barras iguais de 60 lbf cada, puxadas com 90 lbf na extremidade livre; o peso é o das razões impressas 90/150, 90/90 e 90/30.
+force-that-holds-the-second-bar-at-45 = Força que mantém a segunda barra a 45°
+f-w-2-w-tan = F = (W₂/2 + W₃) tan θ₂
+weight-at-the-end-of-a-light-chain = Peso na ponta de uma cadeia leve
+without-weight-of-their-own-all-bars-lie-along-the-resultant-of-q-and-f = Sem peso próprio, todas as barras ficam ao longo da resultante de Q e F
+a-bar-that-nothing-pulls-at = Barra sem nada que a puxe
+without-loads-every-angle-is-an-equilibrium = Sem cargas, todo ângulo é de equilíbrio
+
+# lazy_tongs.toml
+tongs-of-three-squares = Tesoura articulada de três quadrados
+a-k-tayal-engineering-mechanics-example-13-7 = A. K. Tayal, Engineering Mechanics, exemplo 13.7
+bars-at-45-1000-n-at-the-upper-hinges-of-the-first-and-the-second-square-x-b-p-q-cot-6-y-b-p-3-q-6 = Barras a 45°, 1000 N nas articulações superiores do primeiro e do segundo quadrado. X_B = (P + Q) cot θ/6, Y_B = (P + 3 Q)/6.
+one-square-a-load-at-its-lower-hinge = Um quadrado, carga na articulação inferior
+a-load-below-pulls-the-supports-together-x-b-p-cot-2 = Uma carga embaixo puxa os apoios um para o outro: X_B = −P cot θ/2
+loads-above-and-below = Cargas em cima e embaixo
+equal-loads-at-the-upper-and-the-lower-hinge-of-a-square-press-along-the-line-not-at-all = Cargas iguais nas articulações superior e inferior de um quadrado em nada comprimem ao longo da linha
+a-square-that-is-not-there = Quadrado inexistente
+three-squares = Três quadrados
+
+# mechanism.toml
+four-bar-linkage-with-massive-coupler-and-rocker = Mecanismo de quatro barras com acoplador e balancim com massa
+lecture-notes-on-the-dynamics-of-machinery-turkish-example-7 = Notas de aula de dinâmica das máquinas (em turco), exemplo 7
+the-targets-are-those-quoted-from-the-notes-they-print-the-sizes-the-drawn-senses-follow-from-the = Os valores de referência são os citados das notas de aula; elas imprimem os módulos, e os sentidos desenhados resultam da malha.
+the-source-draws-the-velocities-and-accelerations-to-scale = A fonte desenha em escala as velocidades e acelerações.
+five-bar-linkage-with-two-drivers = Mecanismo de cinco barras com dois acionamentos
+two-holding-torques-equal-to-j-f-with-the-jacobian-of-the-apex = Dois torques de sustentação iguais a −Jᵀ F, com o jacobiano do vértice
+cranks-of-50-mm-on-pivots-100-mm-apart-at-75-and-120-rods-of-120-mm-40-n-to-the-right-and-100-n-up-at = Manivelas de 50 mm em pivôs distantes 100 mm, a 75° e 120°, bielas de 120 mm; 40 N para a direita e 100 N para cima no vértice.
+geared-five-bar-linkage = Mecanismo de cinco barras engrenado
+rise-of-the-apex-by-differences-t-f-dy-d = Subida do vértice por diferenças, T = −F dy/dθ
+equal-gears-on-the-two-pivots-one-outside-the-other-the-right-crank-turns-back-as-the-left-one-goes = Engrenagens iguais nos dois pivôs, engrenadas por fora: a manivela direita volta enquanto a esquerda avança. Desenhado com as manivelas a 70° e 110°.
+the-pans-keep-upright-so-only-their-rise-counts = Os pratos se mantêm na vertical, e só a sua subida conta
+beams-of-250-mm-arms-one-above-the-other-5-kg-lies-300-mm-outside-of-its-pan-s-joint-on-one-side-and = Barras com braços de 250 mm, uma acima da outra; 5 kg estão 300 mm para fora da junta do seu prato de um lado e 100 mm para dentro do outro. O mecanismo tem uma equação a mais do que precisa.
+compound-epicyclic-gear = Trem epicicloidal composto
+bevan-the-theory-of-machines-ch-12-example-2 = Bevan, The Theory of Machines, cap. 12, exemplo 2
+a-pinion-a-of-25-teeth-drives-the-outside-teeth-90-of-a-wheel-whose-inside-teeth-83-mesh-with-planets = Um pinhão A de 25 dentes aciona os dentes externos, 90, de uma roda cujos dentes internos, 83, engrenam com satélites em torno de um sol fixo de 31; o braço F é a saída. Sem perdas. Os satélites têm (83 − 31)/2 = 26 dentes; os raios estão em mm, meio milímetro por dente.
+disc-rolled-by-a-crank-against-spring-and-damper = Disco rolado por uma manivela contra mola e amortecedor
+virtual-power-and-newton-euler-equations-of-another-program = Potência virtual e equações de Newton–Euler de outro programa
+disc-of-4-kg-and-radius-150-mm-drawn-through-its-centre-by-a-crank-of-60-mm-and-a-rod-of-200-mm-at-8 = Disco de 4 kg e 150 mm de raio, movido pelo centro por uma manivela de 60 mm e uma biela de 200 mm a 8 rad/s; mola de 800 N/m, com 100 mm de comprimento livre, e amortecedor de 25 N·s/m até uma parede 200 mm atrás do mancal da manivela. O atrito no piso é a reação do rolamento.
+block-pushed-up-a-rough-plane = Bloco empurrado para cima em um plano rugoso
+p-w-tan-20-arctan-0-25 = P = W tan(20° + arctan 0,25)
+bar-held-by-a-weight-over-a-pulley = Barra mantida por um peso sobre uma polia
+a-uniform-bar-of-10-kg-and-1-5-m-pinned-at-its-lower-end-a-cord-from-its-tip-goes-over-a-small-pulley = Uma barra uniforme de 10 kg e 1,5 m, articulada na extremidade inferior; um cabo da sua ponta passa por uma pequena polia 1,2 m acima da articulação até um bloco suspenso. A massa de 6,53 kg que o livro encontra a equilibra a 20°, até os algarismos impressos: o cabo é desenhado como uma haste de dois trechos, e o bloco desliza em uma linha vertical.
+cam-with-a-harmonic-lift-of-ten-points = Came com levantamento harmônico de dez pontos
+force-of-a-weight-on-a-cam-t-w-ds-d-of-the-spline-through-the-points = Força de um peso em uma came, T = W ds/dθ da spline pelos pontos
+ten-points-of-s-20-mm-1-cos-2-at-90-the-spline-has-the-slope-10-mm-rad-to-its-own-accuracy = Dez pontos de s = 20 mm (1 − cos θ)/2; a 90° a spline tem a inclinação de 10 mm/rad dentro da sua própria precisão.
+the-spline-through-ten-points-has-the-slope-of-the-cosine-to-some-parts-in-a-thousand = a spline pelos dez pontos tem a inclinação do cosseno a menos de alguns milésimos
+a-linkage-without-a-driver = Mecanismo sem acionamento
+a-linkage-that-is-free-to-move = Um mecanismo livre para se mover
+links-too-short-to-meet = Barras curtas demais para se encontrarem
+sides-of-50-20-and-20-on-a-base-of-100 = Lados de 50, 20 e 20 em uma base de 100
+a-crank-driven-from-its-dead-centre = Manivela acionada a partir do ponto morto
+crank-and-rod-in-line = Manivela e biela alinhadas
+
+# motion.toml
+andrews-squeezing-mechanism = Mecanismo espremedor de Andrews
+e-hairer-g-wanner-solving-ordinary-differential-equations-ii-vii-7-with-the-reference-of-the-test-set = E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, §VII.7, com a referência do conjunto de testes para programas de problemas de valor inicial
+seven-bodies-in-three-loops-at-rest-a-spring-and-a-motor-of-0-033-n-m-the-source-has-the-angle-of-the = Sete corpos em três malhas, em repouso, uma mola e um motor de 0,033 N m. A fonte traz o ângulo da biela em relação à manivela: aqui estão as somas. Os seus multiplicadores pertencem à primeira junta; os seus sinais são os da força sobre o segundo ponto dela.
+simple-pendulum-from-the-horizontal-ten-seconds = Pêndulo simples a partir da horizontal, dez segundos
+problem-a01-of-the-iftomm-library-of-computational-benchmark-problems-exact-by-elliptic-functions = Problema A01 da biblioteca da IFToMM de problemas de referência computacionais; exato por funções elípticas
+x-sin-y-cos-with-sin-2-k-sn-k-k-t-g-l-k-sin-45 = x = −sen α, y = −cos α com sen(α/2) = k sn(K(k) − t √(g/L)), k = sen 45°.
+pendulum-until-it-hangs = Pêndulo até a posição pendente
+a-quarter-of-the-period-of-a-pendulum-that-swings-by-90-and-its-fall = Um quarto do período de um pêndulo que oscila 90°, e a sua queda
+t-4-k-sin-45-l-g-and-v-2-g-l-for-1-m-and-9-81-m-s = T/4 = K(sen 45°) √(L/g) e v = √(2 g L), para 1 m e 9,81 m/s².
+disc-that-rolls-down-a-plane-of-30 = Disco que desce rolando um plano de 30°
+a-2-3-g-sin-30-for-a-uniform-disc-that-rolls-without-slip = a = (2/3) g sen 30° para um disco uniforme que rola sem escorregar
+from-rest-for-two-seconds-6-54-m-along-the-plane-the-disc-of-100-mm-turns-by-65-4-rad = A partir do repouso, durante dois segundos: 6,54 m ao longo do plano; o disco de 100 mm gira 65,4 rad.
+swing-on-a-torsion-spring-from-its-middle = Oscilação em uma mola de torção, a partir do meio
+sin-t-with-i = θ = (ω₀/ωₙ) sen ωₙ t com ωₙ² = κ/I
+n-32-n-m-rad-and-i-0-23-3-0-3-0-5-kg-m-8-rad-s-4-rad-s-for-one-second = κ = 32 N m/rad e I = 0,23 + 3·0,3² = 0,5 kg m²: ωₙ = 8 rad/s, ω₀ = 4 rad/s, durante um segundo.
+friction-may-stick = O atrito pode prender
+a-pivot-with-friction-is-no-free-motion = Um pivô com atrito não dá movimento livre
+a-link-without-mass-falls = Uma peça sem massa cai
+nothing-that-moves-with-the-link-has-inertia = Nada do que se move com a peça tem inércia
+
+# oscillating_cylinder.toml
+hydraulic-cylinder-that-holds-a-lever = Cilindro hidráulico que sustenta uma alavanca
+moments-about-the-bearing-f-c-d-w-r-cos-with-the-distance-d-of-the-bearing-from-the-line-of-the = Momentos em relação ao mancal: F_c d = W r cos θ, com a distância d do mancal à linha do cilindro
+lever-of-1-m-at-60-with-2-kn-at-its-end-cylinder-from-0-5-0-m-the-end-stands-straight-above-it-so-d-0 = Alavanca de 1 m a 60° com 2 kN na ponta; cilindro a partir de (0,5; 0) m: a ponta fica na vertical acima dele, logo d = 0,5 m e o cilindro suporta 2·cos 60°/0,5 = 2 kN.
+swinging-cylinder-of-a-steam-engine = Cilindro oscilante de uma máquina a vapor
+t-p-a-r-d-sin-s-sign-with-the-pin-at-d-0-s-r-d-2-r-d-cos-and-s-r-d-s-sin = T = −p A r d sen θ/s × sinal: com o pino em (−d, 0), s² = r² + d² + 2 r d cos θ e δs = −(r d/s) sen θ δθ
+r-50-mm-d-200-mm-90-s-206-155-mm-u-s-48-507-mm-8-bar-on-60-mm-give-2261-95-n-under-pressure-the-crank = r = 50 mm, d = 200 mm, θ = 90°: s = 206,155 mm, u_s = −48,507 mm; 8 bar em 60 mm dão 2261,95 N. Sob pressão a manivela é retida por −T.
+motion-of-the-swinging-cylinder = Movimento do cilindro oscilante
+s-r-d-2-r-d-cos-s-s-r-d-sin-s-by-differentiation-once-more-crank-across-the-frame-90 = s² = r² + d² + 2 r d cos θ: s s' = −r d sen θ ω, s'' derivando mais uma vez; manivela transversal à base, θ = 90°
+at-90-s-r-d-s-s-s-s-since-the-derivative-of-r-d-sin-is-zero-4-r-s = Em θ = 90°: s' = −r d ω/s, s'' = −s'²/s, pois a derivada de r d sen θ é nula; ω_4 = r² ω/s².
+force-in-line-with-the-crank = Força alinhada com a manivela
+crank-and-cylinder-in-one-line-s-0 = manivela e cilindro alinhados: δs = 0
+
+# quick_return.toml
+shaper-in-its-working-stroke = Plaina limadora no curso de trabalho
+m-campbell-s-nestinger-whitworth-quick-return-mechanism-lengths-and-speed-force-and-masses-are-chosen = M. Campbell, S. Nestinger, Whitworth quick-return mechanism: comprimentos e velocidade; força e massas são escolhidas aqui
+pivots-25-mm-apart-crank-10-mm-at-30-15-rad-s-lever-65-mm-and-0-2-kg-link-30-mm-line-of-the-slider-50 = Pivôs distantes 25 mm, manivela de 10 mm a −30°, −15 rad/s; alavanca de 65 mm e 0,2 kg, biela de 30 mm, linha do cursor 50 mm acima do pivô da alavanca; 0,5 kg no cursor, 100 N contra o seu movimento. A potência virtual e as equações de Newton e Euler deram o mesmo.
+crank-and-slotted-lever-45-past-the-line-of-the-pivots = Manivela e alavanca ranhurada, 45° além da linha dos pivôs
+r-s-khurmi-j-k-gupta-theory-of-machines-ex-8-13 = R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 8.13
+crank-of-150-mm-at-120-rpm-pivots-400-mm-apart-from-the-printed-intermediate-values-the-book-works = Manivela de 150 mm a 120 rpm, pivôs distantes 400 mm (dos valores intermediários impressos). O livro resolve por desenho. Acrescenta-se aqui 1 kN transversal à ponta da alavanca, a 700 mm.
+the-book-reads-the-velocities-off-a-drawing = o livro lê as velocidades em um desenho
+the-book-reads-the-accelerations-off-a-drawing = o livro lê as acelerações em um desenho
+the-same-lever-to-more-digits = A mesma alavanca com mais algarismos
+r-s-khurmi-j-k-gupta-theory-of-machines-ex-8-13-t-2-f-l-4-and-the-derivatives-of-tan-4 = R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 8.13: T ω_2 = F L ω_4 e as derivadas de tan θ_4
+crank-across-the-lever = Manivela transversal à alavanca
+at-2-90-crank-and-lever-are-in-line-h-4-r-d-r-no-slip-t-f-l-r-d-r = Em θ_2 = 90° manivela e alavanca estão alinhadas: h_4 = r/(d + r), sem deslizamento; T = F L r/(d + r)
+whitworth-the-lever-turns-round = Whitworth: a alavanca dá a volta
+at-2-90-h-4-r-d-r-time-ratio-2-arcsin-d-r-2-arcsin-d-r-2-for-d-r-2 = Em θ_2 = 90°, h_4 = r/(d + r); razão de tempos (π + 2 arcsen(d/r))/(π − 2 arcsen(d/r)) = 2 para d = r/2
+force-where-the-lever-turns-back = Força onde a alavanca inverte o movimento
+sin-2-r-d-the-lever-touches-the-circle-of-the-crank-pin = sen θ_2 = −r/d: a alavanca tangencia o círculo do pino da manivela
+link-too-short-for-the-slider-s-line = Biela curta demais para a linha do cursor
+the-end-of-the-lever-is-60-mm-below-the-line-the-link-has-50-mm = a ponta da alavanca está 60 mm abaixo da linha, a biela tem 50 mm
+
+# rack_press.toml
+arbor-press = Prensa manual de cremalheira
+q-f-r-r = Q = F R/r
+geared-press-with-losses = Prensa com engrenagens e perdas
+f-q-r-r-i-with-r-m-z-2 = F = Q r/(R i η) com r = m z/2
+a-pinion-with-half-a-tooth = Pinhão com meio dente
+teeth-come-whole = Só há dentes inteiros
+
+# rhombus.toml
+load-on-a-rhombus-with-a-spring-between-the-sides = Carga em um losango com mola entre os lados
+n-2-q-l-sin-4-w-l-sin-4-k-l-sin-sin-cos = 2 Q L sen θ + 4 W L sen θ = 4 k L² (sen θ₀ − sen θ) cos θ
+the-same-load-and-where-it-hangs = A mesma carga, e onde ela fica suspensa
+n-2-q-l-sin-4-k-l-sin-sin-cos = 2 Q L sen θ = 4 k L² (sen θ₀ − sen θ) cos θ
+spring-along-the-height = Mola ao longo da altura
+q-2-w-2-k-l-cos-cos-with-w-0-the-spring-carries-the-load-itself = Q + 2 W = 2 k L (cos θ − cos θ₀) com W = 0: a própria mola sustenta a carga
+a-closed-rhombus-tells-nothing = Um losango fechado nada determina
+at-0-the-lower-corner-stands-still = Em θ = 0 o vértice inferior fica parado
+
+# roberval_balance.toml
+equal-masses-at-unequal-offsets = Massas iguais com afastamentos desiguais
+the-pans-only-move-equal-masses-balance-wherever-they-stand = Os pratos só transladam: massas iguais se equilibram onde quer que estejam
+the-tilted-balance = A balança inclinada
+the-pans-only-move-equal-masses-balance-at-every-inclination = Os pratos só transladam: massas iguais se equilibram em toda inclinação
+unequal-arms = Braços desiguais
+m-l-m-l = m₁ l₁ = m₂ l₂
+a-heavier-right-pan = Prato direito mais pesado
+t-m-l-m-l-g-cos = T = (m₂ l₂ − m₁ l₁) g cos φ
+beams-upright = Barras na vertical
+at-90-the-pans-stand-still-sideways-and-no-weight-does-virtual-work = A 90° os pratos só se movem para o lado, e nenhum peso realiza trabalho virtual
+
+# rolling_disc.toml
+disc-against-spring-and-damper-at-8-rad-s = Disco contra mola e amortecedor a 8 rad/s
+t-k-x-x-w-l-0-c-v-3-2-m-a-u-with-the-motion-of-a-slider-crank-virtual-power-and-the-equations-of = T = −[−k (x − x_w − L_0) − c v − (3/2) m a] u com o movimento de um cursor-manivela; a potência virtual e as equações de Newton e Euler deram o mesmo
+crank-60-mm-at-50-rod-200-mm-disc-of-4-kg-and-150-mm-spring-of-800-n-m-from-a-wall-at-200-mm-free = Manivela de 60 mm a 50°, biela de 200 mm; disco de 4 kg e 150 mm; mola de 800 N/m a partir de uma parede em −200 mm, comprimento livre de 100 mm; amortecedor de 25 N·s/m. O torque não depende da gravidade.
+a-ring-accelerates-as-twice-its-mass = Um anel acelera como o dobro da sua massa
+i-m-r-t-2-m-a-u-at-90-with-l-2-r-u-r-a-r-sin-cos-r = I = m R²: T = 2 m a u; em 90° com l = √2 r: u = −r, a = r ω² (sen² θ)/cos³ φ… = r ω²
+at-2-90-the-rod-has-tan-r-l-r-1-so-x-l-r-sin-r-cos-bends-with-x-r-l-r-r = Em θ_2 = 90° a biela tem tan φ = r/√(l² − r²) = 1, portanto x = √(l² − r² sen² θ) + r cos θ curva-se com x'' = r²/√(l² − r²) = r.
+spring-held-at-rest = Mola mantida em repouso
+f-k-s-l-0-with-s-300-mm-200-mm-500-0-1-50-n-holds-the-disc-without-a-torque = F = k (s − L_0) com s = 300 mm + 200 mm: 500·0,1 = 50 N mantêm o disco sem torque
+force-at-a-dead-centre = Força em um ponto morto
+crank-and-rod-in-one-line-x-0 = manivela e biela alinhadas: δx = 0
+
+# scissor_lift.toml
+lift-table-with-a-crate-of-1000-kg = Plataforma pantográfica com um caixote de 1000 kg
+beer-johnston-vector-mechanics-for-engineers-9th-and-10th-ed-sample-problem-10-3 = Beer & Johnston, Vector Mechanics for Engineers, 9ª e 10ª ed., problema resolvido 10.3
+two-frames-each-with-a-cylinder-from-the-ground-at-3-2-m-from-the-fixed-foot-to-the-middle-of-a-bar = Dois quadros, cada um com um cilindro do solo, a 3,2 m do pé fixo, ao meio de uma barra de 1,4 m. F = ½ W √(a² + L² − 2 a L cos θ)/L · 2 cot θ/2. O livro arredonda para 5,15 kN; a sua transcrição publicada dá 5,16 kN.
+the-lift-table-more-digits = A plataforma pantográfica, mais algarismos
+beer-johnston-sample-problem-10-3-f-w-a-l-2-a-l-cos-cot-l-for-both-cylinders-together = Beer & Johnston, problema resolvido 10.3: F = W √(a² + L² − 2 a L cos θ) cot θ/L para os dois cilindros juntos
+load-that-the-cylinders-lift = Carga que os cilindros levantam
+the-same-closed-form-read-the-other-way-round = A mesma forma fechada, lida no sentido inverso
+three-stages-with-a-level-cylinder-between-the-feet = Três estágios com um cilindro horizontal entre os pés
+f-n-w-n-g-cot-for-a-cylinder-along-the-ground-with-2-n-bars-of-weight-g = F = −n (W + n G) cot θ para um cilindro ao longo do solo, com 2 n barras de peso G
+upright-cylinder-under-the-table = Cilindro na vertical sob a mesa
+an-upright-cylinder-from-ground-to-table-carries-the-load-itself = Um cilindro na vertical, do solo à mesa, sustenta sozinho a carga
+a-cylinder-that-does-not-grow = Cilindro que não se alonga
+both-ends-on-one-bar = As duas extremidades em uma mesma barra
+
+# scotch_yoke.toml
+yoke-with-a-load-and-a-mass-at-30-rad-s = Garfo escocês com carga e massa a 30 rad/s
+t-f-r-sin-m-r-sin-cos-the-load-opposing-x-the-largest-of-twelve-angles-0-1-rad-and-every-30-on-is-at = T = F r sen θ − m r² ω² sen θ cos θ, com a carga oposta a x; o maior de doze ângulos, 0,1 rad e a cada 30° daí em diante, está em 0,1 rad + 240°
+r-80-mm-300-n-against-x-4-kg-the-reference-found-no-difference-from-this-formula-at-the-twelve-angles = r = 80 mm, 300 N contra x, 4 kg. A referência não encontrou diferença em relação a esta fórmula nos doze ângulos.
+the-same-yoke-at-30 = O mesmo garfo a 30°
+t-300-0-08-sin-30-4-0-08-30-sin-30-cos-30 = T = −(300·0,08·sen 30° − 4·0,08²·30²·sen 30° cos 30°)
+the-same-yoke-at-225 = O mesmo garfo a 225°
+t-300-0-08-sin-225-4-0-08-30-sin-225-cos-225 = T = −(300·0,08·sen 225° − 4·0,08²·30²·sen 225° cos 225°)
+force-from-a-torque = Força a partir de um torque
+f-t-r-sin-12-0-08-sin-150 = F = T/(r sen θ) = 12/(0,08·sen 150°)
+the-crank-lies-along-the-line-of-the-yoke-x-0 = a manivela está na linha do garfo: δx = 0
+
+# screw_jack.toml
+scissor-jack-of-four-crossed-links = Macaco de tesoura de quatro barras cruzadas
+r-c-hibbeler-engineering-mechanics-statics-problem-11-3-t-2-p-cot = R. C. Hibbeler, Engineering Mechanics: Statics, problema 11-3: T = 2 P cot θ
+four-links-pinned-at-their-centres-are-two-stages-the-book-gives-the-formula-its-value-for-10-kn-and = Quatro barras unidas por pinos nos centros são dois estágios. O livro dá a fórmula; o seu valor para 10 kN e 30° é 34,641 kN.
+car-jack-with-a-rhombus-and-a-trapezoidal-screw = Macaco de automóvel com losango e parafuso trapezoidal
+t-p-cot-m-t-d-2-tan-tan-cos = T = P cot θ, M = T (d/2) tan(α + φ), tan φ = μ/cos λ
+plain-jack-with-a-collar = Macaco simples com colar
+m-p-d-2-d-d-p-c-d-c-2-square-thread = M = P (d/2) (ℓ + π μ d)/(π d − μ ℓ) + P μ_c d_c/2, rosca quadrada
+load-that-20-n-m-raises-on-two-threads = Carga que 20 N·m levantam com duas roscas
+p-m-tan-d-tan-for-a-rhombus-with-a-right-hand-and-a-left-hand-thread = P = M tan θ/(d tan(α + φ)) para um losango com rosca direita e rosca esquerda
+p-t-tan = P = T tan θ
+a-torque-without-a-screw = Torque sem parafuso
+a-torque-needs-a-lead = Um torque precisa de um avanço
+
+# six_bar.toml
+press-driven-by-a-crank-rocker-at-its-largest-torque = Prensa acionada por manivela-balancim, no seu maior torque
+crank-rocker-60-140-110-150-mm-whose-rocker-end-drives-a-slider-on-the-line-of-the-frame-through-200 = Manivela-balancim 60/140/110/150 mm cuja ponta do balancim aciona um cursor na linha da base por uma biela de 200 mm; a potência virtual e as equações de Newton e Euler deram o mesmo em 24 posições, 0,05 rad e a cada 15° daí em diante
+steel-links-as-uniform-bars-of-1-2-0-9-and-1-5-kg-slider-of-6-kg-2-kn-against-x-12-rad-s-with-5-rad-s = Peças de aço como barras uniformes de 1,2, 0,9 e 1,5 kg, cursor de 6 kg, 2 kN contra x, 12 rad/s com 5 rad/s². Ao longo das 24 posições o torque vai de −99,787728 a 151,8945 N·m, com média de 0,069 N·m.
+the-same-press-at-its-least-torque = A mesma prensa no seu menor torque
+crank-rocker-60-140-110-150-mm-with-a-slider-virtual-power-and-the-equations-of-newton-and-euler = Manivela-balancim 60/140/110/150 mm com um cursor: potência virtual e as equações de Newton e Euler
+watt-two-parallelograms-in-a-row = Watt: dois paralelogramos em série
+crank-rocker-and-second-rocker-stay-parallel-t-2-t-6-all-turn-alike = Manivela, balancim e segundo balancim permanecem paralelos: T_2 = −T_6, todos giram igual
+stephenson-a-slider-crank-hung-on-a-parallelogram-s-crank-pin = Stephenson: um cursor-manivela ligado ao pino da manivela de um paralelogramo
+d-a-t-f-r-sin-tan-cos-beer-johnston-12e-prob-10-21-a-with-other-links-beside-it = D = A: T = F r (sen θ + tan φ cos θ), Beer & Johnston, 12ª ed., probl. 10.21 (a), com outras peças ao lado
+force-on-an-inclined-slider-from-the-torque = Força em um cursor inclinado a partir do torque
+the-same-slider-crank-turned-by-20-crank-at-50-line-at-20 = O mesmo cursor-manivela girado de 20°: manivela a 50°, linha a 20°
+a-force-on-a-rocker = Força em um balancim
+a-rocker-takes-a-torque = um balancim recebe um torque
+a-second-pair-that-does-not-reach = Segundo par que não alcança
+from-d-to-e-are-more-than-the-links-span = de D a E há mais do que as peças alcançam
+
+# slider_crank.toml
+the-slider-crank-of-the-course-with-a-motion-that-closes = O cursor-manivela da disciplina com um movimento que fecha
+riul-unit-ii-example-1-its-layout-with-r-150-mm-l-200-mm-and-the-motion-that-follows = Riul, Unidade II, exemplo 1: sua configuração com r = 150 mm, l = 200 mm e o movimento que daí resulta
+crank-at-30-steady-20-rad-s-rod-of-3-kg-with-its-mass-centre-in-the-middle-slider-of-2-kg-5-kn-on-it = Manivela a 30°, 20 rad/s constantes; biela de 3 kg com o centro de massa no meio, cursor de 2 kg, com 5 kN no sentido de afastá-lo do mancal. A potência virtual e as equações de Newton e Euler deram o mesmo.
+horizontal-force-that-holds-a-loaded-linkage = Força horizontal que mantém um mecanismo carregado
+r-c-hibbeler-a-gupta-engineering-mechanics-statics-ex-11-3 = R. C. Hibbeler, A. Gupta, Engineering Mechanics: Statics, ex. 11.3
+weightless-bars-of-0-6-m-and-0-7-m-at-45-200-n-downwards-at-their-common-pin-the-force-is-drawn = Barras sem peso de 0,6 m e 0,7 m a 45°, 200 N para baixo no pino comum. A força é desenhada em direção ao pino fixo: aqui é negativa. Os 114 N impressos são calculados com comprimentos arredondados.
+the-book-computes-with-lengths-of-three-digits = o livro calcula com comprimentos de três algarismos
+couple-on-the-crank-of-an-engine-at-30 = Conjugado na manivela de um motor a 30°
+f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-12th-ed-prob-10-21-a = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 12ª ed., probl. 10.21 (a)
+n-4-kn-on-the-piston-toward-the-bearing-the-couple-that-balances-it-turns-clockwise-negative-here = 4 kN no pistão em direção ao mancal. O conjugado que o equilibra gira no sentido horário: aqui é negativo.
+couple-on-the-crank-of-an-engine-at-150 = Conjugado na manivela de um motor a 150°
+f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-12th-ed-prob-10-21-b = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 12ª ed., probl. 10.21 (b)
+force-on-a-piston-from-the-couple-at-60 = Força em um pistão a partir do conjugado, a 60°
+f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-20-a = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.20 (a)
+force-on-a-piston-from-the-couple-at-120 = Força em um pistão a partir do conjugado, a 120°
+f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-20-b = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.20 (b)
+couple-for-1-kip-on-the-piston-at-30 = Conjugado para 1 kip no pistão, a 30°
+f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-a-no-answer-was-seen-t = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19 (a): nenhuma resposta foi vista; T = F r (sen θ + tan φ cos θ)
+couple-for-1-kip-on-the-piston-at-150 = Conjugado para 1 kip no pistão, a 150°
+f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-b-no-answer-was-seen-t = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19 (b): nenhuma resposta foi vista; T = F r (sen θ + tan φ cos θ)
+engine-with-a-massive-rod-at-314-rad-s = Motor com biela com massa a 314 rad/s
+dynamics-of-machines-turkish-lecture-notes-example-9-the-answers-are-known-from-a-program-that-quotes = Dinâmica das máquinas, notas de aula em turco, exemplo 9 (as respostas são conhecidas por um programa que as cita)
+lengths-51-mm-and-200-mm-at-60-rod-of-1-36-kg-with-its-mass-centre-51-mm-from-the-crank-pin-piston-of = Comprimentos de 51 mm e 200 mm a 60°; biela de 1,36 kg com o centro de massa a 51 mm do pino da manivela, pistão de 0,91 kg, com 6,3 kN em direção ao mancal. As notas de aula resolvem por desenho.
+crank-across-the-line-of-an-offset-slider = Manivela transversal à linha de um cursor excêntrico
+n-2-90-e-r-the-rod-lies-along-the-line-u-b-r-so-t-f-r-the-guide-carries-nothing = θ_2 = 90°, e = r: a biela fica ao longo da linha, u_B = −r, logo T = F r; a guia nada suporta
+weights-alone = Só os pesos
+two-uniform-bars-of-equal-length-a-both-mass-centres-rise-by-a-2-cos-so-t-m-2-m-3-g-a-2-cos = duas barras uniformes de igual comprimento a: os dois centros de massa sobem (a/2) cos θ δθ, logo T = (m_2 + m_3) g (a/2) cos θ
+rod-too-short-for-the-offset = Biela curta demais para a excentricidade
+a-rod-of-100-mm-cannot-bridge-130-mm = uma biela de 100 mm não vence 130 mm
+crank-and-rod-in-one-line-x-b-0 = manivela e biela alinhadas: δx_B = 0
+
+# spring_lever.toml
+beer-johnston-vector-mechanics-for-engineers-9th-ed-sample-problem-10-4 = Beer & Johnston, Vector Mechanics for Engineers, 9ª ed., problema resolvido 10.4
+a-mass-on-an-arm-that-stands-upright-on-a-disc-a-spring-on-a-cord-around-the-disc-is-unstretched-then = Uma massa em um braço que fica na vertical, para cima, sobre um disco; nessa posição a mola, em um cabo ao redor do disco, não está alongada. sen θ = k a²/(m g b) θ.
+the-weight-on-the-disc-in-radians = O peso no disco, em radianos
+lever-on-a-torsion-shaft = Alavanca em um eixo de torção
+beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-problems-10-39-and-10-73 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., problemas 10.39 e 10.73
+p-l-cos-k-with-k-150-lbf-ft-rad = P l cos θ = K θ, com K = 150 lbf·ft/rad.
+weight-on-a-drum-with-a-spring = Peso em um tambor com mola
+e-w-nelson-c-l-best-w-g-mclean-schaum-s-outline-of-engineering-mechanics-problem-11-10 = E. W. Nelson, C. L. Best, W. G. McLean, Schaum's Outline of Engineering Mechanics, problema 11.10
+w-l-sin-k-r-that-is-sin-0-9 = W l sen θ = k r² θ, isto é, sen θ = 0,9 θ.
+at-44-1-sin-0-6959-and-0-9-0-6927-no-equilibrium-the-root-of-sin-0-9-is-45-07-the-printed-one-is-a = A 44,1° sen θ = 0,6959 e 0,9 θ = 0,6927: não há equilíbrio. A raiz de sen θ = 0,9 θ é θ = 45,07°; a impressa é um deslize do seu método de tentativas.
+the-drum-as-it-should-have-come-out = O tambor como deveria ter resultado
+e-w-nelson-c-l-best-w-g-mclean-schaum-s-outline-of-engineering-mechanics-problem-11-10-with-the-root = E. W. Nelson, C. L. Best, W. G. McLean, Schaum's Outline of Engineering Mechanics, problema 11.10, com a raiz de sen θ = 0,9 θ
+inverted-bar-between-two-springs = Barra invertida entre duas molas
+beer-johnston-vector-mechanics-for-engineers-statics-problems-on-stability-of-a-bar-with-springs-on = Beer & Johnston, Vector Mechanics for Engineers: Statics, problemas sobre a estabilidade de uma barra com molas dos dois lados; 2 k a² = P l
+the-bar-on-springs-that-are-too-soft = A barra sobre molas macias demais
+n-2-k-a-cos-p-l-has-no-root-but-0-when-2-k-a-p-l = 2 k a² cos θ = P l não tem raiz além de θ = 0 quando 2 k a² < P l
+lever-with-a-spring-between-two-points = Alavanca com uma mola entre dois pontos
+beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-problem-10-35 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., problema 10.35
+lever-of-two-arms-l-spring-from-its-other-end-to-a-point-at-l-below-the-pivot-unstretched-with-the = Alavanca de dois braços l, mola da sua outra ponta a um ponto a l abaixo do pivô, sem alongamento com a alavanca na horizontal: P l cos θ = k l² (2 sen(45° + θ/2) − √2) cos(45° + θ/2). O valor final do livro não é conhecido.
+stiffness-of-the-torsion-shaft-for-60 = Rigidez do eixo de torção para 60°
+k-p-l-cos-400-10-cos-60-3-lbf-in-rad = K = P l cos θ/θ = 400·10·cos 60°/(π/3) lbf·in/rad
+mass-on-the-disc-for-60 = Massa no disco para 60°
+m-k-a-g-b-sin = m = k a² θ/(g b sen θ)
+tilted-arm-held-by-hand = Braço inclinado segurado com a mão
+t-k-a-m-g-b-sin = T = k a² (θ − θ₀) − m g b sen(θ + φ₀)
+hanging-arm-under-a-couple = Braço pendente sob um conjugado
+m-w-l-sin-k = M = W l sen θ + K θ
+lamp-arm-with-springs-of-no-free-length = Braço de luminária com molas de comprimento livre nulo
+v-w-l-cos-k-b-d-2-b-d-cos-2-is-constant-for-k-b-d-w-l = V = W l cos θ + k (b² + d² − 2 b d cos θ)/2 é constante para k b d = W l
+no-equilibrium-in-the-range = Nenhum equilíbrio no intervalo
+sin-0-87-has-no-root-between-60-and-120 = sen θ = 0,87 θ não tem raiz entre 60° e 120°
+an-upright-arm-tells-no-load = Um braço na vertical não determina a carga
+at-0-the-weight-does-no-virtual-work = Em θ = 0 o peso não realiza trabalho virtual
+
+# toggle_press.toml
+symmetric-toggle-at-10 = Prensa de joelho simétrica a 10°
+q-p-2-tan = Q = P/(2 tan α)
+force-on-the-knee-for-a-thrust = Força no joelho para um empuxo
+p-q-tan-tan-sin-l-sin-l-0-25 = P = Q (tan α + tan β), sen β = L₁ sen α/L₂ = 0,25
+a-link-that-does-not-reach = Barra que não alcança
+l-sin-212-1-mm-is-more-than-l-200-mm = L₁ sen α = 212,1 mm é mais que L₂ = 200 mm
+
+# two_bar_linkage.toml
+two-bars-pulled-apart = Duas barras puxadas nas extremidades
+two-uniform-bars-of-10-kg-and-1-m-sag-between-a-pin-and-a-roller-that-is-pulled-with-25-n-tan-w-2-f = Duas barras uniformes de 10 kg e 1 m pendem entre uma articulação e um rolete puxado com 25 N: tan θ = W/(2 F).
+force-that-holds-the-two-bars-at-45 = Força que mantém as duas barras a 45°
+f-w-2-tan = F = W/(2 tan θ)
+bars-that-stand-on-a-roller-and-a-spring = Barras apoiadas em um rolete e uma mola
+q-cos-4-k-l-cos-cos-sin = Q cos θ = 4 k L (cos θ − cos θ₀) sen θ
+the-load-presses-the-joint-down-and-the-spring-between-the-feet-holds-them-together = A carga empurra a articulação para baixo, e a mola entre os pés os mantém juntos.
+upright-bars-tell-no-load = Barras na vertical não determinam a carga
+at-90-the-loads-on-b-do-no-virtual-work = Em θ = 90° as cargas em B não realizam trabalho virtual
+
+# virtual_power.toml
+slider-crank-with-given-vectors = Cursor-manivela com vetores dados
+riul-unit-ii-example-1 = Riul, Unidade II, exemplo 1
+link-2-is-the-crank-3-the-rod-4-the-slider-the-mass-of-the-slider-2-kg-is-that-of-the-printed = A peça 2 é a manivela, a 3 a biela, a 4 o cursor. A massa do cursor, 2 kg, é a dos produtos impressos. O torque impresso exige dois erros ao mesmo tempo: só a vírgula deslocada (−45 000 W para a força de inércia da biela) dá 82 750 N·m, só o sinal errado (+4 000 W para o seu conjugado de inércia) dá 102 600 N·m. Os vetores não pertencem a nenhum cursor-manivela; a soma das potências os usa como estão impressos.
+the-inertia-couple-is-i-80-n-m-and-the-rod-turns-at-50-rad-s-their-product-is-4-000-w-the-notes-write = O conjugado de inércia é −I α = +80 N·m e a biela gira a −50 rad/s: o produto é −4 000 W. As notas de aula escrevem estes dois fatores e perdem o sinal do produto.
+the-powers-are-2-500-000-6-000-900-000-450-000-4-000-2-060-000-w-so-20-t-2-060-000-w-and-t-103-000-n = As potências são −2 500 000 − 6 000 + 900 000 − 450 000 − 4 000 = −2 060 000 W, logo 20 T = 2 060 000 W e T = 103 000 N·m. O valor impresso exige dois erros juntos: −45 000 W em lugar dos −450 000 W da própria linha (1.f), e +4 000 W em lugar de −4 000 W. Só o deslize dá 82 750, só o sinal 102 600.
+slider-crank-with-a-motion-that-closes-its-loop = Cursor-manivela com um movimento que fecha a malha
+riul-unit-ii-example-1-with-r-150-mm-l-200-mm-and-the-motion-that-follows-sum-of-powers-and-newton = Riul, Unidade II, exemplo 1, com r = 150 mm, l = 200 mm e o movimento que daí resulta; soma das potências e equações de Newton–Euler de outro programa
+the-layout-of-example-1-at-30-and-a-steady-20-rad-s-mass-centre-in-the-middle-of-the-rod = A configuração do exemplo 1 a 30° e 20 rad/s constantes, centro de massa no meio da biela.
+engine-at-3000-rpm-gas-force-and-inertia = Motor a 3000 rpm, força do gás e inércia
+crank-51-mm-rod-200-mm-314-rad-s-6300-n-on-the-piston-towards-the-crank-at-60-the-magnitude-is = Manivela de 51 mm, biela de 200 mm, 314 rad/s; 6300 N no pistão, em direção à manivela, a 60°. Está impresso o módulo; o torque motor é negativo porque é o motor que aciona. O mecanismo está deitado.
+the-printed-velocities-and-accelerations-were-measured-on-a-drawing = as velocidades e acelerações impressas foram medidas em um desenho
+engine-with-4-kn-on-the-piston-at-30 = Motor com 4 kN no pistão a 30°
+beer-johnston-statics-12th-ed-problem-10-21 = Beer & Johnston, Statics, 12ª ed., problema 10.21
+crank-50-mm-rod-200-mm-for-1-rad-s-the-piston-moves-at-r-sin-cos-tan-with-sin-1-8-a-magnitude-is = Manivela de 50 mm, biela de 200 mm: para 1 rad/s o pistão move-se a r (sen θ + cos θ tan φ) com sen φ = 1/8. Está impresso um módulo; o conjugado resiste ao giro que a força provoca.
+force-on-a-piston-that-holds-a-crank-at-60 = Força em um pistão que mantém a manivela a 60°
+beer-johnston-statics-7th-ed-problem-10-20 = Beer & Johnston, Statics, 7ª ed., problema 10.20
+crank-2-5-in-rod-10-in-couple-75-lb-ft-on-the-crank = Manivela de 2,5 in, biela de 10 in, conjugado de 75 lb·ft na manivela.
+force-on-a-piston-that-holds-a-crank-at-120 = Força em um pistão que mantém a manivela a 120°
+two-levers-joined-by-a-link = Duas alavancas unidas por uma ligação
+beer-johnston-statics-9th-ed-problem-10-1 = Beer & Johnston, Statics, 9ª ed., problema 10.1
+virtual-displacements-in-place-of-velocities-when-a-goes-down-by-1-c-goes-down-by-2-d-by-1-e-and-g-by = Deslocamentos virtuais em lugar de velocidades: quando A desce 1, C desce 2, D desce 1, E e G descem 1/2. A força em C equilibra as cargas.
+two-levers-joined-by-a-link-other-loads = Duas alavancas unidas por uma ligação, outras cargas
+beer-johnston-statics-10th-11th-ed-problem-10-1 = Beer & Johnston, Statics, 10ª/11ª ed., problema 10.1
+the-same-levers-with-80-60-20-and-40-n = As mesmas alavancas com 80, 60, 20 e 40 N.
+couple-and-force-on-coupled-links-force-at-g = Conjugado e força em alavancas acopladas, força em G
+beer-johnston-statics-8th-ed-problem-10-1 = Beer & Johnston, Statics, 8ª ed., problema 10.1
+link-abc-turns-three-times-as-fast-as-defg-375-mm-125-mm-and-the-other-way-round-its-couple-e-is-250 = A peça ABC gira três vezes mais depressa que DEFG (375 mm : 125 mm) e no sentido contrário ao do seu conjugado. E está a 250 mm de D; G está a 100√2 mm de D, a 45°, e por isso se desloca 100 mm na vertical para um radiano.
+couple-and-force-on-coupled-links-couple-on-defg = Conjugado e força em alavancas acopladas, conjugado em DEFG
+beer-johnston-statics-8th-ed-problem-10-3 = Beer & Johnston, Statics, 8ª ed., problema 10.3
+the-same-links-held-by-a-couple-on-defg = As mesmas peças, mantidas por um conjugado em DEFG.
+pinion-a-25-teeth-drives-the-wheel-b-90-whose-annulus-c-83-turns-planets-about-a-fixed-sun-e-31-the = O pinhão A (25 dentes) aciona a roda B (90), cuja coroa interna C (83) gira satélites em torno de um sol fixo E (31). O braço gira a −(25/90)·83/(83 + 31) da velocidade do pinhão.

@@ -16,3 +16,5 @@ motion-after-the-mass-is-let-go = Movimento depois que a massa é solta
 time = tempo
 deflection = deslocamento
 the-mass-on-its-spring = A massa na mola
+n-2-kg-on-800-n-m = 2 kg em 800 N/m
+by-hand-800-2-20 = À mão: √(800/2) = 20
