@@ -20,12 +20,14 @@ use dalembert_core::{Language, find, registry};
 use dalembert_plugins as _;
 use dalembert_tui::{
     Msg,
+    bench::Tab,
     glyphs::{Capabilities, Colors, Glyphs, PlotMarker},
     keys::notation::keys_of,
     stage::Stage,
 };
 use ratatui::{
     buffer::Cell,
+    crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind},
     style::{Color, Modifier},
 };
 
@@ -137,13 +139,42 @@ impl Person {
         rows.chain(known.iter().map(|(letter, ink)| format!("{letter}: {ink}\n"))).collect()
     }
 
+    /// Column and row where a text first stands on the screen.
+    pub fn place_of(&mut self, text: &str) -> (u16, u16) {
+        let screen = self.sees();
+        let mut lines = screen.lines().zip(0..);
+        let found =
+            lines.find_map(|(line, row)| Some((line[..line.find(text)?].chars().count() as u16, row)));
+        found.unwrap_or_else(|| panic!("`{text}` is not on the screen:\n{screen}"))
+    }
+
     /// Whether the first place of a text on the screen is drawn dim: passed over, not current.
     pub fn sees_dim(&mut self, text: &str) -> bool {
-        let screen = self.sees();
-        let row = screen.lines().position(|line| line.contains(text)).expect("the text is on the screen");
-        let line = screen.lines().nth(row).unwrap_or_default();
-        let column = line[..line.find(text).unwrap_or(0)].chars().count();
-        self.draws()[(column as u16, row as u16)].modifier.contains(Modifier::DIM)
+        let place = self.place_of(text);
+        self.draws()[place].modifier.contains(Modifier::DIM)
+    }
+
+    /// Does something with the mouse.
+    pub fn mouse(&mut self, kind: MouseEventKind, (column, row): (u16, u16)) -> &mut Self {
+        self.happens(Msg::Mouse(MouseEvent { kind, column, row, modifiers: KeyModifiers::NONE }))
+    }
+
+    /// Clicks on a text on the screen.
+    pub fn clicks(&mut self, text: &str) -> &mut Self {
+        let place = self.place_of(text);
+        let button = MouseButton::Left;
+        self.mouse(MouseEventKind::Down(button), place).mouse(MouseEventKind::Up(button), place)
+    }
+
+    /// Turns the tabs until this one is shown.
+    pub fn turns_to(&mut self, tab: Tab) -> &mut Self {
+        for _ in Tab::ALL {
+            if self.model.bench.as_ref().is_some_and(|bench| bench.tab == tab) {
+                return self;
+            }
+            self.types("]");
+        }
+        panic!("{} is no tab of this problem:\n{}", tab.name(), self.sees());
     }
 }
 

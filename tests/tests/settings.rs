@@ -1,4 +1,4 @@
-//! What a person sets: keys, themes, the mouse, the editor; and files that other programs change.
+//! What a person sets: keys, themes, whether the mouse is taken, the editor; and files that other programs change.
 
 use std::{fs, os::unix::fs::PermissionsExt, path::Path, process::Command, time::Duration};
 
@@ -8,15 +8,11 @@ use dalembert_tests::{
     pty::{self, Launch, Pty},
 };
 use dalembert_tui::{
-    Msg,
     keys::{Action, Place},
     look::Theme,
     settings,
 };
-use ratatui::{
-    crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind},
-    style::Color,
-};
+use ratatui::style::Color;
 
 const FAN: &str = "vibration/rotating-unbalance";
 
@@ -31,24 +27,6 @@ fn fan_with(text: &str) -> Person {
     let mut person = fan(90, 30);
     person.model.adopt(&settings);
     person
-}
-
-fn mouse(person: &mut Person, kind: MouseEventKind, column: u16, row: u16) {
-    person.happens(Msg::Mouse(MouseEvent { kind, column, row, modifiers: KeyModifiers::NONE }));
-}
-
-/// Where a text begins on the screen.
-fn place(person: &mut Person, text: &str) -> (u16, u16) {
-    let screen = person.sees();
-    let found = screen.lines().enumerate().find_map(|(row, line)| Some((line, row, line.find(text)?)));
-    let (line, row, at) = found.unwrap_or_else(|| panic!("`{text}` is not on the screen:\n{screen}"));
-    (line[..at].chars().count() as u16, row as u16)
-}
-
-fn click(person: &mut Person, text: &str) {
-    let (column, row) = place(person, text);
-    mouse(person, MouseEventKind::Down(MouseButton::Left), column, row);
-    mouse(person, MouseEventKind::Up(MouseButton::Left), column, row);
 }
 
 #[test]
@@ -121,95 +99,6 @@ fn a_theme_is_chosen_by_name_and_colours_every_cell() {
     assert!(buffer.content.iter().all(|cell| cell.fg == Color::Reset && cell.bg == Color::Reset));
     let mut person = Person::in_ascii(80, 24).opens(FAN);
     assert!(person.types(":theme<enter>").sees().contains("shows no colours"));
-}
-
-#[test]
-fn a_click_goes_there_and_a_second_one_enters() {
-    let mut person = fan(90, 30);
-    click(&mut person, "0.1 kg");
-    assert_eq!(person.model.place(), Place::Form);
-    assert!(person.sees().contains("▸ Unbalance"), "{}", person.sees());
-    click(&mut person, "0.1 kg");
-    assert_eq!(person.model.place(), Place::Edit);
-    person.types("<esc>");
-    click(&mut person, "Working");
-    assert_eq!(person.model.place(), Place::Working);
-    click(&mut person, "Plot");
-    assert_eq!(person.model.place(), Place::Plot);
-    // A key of the footer: what is clicked is done.
-    click(&mut person, "Tab edit inputs");
-    assert_eq!(person.model.place(), Place::Form);
-    // Of two keys side by side each is its own.
-    let (column, row) = place(&mut person, "[ ] tabs");
-    let tab = person.model.bench.as_ref().map(|bench| bench.tab);
-    mouse(&mut person, MouseEventKind::Down(MouseButton::Left), column + 2, row);
-    let next = person.model.bench.as_ref().map(|bench| bench.tab);
-    mouse(&mut person, MouseEventKind::Down(MouseButton::Left), column, row);
-    assert_eq!(person.model.bench.as_ref().map(|bench| bench.tab), tab);
-    assert_ne!(next, tab);
-}
-
-#[test]
-fn a_dialog_is_chosen_from_and_left_by_the_mouse() {
-    let mut person = fan(90, 30);
-    person.types(":");
-    click(&mut person, "empty the field");
-    assert!(person.sees().contains("▸ empty the field"), "{}", person.sees());
-    click(&mut person, "empty the field");
-    assert_eq!(person.model.place(), Place::Edit);
-    person.types("<esc>?");
-    let before = person.sees();
-    mouse(&mut person, MouseEventKind::ScrollDown, 10, 10);
-    assert_ne!(person.sees(), before);
-    person.types("<esc>:theme<enter>");
-    click(&mut person, " light ");
-    click(&mut person, " light ");
-    assert_eq!(person.model.look.theme, Theme::Light);
-    // Beside it the palette is left, a question is not.
-    person.types(":");
-    mouse(&mut person, MouseEventKind::Down(MouseButton::Left), 85, 3);
-    assert!(person.model.dialog.is_none());
-    person.types(":theme<enter>");
-    mouse(&mut person, MouseEventKind::Down(MouseButton::Left), 1, 3);
-    assert!(person.model.dialog.is_some());
-}
-
-#[test]
-fn the_wheel_moves_what_is_under_the_pointer() {
-    let mut person = fan(90, 20);
-    click(&mut person, "Working");
-    click(&mut person, "Mass");
-    let before = person.sees();
-    mouse(&mut person, MouseEventKind::ScrollDown, 70, 10);
-    assert_ne!(person.sees(), before);
-    assert_eq!(person.model.place(), Place::Form, "the focus stays");
-    mouse(&mut person, MouseEventKind::ScrollUp, 70, 10);
-    assert_eq!(person.sees(), before);
-}
-
-#[test]
-fn a_plot_is_pointed_at_zoomed_and_dragged() {
-    let mut person = fan(90, 30);
-    click(&mut person, "Plot");
-    let cursor = |person: &Person| person.model.bench.as_ref().and_then(|bench| bench.plot_state.cursor);
-    let window = |person: &Person| person.model.bench.as_ref().and_then(|bench| bench.plot_state.view.window);
-    assert_eq!(cursor(&person), None);
-    mouse(&mut person, MouseEventKind::Down(MouseButton::Left), 60, 15);
-    let first = cursor(&person).expect("a cursor");
-    mouse(&mut person, MouseEventKind::Drag(MouseButton::Left), 75, 15);
-    let dragged = cursor(&person).expect("a cursor");
-    assert!(dragged > first, "{dragged} {first}");
-    mouse(&mut person, MouseEventKind::Up(MouseButton::Left), 75, 15);
-    mouse(&mut person, MouseEventKind::ScrollUp, 75, 15);
-    let (from, to) = window(&person).expect("a part of the axis");
-    assert_eq!(cursor(&person), Some(dragged), "the cursor stays");
-    assert!(from < dragged && dragged < to);
-    mouse(&mut person, MouseEventKind::Down(MouseButton::Left), 60, 15);
-    mouse(&mut person, MouseEventKind::Drag(MouseButton::Left), 70, 15);
-    let (moved, _) = window(&person).expect("a part of the axis");
-    assert!(moved < from, "what is shown follows the pointer: {moved} {from}");
-    mouse(&mut person, MouseEventKind::ScrollDown, 60, 15);
-    assert_eq!(window(&person), None);
 }
 
 #[test]

@@ -353,6 +353,17 @@ impl Bench {
         Tab::ALL.into_iter().filter(has).collect()
     }
 
+    /// The part of its page that the cursor of a tab stands on, where it has one: a case, an answer, a cell.
+    pub fn part_mut(&mut self, tab: Tab) -> Option<&mut usize> {
+        match tab {
+            Tab::Check => Some(&mut self.ask.check.cursor),
+            Tab::Sensitivity => Some(&mut self.ask.sensitivity.cursor),
+            Tab::Study => Some(&mut self.ask.study.cursor),
+            Tab::Sources => Some(&mut self.case),
+            _ => None,
+        }
+    }
+
     /// What is studied; `None` while there are no inputs or answers to choose from.
     pub fn subject(&self) -> Option<Subject<'_>> {
         let record = self.form.draft.read(&self.entry.shape()).ok()?;

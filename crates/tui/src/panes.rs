@@ -24,6 +24,15 @@ pub struct Page {
     pub starts: Vec<usize>,
 }
 
+impl Page {
+    /// The part that a line belongs to. After the last part an empty line follows.
+    pub fn part_at(&self, line: usize) -> Option<usize> {
+        let part = self.starts.iter().rposition(|start| *start <= line)?;
+        let own = self.lines.get(self.starts[part]..=line)?;
+        own.iter().all(|line| line.width() > 0).then_some(part)
+    }
+}
+
 /// The label of the field at a path, in the language: `Radius` for `masses[1].radius`. A component of a vector and a
 /// row keep their own part behind it: `Position x`, `Masses 2`. `None` where the path names no field.
 pub fn label_of(shape: &Shape, path: &str, locale: &Locale) -> Option<String> {

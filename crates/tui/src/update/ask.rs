@@ -40,20 +40,21 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
 
 /// A key while a cell is typed in.
 pub(super) fn act_in_cell(model: &mut Model, action: Action) -> Vec<Effect> {
-    let Some(bench) = &mut model.bench else { return Vec::new() };
     match action {
-        Action::Enter | Action::Back => {
-            bench.ask.edit = None;
-            praise(model)
-        }
+        Action::Enter | Action::Back => end_edit(model),
         Action::Down | Action::Up => {
-            bench.ask.edit = None;
-            let effects = praise(model);
+            let effects = end_edit(model);
             step(model, if action == Action::Down { 1 } else { -1 });
             effects
         }
         _ => Vec::new(),
     }
+}
+
+/// Ends what is typed in a cell, and keeps it.
+pub(super) fn end_edit(model: &mut Model) -> Vec<Effect> {
+    let edit = model.bench.as_mut().and_then(|bench| bench.ask.edit.take());
+    if edit.is_some() { praise(model) } else { Vec::new() }
 }
 
 /// A digit on a cell begins a new text.
@@ -276,21 +277,13 @@ fn name_under_cursor(bench: &Bench) -> Option<String> {
 
 fn step(model: &mut Model, by: isize) {
     let Some(bench) = &mut model.bench else { return };
-    let ask = &mut bench.ask;
-    let (cursor, of) = match bench.tab {
-        Tab::Sensitivity => {
-            let of = ask.sensitivity.sorted().len();
-            (&mut ask.sensitivity.cursor, of)
-        }
-        Tab::Study => {
-            let of = ask.study.cells().len();
-            (&mut ask.study.cursor, of)
-        }
-        _ => (
-            &mut ask.check.cursor,
-            bench.found.solution.as_ref().map_or(0, |solution| solution.answers.len()),
-        ),
+    let (tab, ask) = (bench.tab, &bench.ask);
+    let of = match tab {
+        Tab::Sensitivity => ask.sensitivity.sorted().len(),
+        Tab::Study => ask.study.cells().len(),
+        _ => bench.found.solution.as_ref().map_or(0, |solution| solution.answers.len()),
     };
+    let Some(cursor) = bench.part_mut(tab) else { return };
     *cursor = cursor.saturating_add_signed(by).min(of.saturating_sub(1));
     let cursor = *cursor;
     bring_in(model, cursor);

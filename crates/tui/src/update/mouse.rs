@@ -9,7 +9,7 @@ use ratatui::{
     layout::{Position, Rect},
 };
 
-use super::{act, bench, dialog, picker};
+use super::{act, ask, bench, dialog, picker};
 use crate::{
     bench::{Bench, Focus, Tab},
     dialog::Dialog,
@@ -58,19 +58,17 @@ fn click(model: &mut Model, spot: Spot, at: Position) -> Vec<Effect> {
         },
         Spot::Over => Vec::new(),
         Spot::Form(line) => field(model, line),
-        Spot::Tab(tab) => look_at(model, tab),
-        Spot::Pane(tab, inside) => {
-            let again =
-                model.bench.as_ref().is_some_and(|bench| bench.focus == Focus::Pane && bench.tab == tab);
-            let effects = look_at(model, tab);
-            match tab {
-                Tab::Plot => {
-                    point(model, inside, at);
-                    effects
-                }
-                Tab::Sources => case(model, inside, at, again, effects),
-                _ => effects,
-            }
+        Spot::Pane(Tab::Plot, inside, _) => {
+            let effects = look_at(model, Tab::Plot);
+            point(model, inside, at);
+            effects
+        }
+        Spot::Pane(tab, _, Some(part)) => go_to(model, tab, part),
+        Spot::Tab(tab) | Spot::Pane(tab, _, None) => look_at(model, tab),
+        Spot::Arrow(tab, action) => {
+            let mut effects = look_at(model, tab);
+            effects.extend(act(model, Place::Cells, action));
+            effects
         }
         Spot::Listing(line) => {
             let Some(line) = line else { return Vec::new() };
@@ -88,48 +86,53 @@ fn click(model: &mut Model, spot: Spot, at: Position) -> Vec<Effect> {
 
 /// A line of the form: to it, and into it.
 fn field(model: &mut Model, line: Option<usize>) -> Vec<Effect> {
-    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let effects = ask::end_edit(model);
+    let Some(bench) = &mut model.bench else { return effects };
     let Some(line) = line else {
         bench.focus = Focus::Form;
-        return Vec::new();
+        return effects;
     };
     let here = bench.focus == Focus::Form && bench.form.cursor == line;
     match (here, bench.form.edit.is_some()) {
-        (true, true) => Vec::new(),
+        (true, true) => effects,
         (true, false) => act(model, Place::Form, Action::Enter),
         (false, _) => {
             bench.form.keep();
             (bench.focus, bench.form.cursor) = (Focus::Form, line);
-            Vec::new()
+            effects
         }
     }
 }
 
-/// To a tab.
+/// To a tab; what is typed is kept.
 fn look_at(model: &mut Model, tab: Tab) -> Vec<Effect> {
-    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let mut effects = ask::end_edit(model);
+    let Some(bench) = &mut model.bench else { return effects };
     bench.form.keep();
     bench.focus = Focus::Pane;
-    if bench.tab == tab { Vec::new() } else { bench::show_tab(model, tab) }
+    if bench.tab != tab {
+        effects.extend(bench::show_tab(model, tab));
+    }
+    effects
 }
 
-/// A published case: to it, and into it.
-fn case(model: &mut Model, inside: Rect, at: Position, again: bool, effects: Vec<Effect>) -> Vec<Effect> {
-    let Some(shown) = &model.bench else { return effects };
-    let page = view::page(model, shown, Tab::Sources, inside.width);
-    let line = shown.scroll[Tab::Sources as usize] + usize::from(at.y.saturating_sub(inside.y));
-    let clicked = page.starts.iter().rposition(|start| *start <= line);
-    let Some(clicked) = clicked.filter(|_| inside.contains(at) && line < page.lines.len()) else {
-        return effects;
-    };
-    if again && shown.case == clicked {
-        return bench::load_case(model);
+/// A part of the page of a tab: to it, and into it.
+fn go_to(model: &mut Model, tab: Tab, part: usize) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let shown = bench.focus == Focus::Pane && bench.tab == tab;
+    let here = shown && bench.part_mut(tab).is_some_and(|cursor| *cursor == part);
+    match (here, bench.place()) {
+        (true, Place::Cell) => Vec::new(),
+        (true, place) => act(model, place, Action::Enter),
+        (false, _) => {
+            let effects = look_at(model, tab);
+            if let Some(cursor) = model.bench.as_mut().and_then(|bench| bench.part_mut(tab)) {
+                *cursor = part;
+                bench::bring_in(model, part);
+            }
+            effects
+        }
     }
-    if let Some(shown) = &mut model.bench {
-        shown.case = clicked;
-    }
-    bench::reveal_case(model);
-    effects
 }
 
 /// Chooses what lies over the screen; what is chosen already is taken.
@@ -160,7 +163,7 @@ fn point(model: &mut Model, inside: Rect, at: Position) {
 /// Moves the cursor of the plot that is held, or the part of the axis that is shown.
 fn drag(model: &mut Model, at: Position) {
     let Some(held) = model.held else { return };
-    let Some(Spot::Pane(Tab::Plot, inside)) = view::spot(model, at) else { return };
+    let Some(Spot::Pane(Tab::Plot, inside, _)) = view::spot(model, at) else { return };
     let Some((place, cells)) = place_at(model, inside, at.x) else { return };
     let Some(bench) = &mut model.bench else { return };
     let Some(plot) = Bench::nth(bench.plots(), bench.plot) else { return };
@@ -192,7 +195,7 @@ fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Effect> {
             }
             Vec::new()
         }
-        Some(Spot::Pane(Tab::Plot, inside)) => {
+        Some(Spot::Pane(Tab::Plot, inside, _)) => {
             let Some((place, _)) = place_at(model, inside, at.x) else { return Vec::new() };
             if let Some(bench) = &mut model.bench
                 && let Some(plot) = Bench::nth(bench.plots(), bench.plot)
@@ -202,10 +205,10 @@ fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Effect> {
             }
             Vec::new()
         }
-        Some(Spot::Pane(Tab::Drawing, _)) => {
+        Some(Spot::Pane(Tab::Drawing, ..)) => {
             act(model, Place::Drawing, if up { Action::PreviousFrame } else { Action::NextFrame })
         }
-        Some(Spot::Pane(tab, _)) => {
+        Some(Spot::Pane(tab, ..) | Spot::Arrow(tab, _)) => {
             let Some(shown) = &mut model.bench else { return Vec::new() };
             let before = std::mem::replace(&mut shown.tab, tab);
             bench::scroll(model, by);
@@ -218,7 +221,13 @@ fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Effect> {
             model.picker.case = None;
             act(model, place, action)
         }
-        Some(Spot::Case(_)) if model.picker.case.is_some() => act(model, place, action),
+        Some(Spot::Case(_)) => {
+            let mut effects = picker::to_cases(model);
+            if model.picker.case.is_some() {
+                effects.extend(picker::act(model, action));
+            }
+            effects
+        }
         _ => Vec::new(),
     }
 }

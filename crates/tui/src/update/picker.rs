@@ -125,8 +125,10 @@ fn step(model: &mut Model, by: isize) -> Vec<Effect> {
     preview(model)
 }
 
-fn to_cases(model: &mut Model) -> Vec<Effect> {
-    if let Some(leaf) = chosen_leaf(model)
+/// To the cases of the chosen analysis, where it has some.
+pub(super) fn to_cases(model: &mut Model) -> Vec<Effect> {
+    if model.picker.case.is_none()
+        && let Some(leaf) = chosen_leaf(model)
         && !model.listings[leaf.listing].cases().is_empty()
     {
         model.picker.case = Some(leaf.case.unwrap_or(0));

@@ -92,6 +92,18 @@ pub(super) fn pane_at(
     Some((tab, layout::inside(area), named))
 }
 
+/// The line of the page of a tab that stands at a place of its inside.
+pub(super) fn line_at(model: &Model, bench: &Bench, tab: Tab, inside: Rect, at: Position) -> Option<usize> {
+    let lines = page(model, bench, tab, inside.width).lines.len();
+    let line = first_line(bench, tab, lines, inside) + usize::from(at.y.checked_sub(inside.y)?);
+    (inside.contains(at) && line < lines).then_some(line)
+}
+
+/// The first line that a tab shows of its page.
+fn first_line(bench: &Bench, tab: Tab, lines: usize, inside: Rect) -> usize {
+    bench.scroll[tab as usize].min(lines.saturating_sub(inside.height.into()))
+}
+
 /// Whether a drawing or film is on the screen.
 pub(super) fn shows_drawing(bench: &Bench, areas: &Areas) -> bool {
     areas.picture.is_some() || (areas.pane.is_some() && bench.tab == Tab::Drawing)
@@ -213,7 +225,7 @@ fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area:
     if !tab.is_picture() {
         let lines = page(model, bench, tab, inner.width).lines;
         let height = usize::from(inner.height);
-        let first = bench.scroll[tab as usize].min(lines.len().saturating_sub(height));
+        let first = first_line(bench, tab, lines.len(), inner);
         draw_lines(&lines, first, inner, buffer);
         scroll_mark(first, height, lines.len(), look, area, buffer);
         // Where there is room below its cells, a study shows its curves.

@@ -42,7 +42,10 @@ pub(super) fn spot(model: &Model, body: Rect, at: Position) -> Option<Spot> {
         let row = first_row(model, rows, area) + usize::from(at.y.saturating_sub(area.y));
         return Some(Spot::Listing(area.contains(at).then_some(row).filter(|row| *row < rows)));
     }
-    preview.filter(|preview| preview.contains(at)).map(|_| Spot::Case(None))
+    let preview = preview.filter(|preview| preview.contains(at))?;
+    let case =
+        model.picker.chosen(model.contents()).and_then(|row| preview::case_at(model, row, preview, at));
+    Some(Spot::Case(case))
 }
 
 fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position> {

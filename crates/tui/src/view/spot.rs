@@ -5,6 +5,9 @@ use ratatui::layout::{Position, Rect};
 use super::{bars, dialog, form, pane, picker};
 use crate::{bench::Tab, keys::Action, layout, model::Model};
 
+/// Cells of the arrow before the answer that the sensitivity is of.
+const ARROW: u16 = 2;
+
 /// What lies at a place of the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Spot {
@@ -14,8 +17,10 @@ pub(crate) enum Spot {
     Form(Option<usize>),
     /// The name of a tab.
     Tab(Tab),
-    /// A pane, and its inside.
-    Pane(Tab, Rect),
+    /// A pane, its inside, and which part of its page stands there: a case, an answer, a cell.
+    Pane(Tab, Rect, Option<usize>),
+    /// An arrow of a pane, beside what it is about.
+    Arrow(Tab, Action),
     /// A line of the list of analyses, by its number; nothing between them.
     Listing(Option<usize>),
     /// A published case beside that list.
@@ -46,5 +51,14 @@ pub(crate) fn spot(model: &Model, at: Position) -> Option<Spot> {
         return Some(Spot::Form(form::line_at(model, bench, area, at)));
     }
     let (tab, inside, named) = pane::pane_at(model, bench, &areas, at)?;
-    Some(named.map_or(Spot::Pane(tab, inside), Spot::Tab))
+    if let Some(named) = named {
+        return Some(Spot::Tab(named));
+    }
+    let line = pane::line_at(model, bench, tab, inside, at);
+    if tab == Tab::Sensitivity && line == Some(0) {
+        let left = at.x < inside.x + ARROW;
+        return Some(Spot::Arrow(tab, if left { Action::Left } else { Action::Right }));
+    }
+    let part = line.and_then(|line| pane::page(model, bench, tab, inside.width).part_at(line));
+    Some(Spot::Pane(tab, inside, part))
 }

@@ -1,10 +1,12 @@
 //! What is to be known of the chosen row: of an analysis its purpose, what goes in and comes out, its cases with their
 //! verdicts, and its drawing; of a heading what stands under it.
 
-use dalembert_core::{Text, cases::Outcome};
+use std::borrow::Cow;
+
+use dalembert_core::{Drawing, Text, cases::Outcome};
 use ratatui::{
     buffer::Buffer,
-    layout::Rect,
+    layout::{Position, Rect},
     style::Style,
     text::{Line, Span},
 };
@@ -15,7 +17,7 @@ use crate::{
     layout,
     look::Glyph,
     model::Model,
-    panes::sources::Judged,
+    panes::{Page, sources::Judged},
     picker::{Heading, Leaf, Listing, Row},
     view::{
         boxed, draw_lines, scroll_mark,
@@ -109,7 +111,35 @@ fn of_leaf(model: &Model, leaf: Leaf, listing: &Listing, area: Rect, buffer: &mu
     let focused = model.picker.case.is_some();
     let name = fit(about.id, usize::from(area.width).saturating_sub(6), look);
     boxed(&Line::styled(format!(" {name} "), look.border(focused)), focused, look, area, buffer);
-    let inner = layout::inside(area);
+    let sheet = sheet(model, leaf, listing, layout::inside(area));
+    draw_lines(&sheet.page.lines, sheet.first, sheet.text, buffer);
+    if let Some(drawing) = sheet.drawing {
+        drawing::render(&drawing, look, &model.locale, sheet.picture, buffer);
+    }
+    scroll_mark(sheet.first, sheet.text.height.into(), sheet.page.lines.len(), look, area, buffer);
+}
+
+/// The published case that stands at a place, by its number.
+pub(super) fn case_at(model: &Model, row: Row, area: Rect, at: Position) -> Option<usize> {
+    let Row::Leaf(leaf) = row else { return None };
+    let sheet = sheet(model, leaf, model.listings.get(leaf.listing)?, layout::inside(area));
+    let line = sheet.first + usize::from(at.y.checked_sub(sheet.text.y)?);
+    sheet.page.part_at(line).filter(|_| sheet.text.contains(at))
+}
+
+/// What is said of an analysis, and where it stands.
+struct Sheet<'m> {
+    /// Begins at each case.
+    page: Page,
+    /// The first line that is shown.
+    first: usize,
+    text: Rect,
+    drawing: Option<Cow<'m, Drawing>>,
+    picture: Rect,
+}
+
+fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Sheet<'m> {
+    let about = listing.entry.about;
     let room = usize::from(inner.width);
     let solution = model
         .picker
@@ -117,22 +147,23 @@ fn of_leaf(model: &Model, leaf: Leaf, listing: &Listing, area: Rect, buffer: &mu
         .as_ref()
         .filter(|preview| preview.id == about.id)
         .and_then(|preview| preview.solution.as_ref());
-    let mut lines: Vec<Line<'static>> = Vec::new();
+    let mut page = Page::default();
+    let lines = &mut page.lines;
     let summary = Text::from(about.summary).render(&model.locale);
     lines.extend(wrapped(&summary, room).into_iter().map(Line::from));
     let fields = listing.entry.fields().iter().map(|field| field.label);
     let fields: Vec<String> = fields.map(|label| lower(&word(label, model))).collect();
-    listed(model, "In", &fields, room, &mut lines);
+    listed(model, "In", &fields, room, lines);
     let answers = solution.iter().flat_map(|solution| &solution.answers);
     let answers: Vec<String> =
         answers.map(|answer| lower(&Text::from(answer.label).render(&model.locale))).collect();
-    listed(model, "Out", &answers, room, &mut lines);
+    listed(model, "Out", &answers, room, lines);
     lines.push(Line::default());
     let chosen = model.picker.case.or(leaf.case);
-    let shown = cases(model, listing, chosen, room, &mut lines);
+    cases(model, listing, chosen, room, &mut page);
     let drawing =
         solution.and_then(|solution| solution.exhibits.iter().find_map(|exhibit| exhibit.sketch(0)));
-    let wanted = u16::try_from(lines.len()).unwrap_or(u16::MAX).min(inner.height);
+    let wanted = u16::try_from(page.lines.len()).unwrap_or(u16::MAX).min(inner.height);
     let left = inner.height.saturating_sub(wanted + 1);
     let height = match drawing {
         Some(_) if left >= LEAST_DRAWING => left.min(MOST_DRAWING),
@@ -140,28 +171,18 @@ fn of_leaf(model: &Model, leaf: Leaf, listing: &Listing, area: Rect, buffer: &mu
         _ => 0,
     };
     let text = Rect { height: inner.height - height, ..inner };
-    let rows = usize::from(text.height);
-    let first = chosen.map_or(0, |_| (shown + 1).saturating_sub(rows));
-    draw_lines(&lines, first, text, buffer);
-    if let Some(drawing) = drawing.filter(|_| height > 0) {
-        let area = Rect { y: inner.bottom() - height, height, ..inner };
-        drawing::render(&drawing, look, &model.locale, area, buffer);
-    }
-    scroll_mark(first, rows, lines.len(), look, area, buffer);
+    let picture = Rect { y: text.bottom(), height, ..inner };
+    let shown = chosen.and_then(|case| page.starts.get(case));
+    let first = shown.map_or(0, |line| (line + 1).saturating_sub(text.height.into()));
+    Sheet { page, first, text, drawing: drawing.filter(|_| height > 0), picture }
 }
 
-/// The published cases with their verdicts; answers the line of the chosen one.
-fn cases(
-    model: &Model,
-    listing: &Listing,
-    chosen: Option<usize>,
-    room: usize,
-    lines: &mut Vec<Line<'static>>,
-) -> usize {
+/// The published cases with their verdicts.
+fn cases(model: &Model, listing: &Listing, chosen: Option<usize>, room: usize, page: &mut Page) {
     let look = &model.look;
     if listing.cases().is_empty() {
-        lines.push(Line::styled(word("no published case", model), look.dim()));
-        return 0;
+        page.lines.push(Line::styled(word("no published case", model), look.dim()));
+        return;
     }
     let mut head = vec![
         Span::styled(word("Cases", model), look.title()),
@@ -174,13 +195,10 @@ fn cases(
     for (mark, style, count) in sums {
         head.push(Span::styled(format!(" {mark} {count}"), style));
     }
-    lines.push(Line::from(head));
-    let mut shown = lines.len();
+    page.lines.push(Line::from(head));
     for (n, case) in listing.cases().iter().enumerate() {
         let is_chosen = chosen == Some(n);
-        if is_chosen {
-            shown = lines.len();
-        }
+        page.starts.push(page.lines.len());
         let pointer = if is_chosen { look.glyph(Glyph::Pointer) } else { " " };
         let judged = listing.judged.as_ref().and_then(|judged| judged.get(n));
         let (mark, style) =
@@ -201,9 +219,8 @@ fn cases(
         if left >= width(&source).min(12) {
             line.push_span(Span::styled(format!("  {}", fit(&source, left, look)), look.dim()));
         }
-        lines.push(line);
+        page.lines.push(line);
     }
-    shown
 }
 
 /// How many printed answers agree with ours, are disputed, differ.

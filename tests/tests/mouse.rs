@@ -1,0 +1,189 @@
+//! The mouse: a click goes there, a second one enters, the wheel moves what is under the pointer.
+
+use dalembert_tests::person::Person;
+use dalembert_tui::{bench::Tab, keys::Place, look::Theme};
+use ratatui::crossterm::event::{MouseButton, MouseEventKind};
+
+const FAN: &str = "vibration/rotating-unbalance";
+
+fn fan(columns: u16, rows: u16) -> Person {
+    Person::at(columns, rows).opens(FAN)
+}
+
+#[test]
+fn a_click_goes_there_and_a_second_one_enters() {
+    let mut person = fan(90, 30);
+    person.clicks("0.1 kg");
+    assert_eq!(person.model.place(), Place::Form);
+    assert!(person.sees().contains("▸ Unbalance"), "{}", person.sees());
+    person.clicks("0.1 kg");
+    assert_eq!(person.model.place(), Place::Edit);
+    person.types("<esc>");
+    person.clicks("Working");
+    assert_eq!(person.model.place(), Place::Working);
+    person.clicks("Plot");
+    assert_eq!(person.model.place(), Place::Plot);
+    // A key of the footer: what is clicked is done.
+    person.clicks("Tab edit inputs");
+    assert_eq!(person.model.place(), Place::Form);
+    // Of two keys side by side each is its own.
+    let (column, row) = person.place_of("[ ] tabs");
+    let tab = person.model.bench.as_ref().map(|bench| bench.tab);
+    person.mouse(MouseEventKind::Down(MouseButton::Left), (column + 2, row));
+    let next = person.model.bench.as_ref().map(|bench| bench.tab);
+    person.mouse(MouseEventKind::Down(MouseButton::Left), (column, row));
+    assert_eq!(person.model.bench.as_ref().map(|bench| bench.tab), tab);
+    assert_ne!(next, tab);
+}
+
+#[test]
+fn a_dialog_is_chosen_from_and_left_by_the_mouse() {
+    let mut person = fan(90, 30);
+    person.types(":");
+    person.clicks("empty the field");
+    assert!(person.sees().contains("▸ empty the field"), "{}", person.sees());
+    person.clicks("empty the field");
+    assert_eq!(person.model.place(), Place::Edit);
+    person.types("<esc>?");
+    let before = person.sees();
+    person.mouse(MouseEventKind::ScrollDown, (10, 10));
+    assert_ne!(person.sees(), before);
+    person.types("<esc>:theme<enter>");
+    person.clicks(" light ");
+    person.clicks(" light ");
+    assert_eq!(person.model.look.theme, Theme::Light);
+    // Beside it the palette is left, a question is not.
+    person.types(":");
+    person.mouse(MouseEventKind::Down(MouseButton::Left), (85, 3));
+    assert!(person.model.dialog.is_none());
+    person.types(":theme<enter>");
+    person.mouse(MouseEventKind::Down(MouseButton::Left), (1, 3));
+    assert!(person.model.dialog.is_some());
+}
+
+#[test]
+fn the_wheel_moves_what_is_under_the_pointer() {
+    let mut person = fan(90, 20);
+    person.clicks("Working");
+    person.clicks("Mass");
+    let before = person.sees();
+    person.mouse(MouseEventKind::ScrollDown, (70, 10));
+    assert_ne!(person.sees(), before);
+    assert_eq!(person.model.place(), Place::Form, "the focus stays");
+    person.mouse(MouseEventKind::ScrollUp, (70, 10));
+    assert_eq!(person.sees(), before);
+}
+
+#[test]
+fn a_plot_is_pointed_at_zoomed_and_dragged() {
+    let mut person = fan(90, 30);
+    person.clicks("Plot");
+    let cursor = |person: &Person| person.model.bench.as_ref().and_then(|bench| bench.plot_state.cursor);
+    let window = |person: &Person| person.model.bench.as_ref().and_then(|bench| bench.plot_state.view.window);
+    assert_eq!(cursor(&person), None);
+    person.mouse(MouseEventKind::Down(MouseButton::Left), (60, 15));
+    let first = cursor(&person).expect("a cursor");
+    person.mouse(MouseEventKind::Drag(MouseButton::Left), (75, 15));
+    let dragged = cursor(&person).expect("a cursor");
+    assert!(dragged > first, "{dragged} {first}");
+    person.mouse(MouseEventKind::Up(MouseButton::Left), (75, 15));
+    person.mouse(MouseEventKind::ScrollUp, (75, 15));
+    let (from, to) = window(&person).expect("a part of the axis");
+    assert_eq!(cursor(&person), Some(dragged), "the cursor stays");
+    assert!(from < dragged && dragged < to);
+    person.mouse(MouseEventKind::Down(MouseButton::Left), (60, 15));
+    person.mouse(MouseEventKind::Drag(MouseButton::Left), (70, 15));
+    let (moved, _) = window(&person).expect("a part of the axis");
+    assert!(moved < from, "what is shown follows the pointer: {moved} {from}");
+    person.mouse(MouseEventKind::ScrollDown, (60, 15));
+    assert_eq!(window(&person), None);
+}
+
+#[test]
+fn answers_to_be_checked_are_clicked_and_typed() {
+    let mut person = fan(90, 16);
+    person.turns_to(Tab::Check).clicks("Natural frequency");
+    assert!(person.model.place() == Place::Cells && person.sees().contains("▸ Natural frequency"));
+    person.clicks("Natural frequency").types("106.23");
+    // A click into the cell that is typed in changes nothing, one beside it keeps the text.
+    person.clicks("Natural frequency");
+    assert_eq!(person.model.place(), Place::Cell);
+    person.clicks("Damping ratio");
+    assert!(person.sees().contains("▸ Damping ratio") && person.sees().contains("= 106.23 rad/s"));
+    person.clicks("Damping ratio").types("0.0617").clicks("1000 rpm");
+    assert_eq!(person.model.place(), Place::Form);
+    assert!(person.sees().contains("= 0.061694"), "{}", person.sees());
+    // What lies further down is a turn of the wheel away.
+    let over = person.place_of("Damping ratio");
+    assert!(!person.sees().contains("Phase lag"), "{}", person.sees());
+    for _ in 0..3 {
+        person.mouse(MouseEventKind::ScrollDown, over);
+    }
+    person.clicks("Phase lag");
+    assert!(person.sees().contains("▸ Phase lag"), "{}", person.sees());
+}
+
+#[test]
+fn inputs_and_answers_of_the_sensitivity_are_clicked() {
+    let mut person = fan(90, 30);
+    person.turns_to(Tab::Sensitivity).clicks("Young's modulus ");
+    let screen = person.sees();
+    assert!(screen.contains("▸ Young's modulus") && screen.contains("elasticity 0.5"), "{screen}");
+    // The lines below a row belong to it.
+    person.clicks("elasticity").types("2 %<enter>");
+    assert!(person.sees().contains(" 2 % "), "{}", person.sees());
+    person.clicks("◀ Natural frequency");
+    assert!(person.sees().contains("◀ Stiffness of the support"), "{}", person.sees());
+    person.clicks("Stiffness of the support ▶");
+    assert!(person.sees().contains("◀ Natural frequency"), "{}", person.sees());
+    // What all of them do together is no input.
+    let place = person.model.bench.as_ref().map(|bench| bench.ask.sensitivity.cursor);
+    person.clicks("all tolerances together");
+    assert_eq!(person.model.bench.as_ref().map(|bench| bench.ask.sensitivity.cursor), place);
+    let mut low = fan(90, 12);
+    low.turns_to(Tab::Sensitivity);
+    let over = low.place_of("for +1 %");
+    low.mouse(MouseEventKind::ScrollDown, over).mouse(MouseEventKind::ScrollDown, over);
+    assert!(low.sees().contains("all tolerances"), "{}", low.sees());
+}
+
+#[test]
+fn cells_of_a_study_are_clicked() {
+    let mut person = fan(90, 30);
+    person.turns_to(Tab::Study).clicks("Range to");
+    assert!(person.sees().contains("▸ Range to"), "{}", person.sees());
+    person.clicks("Range to").types("<c-u>80 kg").clicks("Spread");
+    assert!(person.sees().contains("▸ Spread") && person.sees().contains("80 kg"), "{}", person.sees());
+    person.clicks("Spread");
+    assert!(person.sees().contains("by equal ratios"), "{}", person.sees());
+    // Its curve is no cell.
+    person.clicks("as it stands");
+    assert!(person.sees().contains("▸ Spread"), "{}", person.sees());
+}
+
+#[test]
+fn cases_beside_the_list_are_clicked() {
+    let mut person = Person::at(100, 30).knows(&[FAN, "vibration/free-vibration"]);
+    person.types("/rotunb<tab>");
+    let cases = person.model.listings[0].cases().len();
+    assert!(cases > 2, "{cases}");
+    let place = person.place_of("Cases");
+    let of = |person: &Person| person.model.picker.case;
+    person.mouse(MouseEventKind::Down(MouseButton::Left), (place.0 + 5, place.1 + 2));
+    assert_eq!(of(&person), Some(1));
+    // Neither the heading nor the drawing is a case.
+    person.clicks("Cases");
+    assert_eq!((of(&person), person.model.bench.is_some()), (Some(1), false));
+    person.mouse(MouseEventKind::ScrollDown, place);
+    assert_eq!(of(&person), Some(2));
+    person.mouse(MouseEventKind::ScrollUp, place);
+    let place = person.place_of("Cases");
+    person.mouse(MouseEventKind::Down(MouseButton::Left), (place.0 + 5, place.1 + 2));
+    assert_eq!(person.model.bench.as_ref().map(|bench| bench.case), Some(1));
+    // The wheel goes to the cases, where the list has the keys.
+    let mut person = Person::at(100, 30).knows(&[FAN, "vibration/free-vibration"]);
+    person.types("/rotunb<tab>");
+    let place = person.place_of("Cases");
+    person.mouse(MouseEventKind::ScrollDown, place);
+    assert_eq!(of(&person), Some(1));
+}
