@@ -308,6 +308,35 @@ fn praise_is_given_once() {
     assert_eq!(praised, 1, "{}", person.sees());
 }
 
+/// What the list of exercises says of the fan.
+fn exercise(person: &mut Person) -> String {
+    person.types("<esc><esc>").clicks("Exercise lists").types("<right><down>");
+    let screen = person.sees();
+    let line = screen.lines().find_map(|line| Some(line.split_once("Fan on a cantilever  ")?.1));
+    line.unwrap_or(&screen).trim_end_matches(['│', ' ']).to_owned()
+}
+
+#[test]
+fn an_exercise_is_solved_when_its_last_answer_is_right_and_none_is_wrong() {
+    for (answers, solved) in [
+        // What the others are made for is enough.
+        ("<end><up>", false),
+        ("AMPLITUDE19.456<enter>", true),
+        ("AMPLITUDE19.9<enter>", false),
+        ("AMPLITUDE19.5<enter>", true),
+        ("RATIO0.06169<enter>", false),
+        ("RATIO0.707<enter>AMPLITUDE19.456<enter>", false),
+        ("RATIO0.707<enter>AMPLITUDE19.456<enter>RATIO0.06169<enter>", true),
+    ] {
+        let mut person = Person::at(120, 40).knows(&[FAN]).opens(FAN);
+        person.types("<tab>").turns_to(Tab::Check);
+        let answers = answers.replace("RATIO", "<home><down><down><down>");
+        person.types(&answers.replace("AMPLITUDE", "<home><down><down><down><down><down>"));
+        assert_eq!(person.sees().contains("well done"), solved, "{answers}\n{}", person.sees());
+        assert_eq!(exercise(&mut person), if solved { "solved by hand" } else { "opened" }, "{answers}");
+    }
+}
+
 #[test]
 fn an_answer_is_shown_in_another_unit_and_with_other_digits() {
     let mut person = Person::at(110, 40).opens(FAN);

@@ -26,7 +26,7 @@ fn leaves(pty: &mut Pty) {
 }
 
 /// A student works the fan by hand: nothing is given away, a right answer is confirmed, a wrong one is not, and what
-/// follows from it says so; then the working is read up to where it went wrong.
+/// follows from it says so; then the working is read up to where it went wrong, and that is put right.
 #[test]
 fn homework_is_tried_by_hand_and_checked() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -55,7 +55,15 @@ fn homework_is_tried_by_hand_and_checked() {
     assert!(!pty.screen().contains("0.061694"), "{}", pty.screen());
     pty.types("]]]<up><up>0.0617<enter>");
     pty.expect("= 0.061694");
-    pty.types("t");
+    // With the last answer the exercise is done, and the list of exercises says so.
+    let amplitude = 0.1 / 40.0 * ratio * ratio / (1.0 - ratio * ratio).hypot(2.0 * 0.061694 * ratio) * 1e3;
+    pty.types(&format!("<down><down>{amplitude:.2}<enter>"));
+    pty.expect("all that is asked for is right");
+    pty.types("t<esc><esc>");
+    pty.expect("Exercise lists");
+    let screen = pty.screen();
+    let lists = screen.lines().find(|line| line.contains("Exercise lists")).unwrap_or_default();
+    assert!(lists.contains(" 1/"), "{screen}");
     leaves(&mut pty);
 }
 

@@ -102,6 +102,21 @@ impl Solution {
         self.answers.iter().find(|answer| answer.name.is(name))
     }
 
+    /// Of the answers of these names, those that no other of them was made from: in them are all the others.
+    pub fn last_of<'n>(&self, names: &[&'n str]) -> Vec<&'n str> {
+        let id = |name: &str| match self.answer(name)?.value {
+            AnswerValue::Number(_, id) => Some(id),
+            _ => None,
+        };
+        let made: Vec<Vec<Id>> = names
+            .iter()
+            .filter_map(|name| id(name))
+            .map(|made| ancestors(self, made).into_iter().filter(|from| *from != made).collect())
+            .collect();
+        let is_last = |name: &str| id(name).is_none_or(|id| made.iter().all(|from| !from.contains(&id)));
+        names.iter().copied().filter(|name| is_last(name)).collect()
+    }
+
     /// Whether an answer may change with the input at a path: it was made from it, or from what a numerical method
     /// found, which may rest on any. Nothing is solved for this, so a condition on the input is not seen.
     pub fn may_change(&self, answer: &Answer, input: &str) -> bool {

@@ -185,9 +185,12 @@ impl Check {
         Some(check::compare(answer, text))
     }
 
-    /// Whether all these answers are there and right.
-    pub fn is_right<'n>(&self, solution: &Solution, mut wanted: impl Iterator<Item = &'n str>) -> bool {
-        wanted.all(|name| self.verdict(solution, name) == Some(Verdict::Right))
+    /// Whether these answers are found: those that no other of them was made from are there, and all that are there
+    /// are right.
+    pub fn is_right(&self, solution: &Solution, wanted: &[&str]) -> bool {
+        let verdict = |name: &str| self.verdict(solution, name);
+        solution.last_of(wanted).into_iter().all(|name| verdict(name) == Some(Verdict::Right))
+            && self.typed.iter().all(|(name, _)| verdict(name).is_none_or(|found| found == Verdict::Right))
     }
 }
 

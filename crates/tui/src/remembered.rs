@@ -27,7 +27,7 @@ pub enum Progress {
     NotBegun,
     /// It was opened.
     Opened,
-    /// It was solved by hand, and the answers were right.
+    /// It was solved by hand: the answers that it asks for were right.
     Solved,
     /// The person says that it is done.
     Done,

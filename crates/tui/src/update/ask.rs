@@ -299,7 +299,7 @@ fn show_ours(model: &mut Model) {
     }
 }
 
-/// Says once that everything is right, which is remembered of a published case.
+/// Says once that what is asked for is right, which is remembered of a published case.
 fn praise(model: &mut Model) -> Vec<Effect> {
     let Some(bench) = model.bench.as_mut().filter(|bench| bench.tab == Tab::Check) else {
         return Vec::new();
@@ -315,12 +315,12 @@ fn praise(model: &mut Model) -> Vec<Effect> {
         Some(asked) => asked.filter(|name| names.iter().any(|known| known == name)).collect(),
         None => names.iter().map(String::as_str).collect(),
     };
-    if wanted.is_empty() || !bench.ask.check.is_right(solution, wanted.into_iter()) {
+    if wanted.is_empty() || !bench.ask.check.is_right(solution, &wanted) {
         return Vec::new();
     }
     if std::mem::replace(&mut bench.ask.check.praised, true) {
         return Vec::new();
     }
-    model.say("every answer is right: well done");
+    model.say("all that is asked for is right: well done");
     remember_done(model)
 }

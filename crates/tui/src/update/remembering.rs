@@ -21,7 +21,7 @@ pub(super) fn opened(model: &mut Model) -> Vec<Effect> {
     effects
 }
 
-/// The case that is shown was tried by hand, and every answer was right: it is done in every list of exercises.
+/// The case that is shown was solved by hand: it is done in every list of exercises.
 pub fn remember_done(model: &mut Model) -> Vec<Effect> {
     reach(model, Progress::Solved)
 }
