@@ -1310,3 +1310,4 @@ a-trial-weight-at-two-angles-only = uma massa de teste em apenas dois ângulos
 angles-that-repeat = Ângulos que se repetem
 a-trial-weight-at-two-directions-in-three-runs = uma massa de teste em duas direções em três medições
 no-first-amplitude = Sem primeira amplitude
+by-definition-a-firing-order-names-each-cylinder-once = Por definição: uma ordem de ignição cita cada cilindro uma vez
