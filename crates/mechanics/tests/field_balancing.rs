@@ -151,6 +151,32 @@ fn ranges_cover_the_truth_as_often_as_they_claim() {
     }
 }
 
+/// A plane that needs next to nothing: noise makes weights of any angle, and the range begins at none.
+#[test]
+fn every_range_holds_the_weight_that_it_is_about() {
+    let mut lost = 0;
+    for job in 0..100 {
+        let (alpha, mut unbalance) = rotor(job, 3, 2);
+        unbalance[1] *= 1e-4;
+        let first = read(&alpha, &unbalance);
+        let influence = Influence::Known(&alpha);
+        let spread = ReadingSpread { amplitude: 0.02, phase: 0.03 };
+        let measured = Measurement { first: &first, influence, importance: &[], spread };
+        let weights = least_squares(&alpha, &first, &[]).unwrap().weights;
+        let ranges = ranges(&measured, &weights, 400, 1).unwrap();
+        for (plane, weight) in weights.iter().enumerate() {
+            let ([low, high], [from, to]) = (ranges.sizes[plane], ranges.angles[plane]);
+            assert!((low..=high).contains(&weight.norm()), "job {job}: {} in {low} to {high}", weight.norm());
+            assert!((from..=to).contains(&weight.arg()), "job {job}: {} in {from} to {to}", weight.arg());
+            if low == 0.0 {
+                assert!((to - from - std::f64::consts::TAU).abs() < 1e-12);
+                lost += 1;
+            }
+        }
+    }
+    assert!(lost >= 90, "{lost} of 100 weights of nothing were told from none");
+}
+
 /// The samples are the same to the last bit on any number of threads.
 #[test]
 fn threads_do_not_change_a_bit() {

@@ -410,8 +410,10 @@ fn ranges<W: Worksheet>(
         sheet.answer_set(("correction_range", n), label, "g", &between(*size), Vec::new());
         // Both ends positive, as angles are marked: 350° to 370° about the mark.
         let turn = if angle[0] < 0.0 { TAU } else { 0.0 };
+        let any = angle[1] - angle[0] > TAU * (1.0 - 1e-9);
+        let angles = if any { IntervalSet::all() } else { between(angle.map(|a| a + turn)) };
         let label = "95 % range of the angle of the correction in plane";
-        sheet.answer_set(("angle_range", n), label, "deg", &between(angle.map(|a| a + turn)), Vec::new());
+        sheet.answer_set(("angle_range", n), label, "deg", &angles, Vec::new());
         let weight = weights[n - 1].norm();
         let width = size[1] - size[0];
         if width > WIDE * weight && width <= weight {

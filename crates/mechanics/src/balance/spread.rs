@@ -5,7 +5,10 @@
 
 #![expect(clippy::inline_always, reason = "lanes are compiled for the widest registers where all is inlined")]
 
-use std::{f64::consts::TAU, thread};
+use std::{
+    f64::consts::{PI, TAU},
+    thread,
+};
 
 use nalgebra::{Complex, DMatrix};
 
@@ -50,9 +53,10 @@ pub struct Measurement<'a> {
 /// Ranges that hold 95 % of the samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ranges {
-    /// Size of the weight of least squares in each plane.
+    /// Size of the weight of least squares in each plane. It begins at zero where the given weight cannot be told from
+    /// none: noise alone makes weights that are larger than it.
     pub sizes: Vec<[f64; 2]>,
-    /// Its angle, rad, unwrapped about the angle of the given weights.
+    /// Its angle, rad, unwrapped about the angle of the given weights; a whole turn where the size begins at zero.
     pub angles: Vec<[f64; 2]>,
     /// What 95 % of the samples leave at most in each reading with the given weights.
     pub residuals: Vec<f64>,
@@ -152,11 +156,18 @@ pub fn ranges(
         let column = column(at);
         [column(0.025), column(0.975)]
     };
+    let of_plane = |(plane, weight): (usize, &Complex<f64>)| {
+        let [low, high] = middle(plane);
+        if weight.norm() < low {
+            // Of the intervals that hold 95 %, one with the estimate in it; nothing is known of its angle.
+            return ([0.0, column(plane)(0.95)], [weight.arg() - PI, weight.arg() + PI]);
+        }
+        ([low, high], middle(planes + plane).map(|turn| turn + weight.arg()))
+    };
+    let (sizes, angles) = weights.iter().enumerate().map(of_plane).unzip();
     let ranges = Ranges {
-        sizes: (0..planes).map(middle).collect(),
-        angles: (0..planes)
-            .map(|plane| middle(planes + plane).map(|turn| turn + weights[plane].arg()))
-            .collect(),
+        sizes,
+        angles,
         residuals: (0..readings).map(|row| column(2 * planes + row)(0.95)).collect(),
     };
     ranges.sizes.iter().flatten().all(|size| size.is_finite()).then_some(ranges)
