@@ -131,7 +131,8 @@ impl Analysis for Field {
         topic: "Field balancing",
         summary: "Correction weights from measured vibrations, by influence coefficients: runs with trial weights, any number of planes, sensors and speeds, with error bars.",
         keywords: "balanceamento em campo balanceamento no local coeficientes de influência peso de prova massa de teste \
-                   influence coefficients trial weight single plane two plane least squares min-max trim vector fase",
+                   influence coefficients trial weight single plane two plane least squares min-max trim vector fase \
+                   balancear ventilador exaustor ventoinha rebolo turbina fan balancing blower in situ on site",
         sources: &[&RAO, &GOODMAN, &DARLOW, &BOYD],
         cases: include_str!("../cases/field.toml"),
     };
