@@ -173,7 +173,9 @@ impl Sentences {
     }
 
     fn case(&mut self, of: &str, case: &Case) {
-        words_of(case).iter().for_each(|text| self.text(of, text));
+        for text in words_of(case) {
+            self.text(of, &text);
+        }
     }
 
     fn solution(&mut self, of: &str, solution: &dalembert_core::Solution) {

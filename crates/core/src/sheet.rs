@@ -218,7 +218,15 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         let Some(unit) = self.named(name, id) else { return };
         let value = AnswerValue::Number(self.node(id).0, id);
         let noise = ROUNDING * self.solution.borrow().trace.node(id).scale;
-        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise, digits: None });
+        self.solution.borrow_mut().answers.push(Answer {
+            name,
+            label,
+            whose: String::new(),
+            value,
+            unit,
+            noise,
+            digits: None,
+        });
     }
 
     fn answer_vector(self, name: impl Into<Name>, label: &'static str, value: Vect<'s>) {
@@ -226,7 +234,15 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         let Some(unit) = self.named(name, id) else { return };
         let value = AnswerValue::Number(self.node(id).0, id);
         let noise = ROUNDING * self.solution.borrow().trace.node(id).scale;
-        self.solution.borrow_mut().answers.push(Answer { name, label, value, unit, noise, digits: None });
+        self.solution.borrow_mut().answers.push(Answer {
+            name,
+            label,
+            whose: String::new(),
+            value,
+            unit,
+            noise,
+            digits: None,
+        });
     }
 
     fn answer_list(self, name: impl Into<Name>, label: &'static str, unit: &'static str, numbers: &[f64]) {
@@ -236,6 +252,7 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         self.solution.borrow_mut().answers.push(Answer {
             name,
             label,
+            whose: String::new(),
             value,
             unit,
             noise: ROUNDING * largest,
@@ -256,11 +273,21 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         self.solution.borrow_mut().answers.push(Answer {
             name,
             label,
+            whose: String::new(),
             value,
             unit,
             noise: 0.0,
             digits: None,
         });
+    }
+
+    fn whose(self, name: impl Into<Name>, whose: &str) {
+        let name = name.into();
+        if let Some(answer) =
+            self.solution.borrow_mut().answers.iter_mut().rfind(|answer| answer.name == name)
+        {
+            whose.clone_into(&mut answer.whose);
+        }
     }
 
     fn show(self, exhibit: impl FnOnce() -> Exhibit) {

@@ -38,6 +38,8 @@ pub struct Answer {
     pub name: Name,
     /// What it is, in words.
     pub label: &'static str,
+    /// The row of the inputs that it is about, by the name the person gave it; empty where that has none.
+    pub whose: String,
     /// What was found.
     pub value: AnswerValue,
     /// The unit it is shown in.
@@ -138,11 +140,16 @@ impl Answer {
         }
     }
 
-    /// What it is in the language, with its place behind it: `Natural frequency 2`.
+    /// What it is in the language, with what it is about or its place behind it: `Force in the joint, pin B`,
+    /// `Natural frequency 2`.
     pub fn label(&self, locale: &Locale) -> String {
         let places = self.name.places().map(|row| row.to_string()).collect::<Vec<_>>().join(", ");
         let label = Text::from(self.label).render(locale);
-        if places.is_empty() { label } else { format!("{label} {places}") }
+        match (&self.whose[..], &places[..]) {
+            ("", "") => label,
+            ("", places) => format!("{label} {places}"),
+            (whose, _) => format!("{label}, {whose}"),
+        }
     }
 
     /// Its dimension.

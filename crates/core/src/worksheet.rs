@@ -75,6 +75,9 @@ pub trait Worksheet: Copy {
         set: &IntervalSet,
         limits: Vec<Text>,
     );
+    /// Says which row of the inputs an answer that was given is about, by the name the person gave it: people read
+    /// `Angle of the body, coupler` for `angle[2]`.
+    fn whose(self, name: impl Into<Name>, whose: &str);
     /// Shows something beside the numbers. Only built when someone looks.
     fn show(self, exhibit: impl FnOnce() -> Exhibit);
     /// Warns of a valid but doubtful result.
@@ -227,6 +230,8 @@ impl Worksheet for &Plain<'_> {
     #[inline]
     fn answer_list(self, _: impl Into<Name>, _: &'static str, _: &'static str, _: &[f64]) {}
     #[inline]
+    fn whose(self, _: impl Into<Name>, _: &str) {}
+
     fn answer_set(self, _: impl Into<Name>, _: &'static str, _: &'static str, _: &IntervalSet, _: Vec<Text>) {
     }
     #[inline]

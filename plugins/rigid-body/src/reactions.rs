@@ -435,7 +435,9 @@ impl Reactions {
                 Named("Magnitude of the reaction of {name}", &support.name, None),
             );
             sheet.answer_vector(("reaction", n + 1), "Reaction", reaction);
+            sheet.whose(("reaction", n + 1), &support.name);
             sheet.answer(("reaction_size", n + 1), "Magnitude of the reaction", size);
+            sheet.whose(("reaction_size", n + 1), &support.name);
             total = total + reaction;
             turning = turning + given.supports[n].at.cross(reaction);
             if held.has_couples(n) {
@@ -443,6 +445,7 @@ impl Reactions {
                 let how = "Couple of {name}, from the same equations";
                 let couple = sheet.found_vector(("C", n + 1), "N*m", own, Named(how, &support.name, None));
                 sheet.answer_vector(("reaction_couple", n + 1), "Couple of the support", couple);
+                sheet.whose(("reaction_couple", n + 1), &support.name);
                 turning = turning + couple;
             }
             let fixed = motion.to_fixed * of.force;
@@ -505,12 +508,15 @@ impl Reactions {
                 Named("What the motion adds to the reaction of {name}", name, None),
             );
             sheet.answer_vector(("static_reaction", n + 1), "Static reaction", static_part);
+            sheet.whose(("static_reaction", n + 1), name);
             sheet.answer_vector(("dynamic_reaction", n + 1), "Dynamic reaction", dynamic);
+            sheet.whose(("dynamic_reaction", n + 1), name);
         }
         if self.axes.place() > 0 {
             let how = "Reaction of {name} in the fixed axes";
             let fixed = sheet.found_vector(("R_F", n + 1), "N", fixed, Named(how, name, None));
             sheet.answer_vector(("fixed_reaction", n + 1), "Reaction in the fixed axes", fixed);
+            sheet.whose(("fixed_reaction", n + 1), name);
         }
     }
 

@@ -180,6 +180,7 @@ impl Equilibrium {
                 ),
             );
             sheet.answer(("coordinate", row), "Coordinate in equilibrium", value);
+            sheet.whose(("coordinate", row), &drive.name);
             let stiffness = sheet.found(
                 ("V''", row),
                 self.of_stiffness(driver),
@@ -192,6 +193,7 @@ impl Equilibrium {
                 ),
             );
             sheet.answer(("stiffness", row), "Second derivative of the potential energy", stiffness);
+            sheet.whose(("stiffness", row), &drive.name);
         }
         if self.drivers.len() > 1 {
             let why = "Lowest eigenvalue of the matrix of second derivatives, scaled to a diagonal of ones: positive in a stable equilibrium";

@@ -165,6 +165,7 @@ impl Mechanism {
                 ),
             );
             sheet.answer(("angle", row), "Angle of the body", angle);
+            sheet.whose(("angle", row), &part.name);
             let speed = sheet.found(
                 ("ω", row),
                 "rad/s",
@@ -175,6 +176,7 @@ impl Mechanism {
                 ),
             );
             sheet.answer(("angular_velocity", row), "Angular velocity of the body", speed);
+            sheet.whose(("angular_velocity", row), &part.name);
             let acceleration = sheet.found(
                 ("α", row),
                 "rad/s^2",
@@ -182,6 +184,7 @@ impl Mechanism {
                 (named("Angular acceleration of {name}, from Φ_q q̈ = γ"), NIKRAVESH.at("ch. 3")),
             );
             sheet.answer(("angular_acceleration", row), "Angular acceleration of the body", acceleration);
+            sheet.whose(("angular_acceleration", row), &part.name);
             angular.push(acceleration);
         }
         for (row, watched) in (1..).zip(&self.watched) {
@@ -192,9 +195,11 @@ impl Mechanism {
             let named = |reason: &'static str| Text::new(reason).with("name", name);
             let at = sheet.found_vector(("P", row), "mm", vector(position), named("Position of {name}"));
             sheet.answer_vector(("position", row), "Position of the point", at);
+            sheet.whose(("position", row), name);
             let velocity =
                 sheet.found_vector(("V", row), "m/s", vector(velocity), named("Velocity of {name}"));
             sheet.answer_vector(("velocity", row), "Velocity of the point", velocity);
+            sheet.whose(("velocity", row), name);
             let acceleration = sheet.found_vector(
                 ("A", row),
                 "m/s^2",
@@ -202,6 +207,7 @@ impl Mechanism {
                 named("Acceleration of {name}"),
             );
             sheet.answer_vector(("acceleration", row), "Acceleration of the point", acceleration);
+            sheet.whose(("acceleration", row), name);
         }
         angular
     }

@@ -277,6 +277,7 @@ impl Solved<'_> {
                 (Text::new(reason).with("name", &part.name), HAUG.at("ch. 6")),
             );
             sheet.answer(("initial_acceleration", row), "Angular acceleration at the start", acceleration);
+            sheet.whose(("initial_acceleration", row), &part.name);
         }
         for (row, connection) in (1..).zip(self.parts.joints) {
             let reason = if row == 1 {
@@ -289,6 +290,7 @@ impl Solved<'_> {
                 [Some(x), Some(y)] => {
                     let force = sheet.found_vector(("R", row), "N", Vector3::new(x, y, 0.0), why);
                     sheet.answer_vector(("joint_force", row), "Force in the joint at the start", force);
+                    sheet.whose(("joint_force", row), &connection.name);
                 }
                 [Some(one), None] | [None, Some(one)] => {
                     let force = sheet.found(("R", row), "N", one, why);
@@ -297,6 +299,7 @@ impl Solved<'_> {
                         "Force along the line of the joint at the start",
                         force,
                     );
+                    sheet.whose(("joint_effort", row), &connection.name);
                 }
                 [None, None] => {}
             }
@@ -339,6 +342,7 @@ impl Solved<'_> {
                 named("Angle of {name} at the end"),
             );
             sheet.answer(("angle", row), "Angle of the body", angle);
+            sheet.whose(("angle", row), &part.name);
             let speed = sheet.found(
                 ("ω", row),
                 "rad/s",
@@ -346,6 +350,7 @@ impl Solved<'_> {
                 named("Angular velocity of {name} at the end"),
             );
             sheet.answer(("angular_velocity", row), "Angular velocity of the body", speed);
+            sheet.whose(("angular_velocity", row), &part.name);
             let acceleration = sheet.found(
                 ("α", row),
                 "rad/s^2",
@@ -353,6 +358,7 @@ impl Solved<'_> {
                 named("Angular acceleration of {name} at the end"),
             );
             sheet.answer(("angular_acceleration", row), "Angular acceleration of the body", acceleration);
+            sheet.whose(("angular_acceleration", row), &part.name);
         }
         for (row, followed) in (1..).zip(&problem.watched) {
             let name = &self.parts.points[followed.point.0].name;
@@ -365,9 +371,11 @@ impl Solved<'_> {
             let named = |reason: &'static str| Text::new(reason).with("name", name);
             let at = sheet.found_vector(("P", row), "mm", vector(position), named("Position of {name}"));
             sheet.answer_vector(("position", row), "Position of the point", at);
+            sheet.whose(("position", row), name);
             let velocity =
                 sheet.found_vector(("V", row), "m/s", vector(velocity), named("Velocity of {name}"));
             sheet.answer_vector(("velocity", row), "Velocity of the point", velocity);
+            sheet.whose(("velocity", row), name);
             let acceleration = sheet.found_vector(
                 ("A", row),
                 "m/s^2",
@@ -375,6 +383,7 @@ impl Solved<'_> {
                 named("Acceleration of {name}"),
             );
             sheet.answer_vector(("acceleration", row), "Acceleration of the point", acceleration);
+            sheet.whose(("acceleration", row), name);
         }
         let kinetic =
             sheet.found("T", "J", last.kinetic, "Kinetic energy at the end, T = Σ (m v² + I_G ω²)/2");

@@ -70,6 +70,7 @@ impl Reactions {
             let how = "Speed at which {name} carries nothing: its force is a part at rest and one that grows with ω²";
             let speed = sheet.found(("ω_0", n + 1), "rad/s", square.sqrt(), Named(how, &support.name, None));
             sheet.answer(("unloaded_speed", n + 1), "Speed at which the support carries nothing", speed);
+            sheet.whose(("unloaded_speed", n + 1), &support.name);
             sheet.verify(|| {
                 let left = force(square.sqrt()).unwrap_or(f64::NAN);
                 sheet.check_zero(

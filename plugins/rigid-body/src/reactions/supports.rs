@@ -233,6 +233,7 @@ impl<'a> Held<'a> {
                     Named("Tension of {name}", name, None),
                 );
                 sheet.answer(("tension", n + 1), "Tension", tension);
+                sheet.whose(("tension", n + 1), name);
             }
             KindGiven::Contact { normal, .. } | KindGiven::RoughContact { normal } => {
                 let force = sheet.step(
@@ -242,6 +243,7 @@ impl<'a> Held<'a> {
                     Named("Normal force of {name}", name, None),
                 );
                 sheet.answer(("normal_force", n + 1), "Normal force", force);
+                sheet.whose(("normal_force", n + 1), name);
                 let rough = matches!(given.kind, KindGiven::RoughContact { .. });
                 if rough && force.value() > 1e-12 * of.force.norm() {
                     let along = sheet.step(
@@ -257,6 +259,7 @@ impl<'a> Held<'a> {
                         Named("Coefficient of friction that {name} needs not to slide", name, None),
                     );
                     sheet.answer(("friction_needed", n + 1), "Coefficient of friction needed", needed);
+                    sheet.whose(("friction_needed", n + 1), name);
                 }
             }
             _ => {}

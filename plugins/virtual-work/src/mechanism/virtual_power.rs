@@ -50,6 +50,7 @@ impl Solved<'_> {
                 sheet.step(("T", row), per.effort, -<W::Num as Real>::sum(works), why)
             };
             sheet.answer(("effort", row), "Effort of the driver", effort);
+            sheet.whose(("effort", row), &drive.name);
             sheet.verify(|| {
                 let largest = powers.iter().fold(0.0f64, |most, p| most.max(p.generalised[driver].abs()));
                 sheet.check_zero(
@@ -239,6 +240,7 @@ impl Solved<'_> {
             let why = (reason.with("name", &connection.name), HAUG.at("ch. 6"));
             let force = sheet.found(("R", row + 1), "N", size, why);
             sheet.answer(("reaction", row + 1), "Force in the joint", force);
+            sheet.whose(("reaction", row + 1), &connection.name);
         }
     }
 
