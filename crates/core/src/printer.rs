@@ -38,7 +38,10 @@ pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
     let writer = |values| Writer { solution, values, general: false, radians: false, style: locale.style };
     let (formula, mut substitution, mut terms) = (
         step.formula.map_or_else(String::new, |id| writer(false).expression(id)),
-        step.formula.map_or_else(String::new, |id| writer(true).expression(id)),
+        step.formula.map_or_else(String::new, |id| {
+            let radians = writer(true).needs_radians(id, &step.unit);
+            Writer { radians, ..writer(true) }.expression(id)
+        }),
         Vec::new(),
     );
     let result = number(solution.trace.cleaned(step.result), &step.unit, locale.style);
@@ -185,8 +188,8 @@ enum Tight {
     Factor,
 }
 
-impl Writer<'_> {
-    fn op(&self, id: Id) -> &Op {
+impl<'s> Writer<'s> {
+    fn op(&self, id: Id) -> &'s Op {
         &self.solution.trace.node(id).op
     }
 
@@ -276,10 +279,9 @@ impl Writer<'_> {
         };
         let (over, under) = (arranged(over), arranged(under));
         let alone = over.len() == 1 && under.is_empty();
-        let writer = self.of_factors(&[&over[..], &under[..]].concat());
         let top: Vec<String> =
-            over.iter().map(|id| if alone { self.alone(*id) } else { writer.factor(*id) }).collect();
-        let bottom: Vec<String> = under.iter().map(|id| writer.factor(*id)).collect();
+            over.iter().map(|id| if alone { self.alone(*id) } else { self.factor(*id) }).collect();
+        let bottom: Vec<String> = under.iter().map(|id| self.factor(*id)).collect();
         let top = if top.is_empty() { "1".to_owned() } else { top.join(self.times()) };
         let text = match &bottom[..] {
             [] => top,
@@ -287,20 +289,6 @@ impl Writer<'_> {
             many => format!("{top} / ({})", many.join(self.times())),
         };
         (text, negative)
-    }
-
-    /// The writer of the factors of a product. Where an angle meets another dimension, or is taken in another unit, the
-    /// numbers of a reader's calculator give the result only in radians: `20.944 rad/s × 0.1 m`, not `200 rpm × 0.1 m`.
-    fn of_factors(self, factors: &[Id]) -> Self {
-        let dimensional = factors.iter().filter(|id| self.solution.trace.node(**id).dim != units::Dim::NONE);
-        let mut of_factors = dimensional.map(|id| self.unit_of(*id).map(|unit| &unit.text));
-        let first = of_factors.next().flatten();
-        Self { radians: self.radians || of_factors.any(|unit| unit.is_none() || unit != first), ..self }
-    }
-
-    /// The same in radians.
-    fn in_radians(self) -> Self {
-        Self { radians: true, ..self }
     }
 
     fn factors(&self, id: Id, divide: bool, negative: &mut bool, over: &mut Vec<Id>, under: &mut Vec<Id>) {
@@ -337,7 +325,7 @@ impl Writer<'_> {
             Op::Literal => self.literal(id),
             Op::Given { .. } | Op::Step(_) if self.is_negative(id) => format!("({})", self.named(id)),
             Op::Given { .. } | Op::Step(_) => self.named(id),
-            Op::Power(base, n) => format!("{}{}", self.in_radians().base(*base), self.power(*n)),
+            Op::Power(base, n) => format!("{}{}", self.base(*base), self.power(*n)),
             Op::Root(of, n) => {
                 let sign = match (*n, self.style.ascii) {
                     (2, false) => "√".to_owned(),
@@ -418,6 +406,31 @@ impl Writer<'_> {
         symbol_in(&symbol, self.style)
     }
 
+    /// Whether a reader's calculator gives the result only where angles are in radians: `31.416 rad/s × 0.1 m`, not
+    /// `300 rpm × 0.1 m`. It does not matter where all values and the result share one unit, or the result is a ratio.
+    fn needs_radians(&self, id: Id, result: &units::Unit) -> bool {
+        let mut units = Vec::new();
+        self.units_below(id, &mut units);
+        let shared = |unit: &&units::Unit| result.dim == units::Dim::NONE || unit.text == result.text;
+        let alone = matches!(self.op(id), Op::Given { .. } | Op::Step(_));
+        !alone && !units.iter().all(|unit| unit.text == units[0].text && shared(unit))
+    }
+
+    /// The units of the values of a formula that have any. What a function is of decides for itself.
+    fn units_below(&self, id: Id, out: &mut Vec<&'s units::Unit>) {
+        if let Some(unit) = self.unit_of(id).filter(|unit| unit.dim != units::Dim::NONE) {
+            out.push(unit);
+        }
+        let inner = match self.op(id) {
+            Op::Call(function, _) if *function != Function::Abs => Vec::new(),
+            Op::Atan2(..) => Vec::new(),
+            _ => self.solution.trace.operands(id),
+        };
+        for operand in inner {
+            self.units_below(operand, out);
+        }
+    }
+
     /// The unit of a value as it was typed or found in, or the SI unit that has radians in its place.
     fn written_in(&self, unit: &units::Unit) -> units::Unit {
         if self.radians && unit.dim.angle != 0 && !unit.is_decimal() {
@@ -427,7 +440,7 @@ impl Writer<'_> {
         }
     }
 
-    fn unit_of(&self, id: Id) -> Option<&units::Unit> {
+    fn unit_of(&self, id: Id) -> Option<&'s units::Unit> {
         match self.op(id) {
             Op::Given { unit, .. } => Some(unit),
             Op::Step(step) => Some(&self.solution.steps[*step].unit),
@@ -467,9 +480,11 @@ impl Writer<'_> {
         if self.style.ascii { format!("^{n}") } else { units::superscript(n.into()) }
     }
 
-    /// What a function is of: an angle of its own in the unit that it has.
+    /// What a function is of.
     fn argument(&self, id: Id) -> String {
-        let writer = Self { radians: false, ..*self };
+        let mut units = Vec::new();
+        self.units_below(id, &mut units);
+        let writer = Self { radians: units.iter().any(|unit| unit.text != units[0].text), ..*self };
         match self.op(id) {
             Op::Given { .. } | Op::Step(_) if !self.values => format!(" {}", writer.factor(id)),
             _ => format!("({})", writer.expression(id)),
