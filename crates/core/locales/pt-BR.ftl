@@ -194,6 +194,7 @@ input-change = { $input }: { $change }
 interchanged-first-and-second = trocados entre si: { $first } e { $second }
 in-the-step-for-symbol-change = no passo de { $symbol }: { $change }
 label-place = { $label } { $place }
+label-whose = { $label }, { $whose }
 it-has-the-other-sign = está com o sinal contrário
 the-number-is-in-taken-not-in-is = o número está em { $taken }, não em { $is }
 it-is-the-square-a-root-is-missing = é o quadrado: falta uma raiz

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use dalembert_units::{self as units, Dim, Kind, Quantity};
 
 pub use self::search::slips;
-use crate::{Answer, Arg, Solution, Symbol, Text, cases, printer, reading, study};
+use crate::{Answer, Arg, Solution, Symbol, Text, cases, printer, reading};
 
 /// Answers that are farther off than this share of ours are not right, however few their digits.
 pub const TOLERANCE: f64 = 0.005;
@@ -180,7 +180,7 @@ impl Slip {
     /// What may have gone wrong, in words that do not say our number.
     pub fn text(&self, solution: &Solution) -> Text {
         let label = |name: &str| match solution.answer(name) {
-            Some(answer) => study::named(answer),
+            Some(answer) => answer.title(),
             None => Text::new(name.to_owned()),
         };
         match self {

@@ -140,16 +140,19 @@ impl Answer {
         }
     }
 
-    /// What it is in the language, with what it is about or its place behind it: `Force in the joint, pin B`,
-    /// `Natural frequency 2`.
-    pub fn label(&self, locale: &Locale) -> String {
+    /// What it is, with what it is about or its place behind it: `Force in the joint, pin B`, `Natural frequency 2`.
+    pub fn title(&self) -> Text {
         let places = self.name.places().map(|row| row.to_string()).collect::<Vec<_>>().join(", ");
-        let label = Text::from(self.label).render(locale);
         match (&self.whose[..], &places[..]) {
-            ("", "") => label,
-            ("", places) => format!("{label} {places}"),
-            (whose, _) => format!("{label}, {whose}"),
+            ("", "") => Text::from(self.label),
+            ("", place) => Text::new("{label} {place}").with_text("label", self.label).with("place", place),
+            (whose, _) => Text::new("{label}, {whose}").with_text("label", self.label).with("whose", whose),
         }
+    }
+
+    /// Its title in the language.
+    pub fn label(&self, locale: &Locale) -> String {
+        self.title().render(locale)
     }
 
     /// Its dimension.

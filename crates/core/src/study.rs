@@ -202,7 +202,7 @@ impl<'a> Curve<'a> {
         for other in parameters {
             let values = self.values(&mut again, &places, other, stop)?;
             let label = match other {
-                None => named(self.answer),
+                None => self.answer.title(),
                 Some((at, value)) => {
                     let input = &again.inputs[at];
                     Text::new("{input} = {value}").with_text("input", input.label.clone()).with_quantity(
@@ -271,7 +271,7 @@ impl<'a> Curve<'a> {
         }
         says.extend(self.gaps(&places, &values, stop));
         let points = places.iter().copied().zip(values).collect();
-        let mut plot = self.plot(vec![Series::line(named(self.answer), points)]).level("wanted", wanted);
+        let mut plot = self.plot(vec![Series::line(self.answer.title(), points)]).level("wanted", wanted);
         plot.x.scale = scale;
         for x in &found {
             plot = plot.mark("", (*x, wanted));
@@ -281,10 +281,10 @@ impl<'a> Curve<'a> {
 
     fn plot(&self, series: Vec<Series>) -> Plot {
         let title = Text::new("{answer} over {input}")
-            .with_text("answer", named(self.answer))
+            .with_text("answer", self.answer.title())
             .with_text("input", self.input().label.clone());
         let x = Axis::linear(self.input().label.clone(), fixed(&self.input().unit));
-        Plot::new(title, x, Axis::linear(named(self.answer), fixed(&self.answer.unit)), series)
+        Plot::new(title, x, Axis::linear(self.answer.title(), fixed(&self.answer.unit)), series)
     }
 
     /// Where there is no answer, and why.
@@ -316,14 +316,6 @@ impl<'a> Curve<'a> {
 
 fn place_of(again: &Again, path: &str) -> usize {
     again.inputs.iter().position(|input| input.path == path).unwrap_or(0)
-}
-
-/// An answer in words, with its place.
-pub fn named(answer: &Answer) -> Text {
-    match answer.name.to_string().strip_prefix(answer.name.base) {
-        Some("") | None => Text::from(answer.label),
-        Some(place) => Text::new("{label} {place}").with_text("label", answer.label).with("place", place),
-    }
 }
 
 /// The text of a unit for as long as the program runs. Units that no kind offers are kept: there are as many as

@@ -2,7 +2,7 @@
 
 use std::{f64::consts::TAU, thread};
 
-use super::{MOST_POINTS, Studied, fixed, named};
+use super::{MOST_POINTS, Studied, fixed};
 use crate::{
     Answer, Axis, Entry, Plot, Record, Refusal, Series, SolveError, Stop, Text,
     vary::{self, Again},
@@ -116,10 +116,10 @@ fn histogram(answer: &Answer, sorted: &[f64], (low, high): (f64, f64)) -> Option
         outline.extend([(least + n as f64 * width, share), (least + (n + 1) as f64 * width, share)]);
     }
     outline.push((most, 0.0));
-    let title = Text::new("How {answer} scatters").with_text("answer", named(answer));
-    let x = Axis::linear(named(answer), fixed(&answer.unit));
+    let title = Text::new("How {answer} scatters").with_text("answer", answer.title());
+    let x = Axis::linear(answer.title(), fixed(&answer.unit));
     let y = Axis::linear("share of the samples", "%");
-    let plot = Plot::new(title, x, y, vec![Series::line(named(answer), outline)]);
+    let plot = Plot::new(title, x, y, vec![Series::line(answer.title(), outline)]);
     Some(plot.band("95 %", low, high, true))
 }
 

@@ -2,7 +2,7 @@
 
 use dalembert_core::{
     Answer, Record, Scale, Solution, SolveError, Text, check,
-    study::{Distribution, Plan, Studied, named},
+    study::{Distribution, Plan, Studied},
     vary::{self, Input},
 };
 use dalembert_units::{Decimal, Style, write_quantity};
@@ -224,7 +224,7 @@ impl Study {
                 Kind::Scatter => Text::new("scatter: inputs within their tolerances"),
             },
             Cell::Input => of.input().map_or_else(|| words(""), |input| input.label.clone()),
-            Cell::Answer => of.answer().map_or_else(|| words(""), named),
+            Cell::Answer => of.answer().map_or_else(|| words(""), Answer::title),
             Cell::From => end(RANGE[0]),
             Cell::To => end(RANGE[1]),
             Cell::Points => words(&POINTS.to_string()),
