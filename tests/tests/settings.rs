@@ -2,13 +2,13 @@
 
 use std::{fs, os::unix::fs::PermissionsExt, path::Path, process::Command, time::Duration};
 
-use dalembert_core::Locale;
+use dalembert_core::{Language, Locale};
 use dalembert_tests::{
     person::Person,
     pty::{self, Launch, Pty},
 };
 use dalembert_tui::{
-    keys::{Action, Place},
+    keys::{Action, Key, Place},
     look::Theme,
     settings,
 };
@@ -45,6 +45,30 @@ fn the_footer_the_help_and_the_palette_show_the_keys_that_hold() {
     assert!(help.contains("Ctrl-X") || person.types("<pgup>").sees().contains("Ctrl-X"), "{help}");
     person.types("<esc>:undo");
     assert!(person.sees().lines().any(|line| line.contains("undo") && line.contains("Ctrl-X")));
+}
+
+#[test]
+fn sentences_name_the_keys_that_hold() {
+    let keys =
+        "[keys]\ntoggle = \"f5\"\nenter = \"f6\"\nunit-of-answer = \"w\"\nright = \"f7\"\nreveal = \"f8\"\n";
+    let mut person = fan_with(keys);
+    for (typed, said) in [
+        ("<down><down>3", "F6 opens the choices"),
+        ("<tab>", "w another unit of an answer, D its digits"),
+        ("<f6>", "F6 loads a case in the sources"),
+        ("[", "↑ ↓ choose a case; F6 loads it"),
+        ("[[", "← F7 another answer"),
+        ("t", "F8 in the working reveals"),
+        ("[[[[", "covered; F8 in this tab"),
+        ("<esc><esc><f5>", "F5 marks an exercise"),
+    ] {
+        let screen = person.types(typed).sees();
+        assert!(screen.contains(said), "{typed}: {said}\n{screen}");
+    }
+    let mut person = Person::in_portuguese(100, 30).opens(FAN);
+    person.types("t]<tab>");
+    assert!(person.sees().contains("Espaço nesta aba revela"), "{}", person.sees());
+    assert!(person.sees().lines().last().unwrap_or_default().contains("Espaço "), "{}", person.sees());
 }
 
 #[test]
@@ -360,7 +384,7 @@ fn the_settings_in_the_readme_are_taken() {
     let block = part.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
     let (settings, faults) = settings::parse(block);
     assert_eq!(faults, [], "{block}");
-    assert_eq!(settings.keys.key(Place::Form, Action::Save), "F5");
+    assert_eq!(settings.keys.key(Place::Form, Action::Save), Key::parse("f5").ok());
 }
 
 #[test]
@@ -408,7 +432,7 @@ fn the_keys_in_the_readme_are_keys_of_the_tables() {
         .into_iter()
         .flat_map(Place::bindings)
         .flat_map(|binding| binding.keys)
-        .map(|key| key.name())
+        .map(|key| key.name(Language::English))
         .collect();
     let table = readme.split("| key | what it does |").nth(1).expect("the table of keys");
     let rows = table.lines().skip(2).take_while(|line| line.starts_with('|'));

@@ -79,5 +79,5 @@ there-are-no-alternatives-here = aqui não há alternativas
 this-is-no-yes-or-no-and-cannot-be-left-out = isto não é um sim ou não, nem pode ser omitido
 there-is-no-other-plot = não há outro gráfico
 there-is-no-other-drawing = não há outro desenho
-there-is-nothing-to-open-here-enter-loads-a-case-in-the-sources = não há nada para abrir aqui: Enter carrega um caso nas fontes
+there-is-nothing-to-open-here-key-loads-a-case-in-the-sources = não há nada para abrir aqui: { $key } carrega um caso nas fontes
 the-results-warn-now-warning = os resultados agora advertem: { $warning }

@@ -297,40 +297,15 @@ impl Key {
         self.is_text() && matches!(self.0, KeyCode::Char(character) if begins(character))
     }
 
-    /// How a person reads it: `Ctrl-C`, `↑`, `Esc`.
-    pub fn name(self) -> String {
-        let mut name = String::new();
-        for (modifier, text) in
-            [(KeyModifiers::CONTROL, "Ctrl-"), (KeyModifiers::ALT, "Alt-"), (KeyModifiers::SHIFT, "Shift-")]
-        {
-            if self.1.contains(modifier) {
-                name += text;
-            }
-        }
-        name + &match self.0 {
-            KeyCode::Char(' ') => "Space".to_owned(),
-            KeyCode::Char(c) if self.1.contains(KeyModifiers::CONTROL) => c.to_uppercase().to_string(),
-            KeyCode::Char(c) => c.to_string(),
-            KeyCode::F(n) => format!("F{n}"),
-            KeyCode::Up => "↑".into(),
-            KeyCode::Down => "↓".into(),
-            KeyCode::Left => "←".into(),
-            KeyCode::Right => "→".into(),
-            KeyCode::BackTab => "Shift-Tab".into(),
-            KeyCode::PageUp => "PgUp".into(),
-            KeyCode::PageDown => "PgDn".into(),
-            KeyCode::Delete => "Del".into(),
-            other => other.to_string(),
-        }
+    /// Whether it writes a character where text is typed.
+    pub fn is_text(self) -> bool {
+        matches!(self.0, KeyCode::Char(_)) && self.1.difference(KeyModifiers::SHIFT).is_empty()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{
-        tables::{ctrl, plain, shift, typed},
-        *,
-    };
+    use super::*;
 
     #[test]
     fn a_key_means_one_thing_in_a_place() {
@@ -363,11 +338,7 @@ mod tests {
     }
 
     #[test]
-    fn keys_are_named_as_they_are_printed() {
-        assert_eq!(ctrl('c').name(), "Ctrl-C");
-        assert_eq!(shift(KeyCode::Up).name(), "Shift-↑");
-        assert_eq!(typed(' ').name(), "Space");
-        assert_eq!(plain(KeyCode::F(1)).name(), "F1");
+    fn shift_is_part_of_a_character() {
         let big = KeyEvent::new(KeyCode::Char('Z'), KeyModifiers::SHIFT);
         assert_eq!(KeyMap::default().action(Place::Form, big), Some(Action::Redo));
     }

@@ -13,7 +13,7 @@ use crate::{
     bench::Bench,
     dialog::Dialog,
     files::{Before, Crashed, FileError, Fingerprint, Opened},
-    keys::{KeyMap, Place},
+    keys::{Action, KeyMap, Place},
     look::Look,
     panes::sources::Judged,
     picker::{Contents, Listing, Picker},
@@ -372,6 +372,11 @@ impl Model {
             (None, _, _) if self.picker.typing => Place::Filter,
             _ => Place::Picker,
         }
+    }
+
+    /// The usual key of an action in a place, as a person reads it; empty where there is none.
+    pub fn key(&self, place: Place, action: Action) -> String {
+        self.keys.key(place, action).map_or_else(String::new, |key| key.name(self.locale.language))
     }
 
     /// The problem, while it is on the screen.

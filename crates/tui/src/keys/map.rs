@@ -96,10 +96,10 @@ impl KeyMap {
         &self.places[place as usize]
     }
 
-    /// The usual key of an action in a place, as a person reads it; empty where there is none.
-    pub fn key(&self, place: Place, action: Action) -> String {
+    /// The usual key of an action in a place.
+    pub fn key(&self, place: Place, action: Action) -> Option<Key> {
         let mut bounds = self.bindings(place).iter().filter(|bound| bound.binding.action == action);
-        bounds.find_map(|bound| bound.keys.first()).map_or_else(String::new, |key| key.name())
+        bounds.find_map(|bound| bound.keys.first()).copied()
     }
 
     /// Every key of a binding, as it holds in a place.
@@ -224,11 +224,11 @@ mod tests {
         ]);
         assert_eq!(refused, []);
         for place in [Place::Form, Place::Plot] {
-            assert_eq!(map.key(place, Action::Save), "F5");
+            assert_eq!(map.key(place, Action::Save), Key::parse("f5").ok());
             assert_eq!(map.action(place, KeyEvent::from(KeyCode::Char('s'))), None);
         }
         assert_eq!(map.action(Place::Plot, KeyEvent::from(KeyCode::Char('i'))), Some(Action::ZoomIn));
-        assert_eq!(map.key(Place::Plot, Action::NextFrame), "");
+        assert_eq!(map.key(Place::Plot, Action::NextFrame), None);
     }
 
     #[test]
@@ -237,7 +237,7 @@ mod tests {
         assert_eq!(refused, []);
         assert_eq!(
             (map.key(Place::Form, Action::Undo), map.key(Place::Form, Action::Redo)),
-            ("Z".into(), "z".into())
+            (Key::parse("Z").ok(), Key::parse("z").ok())
         );
     }
 
@@ -263,7 +263,7 @@ mod tests {
         let (map, _) = KeyMap::changed(&changes);
         assert_eq!(
             (map.key(Place::Form, Action::Undo), map.key(Place::Form, Action::Save)),
-            ("w".into(), "s".into())
+            (Key::parse("w").ok(), Key::parse("s").ok())
         );
     }
 

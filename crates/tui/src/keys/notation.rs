@@ -1,30 +1,109 @@
-//! Keys as text, as tests and replays write them.
+//! How keys are written: on the screen, in the settings, and in replays and tests.
 
+use dalembert_core::{Language, Text, nearest};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-/// Keys that have a name.
-const NAMED: [(&str, KeyCode); 16] = [
-    ("tab", KeyCode::Tab),
-    ("enter", KeyCode::Enter),
-    ("esc", KeyCode::Esc),
-    ("bs", KeyCode::Backspace),
-    ("del", KeyCode::Delete),
-    ("ins", KeyCode::Insert),
-    ("up", KeyCode::Up),
-    ("down", KeyCode::Down),
-    ("left", KeyCode::Left),
-    ("right", KeyCode::Right),
-    ("home", KeyCode::Home),
-    ("end", KeyCode::End),
-    ("pgup", KeyCode::PageUp),
-    ("pgdn", KeyCode::PageDown),
-    ("space", KeyCode::Char(' ')),
-    ("lt", KeyCode::Char('<')),
+use super::Key;
+
+/// A column of [`NAMED`] and [`MODIFIERS`].
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Notation {
+    /// As a person reads it: `Ctrl-PgUp`.
+    Screen,
+    /// `ctrl-page-up`
+    Settings,
+    /// `<c-pgup>`
+    Replay,
+}
+
+/// Keys that are no characters, in each [`Notation`].
+const NAMED: [([&str; 3], KeyCode); 15] = [
+    (["Enter", "enter", "enter"], KeyCode::Enter),
+    (["Esc", "esc", "esc"], KeyCode::Esc),
+    (["Tab", "tab", "tab"], KeyCode::Tab),
+    (["Backspace", "backspace", "bs"], KeyCode::Backspace),
+    (["Del", "delete", "del"], KeyCode::Delete),
+    (["Insert", "insert", "ins"], KeyCode::Insert),
+    (["Space", "space", "space"], KeyCode::Char(' ')),
+    (["↑", "up", "up"], KeyCode::Up),
+    (["↓", "down", "down"], KeyCode::Down),
+    (["←", "left", "left"], KeyCode::Left),
+    (["→", "right", "right"], KeyCode::Right),
+    (["Home", "home", "home"], KeyCode::Home),
+    (["End", "end", "end"], KeyCode::End),
+    (["PgUp", "page-up", "pgup"], KeyCode::PageUp),
+    (["PgDn", "page-down", "pgdn"], KeyCode::PageDown),
 ];
 
-/// What the letters before a name hold down, in the order in which they are written.
-const MODIFIERS: [(&str, KeyModifiers); 3] =
-    [("c", KeyModifiers::CONTROL), ("a", KeyModifiers::ALT), ("s", KeyModifiers::SHIFT)];
+/// What is held with a key, in each [`Notation`].
+const MODIFIERS: [([&str; 3], KeyModifiers); 3] = [
+    (["Ctrl-", "ctrl-", "c-"], KeyModifiers::CONTROL),
+    (["Alt-", "alt-", "a-"], KeyModifiers::ALT),
+    (["Shift-", "shift-", "s-"], KeyModifiers::SHIFT),
+];
+
+/// What a terminal sends for a letter with Ctrl: another key.
+const SAME_BYTE: [(char, &str); 4] = [('i', "tab"), ('m', "enter"), ('h', "backspace"), ('[', "esc")];
+
+impl Key {
+    /// How a person reads it: `Ctrl-C`, `↑`, `Esc`.
+    pub fn name(self, language: Language) -> String {
+        match (self.0, language) {
+            (KeyCode::Char(' '), Language::Portuguese) => {
+                self.written(Notation::Screen).replace("Space", "Espaço")
+            }
+            (KeyCode::Char(character), _) if self.1.contains(KeyModifiers::CONTROL) => {
+                Key(KeyCode::Char(character.to_ascii_uppercase()), self.1).written(Notation::Screen)
+            }
+            _ => self.written(Notation::Screen),
+        }
+    }
+
+    /// Its name in the settings; [`parse`](Self::parse) reads it.
+    pub fn id(self) -> String {
+        self.written(Notation::Settings)
+    }
+
+    /// The key of a name such as `g`, `ctrl-s`, `f5`, `shift-up`.
+    pub fn parse(name: &str) -> Result<Self, Text> {
+        let key = read(name, Notation::Settings).map_err(|rest| unknown(name, rest))?;
+        match key {
+            Key(KeyCode::Char(character), modifiers)
+                if character != ' ' && modifiers.contains(KeyModifiers::SHIFT) =>
+            {
+                let upper = character.to_uppercase().to_string();
+                Err(Text::new("`{key}`: Shift is part of a character; write `{upper}`")
+                    .with("key", name)
+                    .with("upper", upper))
+            }
+            Key(KeyCode::Char(character), modifiers) if modifiers.contains(KeyModifiers::CONTROL) => {
+                let small = character.to_ascii_lowercase();
+                match SAME_BYTE.iter().find(|(letter, _)| *letter == small) {
+                    Some((_, other)) => Err(Text::new("a terminal sends `{other}` for `{key}`: write that")
+                        .with("other", *other)
+                        .with("key", name)),
+                    None => Ok(Key(KeyCode::Char(small), modifiers)),
+                }
+            }
+            key => Ok(key),
+        }
+    }
+
+    fn written(self, notation: Notation) -> String {
+        let (code, held) = match self.0 {
+            KeyCode::BackTab => (KeyCode::Tab, self.1 | KeyModifiers::SHIFT),
+            code => (code, self.1),
+        };
+        let held = MODIFIERS.iter().filter(|(_, modifier)| held.contains(*modifier));
+        let held: String = held.map(|(names, _)| names[notation as usize]).collect();
+        held + &match (NAMED.iter().find(|(_, named)| *named == code), code) {
+            (Some((names, _)), _) => names[notation as usize].to_owned(),
+            (None, KeyCode::Char(character)) => character.to_string(),
+            (None, KeyCode::F(number)) if notation != Notation::Screen => format!("f{number}"),
+            (None, other) => other.to_string(),
+        }
+    }
+}
 
 /// The keys of a text. Names in angle brackets are keys: `<enter> <tab> <esc> <space> <bs> <del> <ins> <up> <down>
 /// <left> <right> <home> <end> <pgup> <pgdn> <f1>`…`<f12>`, with `c-`, `s-`, `a-` for Ctrl, Shift, Alt (`<c-c>`,
@@ -42,76 +121,118 @@ pub fn keys_of(text: &str) -> Result<Vec<KeyEvent>, String> {
     let mut keys = Vec::new();
     let mut rest = text;
     while let Some(character) = rest.chars().next() {
-        match rest.strip_prefix('<').and_then(|named| named.split_once('>')) {
-            Some((name, after)) => {
-                keys.push(named(name).ok_or_else(|| format!("<{name}>"))?);
-                rest = after;
-            }
-            None => {
-                keys.push(KeyEvent::new(KeyCode::Char(character), KeyModifiers::NONE));
-                rest = &rest[character.len_utf8()..];
-            }
-        }
+        let (key, after) = match rest.strip_prefix('<').and_then(|named| named.split_once('>')) {
+            Some(("lt", after)) => (Key(KeyCode::Char('<'), KeyModifiers::NONE), after),
+            Some((name, after)) => (read(name, Notation::Replay).map_err(|_| format!("<{name}>"))?, after),
+            None => (Key(KeyCode::Char(character), KeyModifiers::NONE), &rest[character.len_utf8()..]),
+        };
+        keys.push(KeyEvent::new(key.0, key.1));
+        rest = after;
     }
     Ok(keys)
 }
 
-/// How a key is written; empty for one that has no name.
-pub fn written(key: KeyEvent) -> String {
-    let base = match key.code {
-        KeyCode::Char(' ') if key.modifiers.is_empty() => return " ".to_owned(),
-        KeyCode::BackTab => "tab".to_owned(),
-        KeyCode::F(n) => format!("f{n}"),
-        code => match (NAMED.iter().find(|(_, named)| *named == code), code) {
-            (Some((name, _)), _) => (*name).to_owned(),
-            (None, KeyCode::Char(character)) => character.to_string(),
-            (None, _) => return String::new(),
-        },
-    };
-    let mut held = key.modifiers;
-    if matches!(key.code, KeyCode::Char(_)) {
-        // The character says it.
-        held.remove(KeyModifiers::SHIFT);
+/// How a key is written in a text; [`keys_of`] reads it.
+pub fn written(event: KeyEvent) -> String {
+    match Key::of(event) {
+        Key(KeyCode::Char('<'), KeyModifiers::NONE) => "<lt>".to_owned(),
+        Key(KeyCode::Char(character), KeyModifiers::NONE) => character.to_string(),
+        key => format!("<{}>", key.written(Notation::Replay)),
     }
-    held.set(KeyModifiers::SHIFT, held.contains(KeyModifiers::SHIFT) || key.code == KeyCode::BackTab);
-    if base.chars().count() == 1 && held.is_empty() {
-        return base;
-    }
-    let mut name = String::from("<");
-    for (letter, _) in MODIFIERS.iter().filter(|(_, modifier)| held.contains(*modifier)) {
-        name.extend([*letter, "-"]);
-    }
-    name + &base + ">"
 }
 
-fn named(name: &str) -> Option<KeyEvent> {
-    let (mut modifiers, mut base) = (KeyModifiers::NONE, name);
-    while let Some((modifier, rest)) =
-        base.split_once('-').filter(|(modifier, rest)| modifier.len() == 1 && !rest.is_empty())
-    {
-        modifiers |= MODIFIERS.iter().find(|(letter, _)| *letter == modifier)?.1;
-        base = rest;
+/// The key of a name, or what of the name is no key.
+fn read(name: &str, notation: Notation) -> Result<Key, &str> {
+    let (mut held, mut rest) = (KeyModifiers::NONE, name);
+    while let Some((after, modifier)) = MODIFIERS.iter().find_map(|(names, modifier)| {
+        Some((rest.strip_prefix(names[notation as usize])?, modifier)).filter(|(after, _)| !after.is_empty())
+    }) {
+        held |= *modifier;
+        rest = after;
     }
-    let code = match NAMED.iter().find(|(name, _)| *name == base) {
-        Some((_, KeyCode::Tab)) if modifiers.contains(KeyModifiers::SHIFT) => KeyCode::BackTab,
-        Some((_, code)) => *code,
-        None => match base.strip_prefix('f').and_then(|number| number.parse().ok()) {
-            Some(number @ 1..=12) => KeyCode::F(number),
-            _ => {
-                let mut characters = base.chars();
-                match (characters.next(), characters.next()) {
-                    (Some(character), None) => KeyCode::Char(character),
-                    _ => return None,
-                }
-            }
+    let named = NAMED.iter().find(|(names, _)| names[notation as usize].eq_ignore_ascii_case(rest));
+    let mut characters = rest.chars();
+    let code = match (named, characters.next(), characters.as_str()) {
+        (Some((_, code)), ..) => *code,
+        (None, Some(character), "") if !character.is_control() && character != ' ' => {
+            KeyCode::Char(character)
+        }
+        (None, Some('f' | 'F'), number) => match number.parse() {
+            Ok(number @ 1..=12) => KeyCode::F(number),
+            _ => return Err(rest),
         },
+        _ => return Err(rest),
     };
-    Some(KeyEvent::new(code, modifiers))
+    Ok(match code {
+        KeyCode::Tab if held.contains(KeyModifiers::SHIFT) => {
+            Key(KeyCode::BackTab, held.difference(KeyModifiers::SHIFT))
+        }
+        code => Key(code, held),
+    })
+}
+
+fn unknown(name: &str, rest: &str) -> Text {
+    let known = NAMED.iter().map(|(names, _)| names[Notation::Settings as usize]);
+    match nearest(rest, known) {
+        Some(near) => Text::new("`{key}` is no key; did you mean `{near}`?")
+            .with("key", name)
+            .with("near", format!("{}{near}", &name[..name.len() - rest.len()])),
+        None => {
+            Text::new("`{key}` is no key; write a character, or `ctrl-s`, `f5`, `shift-up`").with("key", name)
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{
+        super::{
+            Place,
+            tables::{ctrl, plain, shift, typed},
+        },
+        *,
+    };
+
+    #[test]
+    fn every_key_of_the_tables_is_written_and_read_again() {
+        for binding in Place::ALL.into_iter().flat_map(Place::bindings) {
+            for key in binding.keys {
+                assert_eq!(Key::parse(&key.id()), Ok(*key), "{}", key.id());
+                let text = written(KeyEvent::new(key.0, key.1));
+                let read: Vec<Key> = keys_of(&text).expect("a key").into_iter().map(Key::of).collect();
+                assert_eq!(read, [*key], "{text}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_no_terminal_sends_is_refused_with_what_to_write() {
+        let why = |name| Key::parse(name).map_err(|why| why.english());
+        assert_eq!(why("shift-g"), Err("`shift-g`: Shift is part of a character; write `G`".into()));
+        assert_eq!(why("ctrl-i"), Err("a terminal sends `tab` for `ctrl-i`: write that".into()));
+        assert_eq!(
+            why("ctrl-pagedown"),
+            Err("`ctrl-pagedown` is no key; did you mean `ctrl-page-down`?".into())
+        );
+        assert_eq!(why("ctrl-S"), Ok(Key(KeyCode::Char('s'), KeyModifiers::CONTROL)));
+        assert_eq!(why("-"), Ok(Key(KeyCode::Char('-'), KeyModifiers::NONE)));
+        assert_eq!(why("alt--"), Ok(Key(KeyCode::Char('-'), KeyModifiers::ALT)));
+        assert!(why("f13").is_err() && why(" ").is_err() && why("").is_err());
+    }
+
+    #[test]
+    fn keys_are_named_as_they_are_printed() {
+        for (key, name) in [
+            (ctrl('c'), "Ctrl-C"),
+            (shift(KeyCode::Up), "Shift-↑"),
+            (typed(' '), "Space"),
+            (plain(KeyCode::F(1)), "F1"),
+            (plain(KeyCode::BackTab), "Shift-Tab"),
+        ] {
+            assert_eq!(key.name(Language::English), name);
+        }
+        assert_eq!(typed(' ').name(Language::Portuguese), "Espaço");
+    }
 
     #[test]
     fn what_is_written_is_read_again() {

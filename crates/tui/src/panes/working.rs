@@ -26,12 +26,19 @@ pub use self::reading::{Place, Reading, step_of, symbols};
 /// Each step is a number, its reason and source, and below them `symbol = formula`, `= substitution`, `= result`
 /// with the signs of equality under one another. A long formula goes on below its beginning.
 pub fn lines(solution: &Solution, look: &Look, locale: &Locale, width: u16) -> Page {
-    read(solution, &Reading::default(), look, locale, width)
+    read(solution, &Reading::default(), "", look, locale, width)
 }
 
 /// The same as far as it is revealed. Of the step to be found next there are its reason and its symbol; below the step
-/// with the cursor stand the symbols it is made of.
-pub fn read(solution: &Solution, reading: &Reading, look: &Look, locale: &Locale, width: u16) -> Page {
+/// with the cursor stand the symbols it is made of. `reveal` is the name of the key that reveals the next one.
+pub fn read(
+    solution: &Solution,
+    reading: &Reading,
+    reveal: &str,
+    look: &Look,
+    locale: &Locale,
+    width: u16,
+) -> Page {
     let width = usize::from(width).max(1);
     let locale = &locale.ascii(look.ascii);
     let mut page = Page::default();
@@ -72,7 +79,8 @@ pub fn read(solution: &Solution, reading: &Reading, look: &Look, locale: &Locale
     }
     let more = solution.steps.len().saturating_sub(revealed);
     if more > 0 {
-        let words = Text::new("{count} of {all} steps are covered; Space in this tab reveals the next one")
+        let words = Text::new("{count} of {all} steps are covered; {key} in this tab reveals the next one")
+            .with("key", reveal)
             .with("count", more)
             .with("all", solution.steps.len())
             .render(locale);

@@ -33,8 +33,6 @@ const CURSOR_STEP: f64 = 0.01;
 const FAR: f64 = 1e6;
 /// What is said of a key that chooses where there is nothing to choose.
 const NO_ALTERNATIVE: &str = "there are no alternatives here";
-/// What is said of a key that does nothing on a field with a list.
-const OPENS: &str = "Enter opens the choices";
 
 pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
     match action {
@@ -209,16 +207,20 @@ pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
     let Some(request @ InputRequest::InsertChar(_)) = request(key).filter(|_| begins) else {
         return Vec::new();
     };
-    let instead = match bench.form.line().map(|line| line.role) {
-        Some(Role::Leaf { shape: Shape::Flag, .. }) => "Space changes it",
-        Some(Role::Leaf { shape: Shape::Reference(list), .. }) if !bench.form.names(list).is_empty() => OPENS,
-        Some(Role::Choice { .. }) => OPENS,
-        Some(Role::Table { .. }) => "Enter edits; paste replaces; @file reads a file",
-        Some(Role::Absent) => "Space puts it in",
+    let (instead, action) = match bench.form.line().map(|line| line.role) {
+        Some(Role::Leaf { shape: Shape::Flag, .. }) => (Text::new("{key} changes it"), Action::Toggle),
+        Some(Role::Leaf { shape: Shape::Reference(list), .. }) if !bench.form.names(list).is_empty() => {
+            (Text::new("{key} opens the choices"), Action::Enter)
+        }
+        Some(Role::Choice { .. }) => (Text::new("{key} opens the choices"), Action::Enter),
+        Some(Role::Table { .. }) => {
+            (Text::new("{key} edits; paste replaces; @file reads a file"), Action::Enter)
+        }
+        Some(Role::Absent) => (Text::new("{key} puts it in"), Action::Toggle),
         _ if bench.form.begin(Some(String::new())) => return type_in(model, &[request]),
         _ => return Vec::new(),
     };
-    model.say(instead);
+    model.say(instead.with("key", model.key(Place::Form, action)));
     Vec::new()
 }
 
@@ -447,7 +449,8 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
         },
         Action::Enter if bench.tab == Tab::Sources => return load_case(model),
         Action::Enter if bench.place() == Place::Pane => {
-            model.say("there is nothing to open here: Enter loads a case in the sources");
+            let said = Text::new("there is nothing to open here: {key} loads a case in the sources");
+            model.say(said.with("key", model.key(Place::Pane, Action::Enter)));
         }
         Action::Up | Action::Down if bench.tab == Tab::Sources => {
             let last = bench.cases.len().saturating_sub(1);
@@ -480,7 +483,7 @@ fn pin(model: &mut Model) {
         model.say("these inputs have no result to compare with");
     } else {
         bench.pinned.clone_from(&bench.found.solution);
-        let key = model.keys.key(Place::Form, Action::Pin);
+        let key = model.key(Place::Form, Action::Pin);
         let said = "from now on every answer says how it differs from this result; {key} ends it";
         model.say(Text::new(said).with("key", key));
     }
@@ -513,11 +516,12 @@ pub(super) fn show_tab(model: &mut Model, tab: Tab) -> Vec<Effect> {
 }
 
 pub(super) fn load_case(model: &mut Model) -> Vec<Effect> {
+    let undo = model.key(Place::Form, Action::Undo);
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let Some(case) = bench.cases.get(bench.case).map(|judged| judged.case.clone()) else { return Vec::new() };
     let untouched = !bench.is_unsaved() && bench.file.is_none();
     let said = Text::new("{case} is loaded; {key} brings the inputs back").with_text("case", case.title());
-    let said = said.with("key", model.keys.key(Place::Form, Action::Undo));
+    let said = said.with("key", undo);
     bench.form.replace(case.draft.clone());
     bench.title.clear();
     bench.origin = Some(case);

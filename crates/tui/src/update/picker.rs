@@ -1,9 +1,11 @@
 //! Keys of the list of analyses.
 
+use dalembert_core::Text;
+
 use super::{open_case, problems, remember};
 use crate::{
     bench::Bench,
-    keys::Action,
+    keys::{Action, Place},
     model::{Effect, Model, Screen},
     picker::{Heading, Leaf, Preview, Row},
     remembered::{Change, Progress},
@@ -195,7 +197,8 @@ fn pin(model: &mut Model) -> Vec<Effect> {
 fn mark(model: &mut Model) -> Vec<Effect> {
     let row = model.picker.chosen(model.contents());
     let Some(Row::Leaf(leaf @ Leaf { under: Some(Heading::Set(_)), case: Some(case), .. })) = row else {
-        model.say("Space marks an exercise of a list as done");
+        let said = Text::new("{key} marks an exercise of a list as done");
+        model.say(said.with("key", model.key(Place::Picker, Action::Toggle)));
         return Vec::new();
     };
     let listing = &model.listings[leaf.listing];

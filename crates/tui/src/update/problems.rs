@@ -20,7 +20,7 @@ pub(super) fn open(model: &mut Model, mut bench: Bench) -> Vec<Effect> {
         model.complain(
             Text::new("{count} problems are open already; {key} closes the one that is shown")
                 .with("count", MOST)
-                .with("key", model.keys.key(Place::Form, Action::CloseProblem)),
+                .with("key", model.key(Place::Form, Action::CloseProblem)),
         );
         return Vec::new();
     };

@@ -153,10 +153,10 @@ fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
         let pair = pair(binding.action, place);
         let keys = match pair {
             Some((one, other)) => {
-                let keys = [one, other].map(|action| model.keys.key(place, action));
+                let keys = [one, other].map(|action| model.key(place, action));
                 keys.iter().filter(|key| !key.is_empty()).map(String::as_str).collect::<Vec<_>>().join(" ")
             }
-            None => bound.keys.first().map_or_else(String::new, |key| key.name()),
+            None => bound.keys.first().map_or_else(String::new, |key| key.name(model.locale.language)),
         };
         Hint { action: binding.action, pair, keys, name: word(binding.hint, model) }
     };
@@ -226,7 +226,7 @@ fn pair(action: Action, place: Place) -> Option<(Action, Action)> {
 fn about_field(model: &Model, bench: &Bench) -> String {
     let Some(line) = bench.form.line() else { return String::new() };
     let say = |text: &'static str| Text::from(text).render(&model.locale);
-    let key = |action| model.keys.key(Place::Form, action);
+    let key = |action| model.key(Place::Form, action);
     let mut parts = Vec::new();
     let label = say(line.field.label);
     match &line.role {
@@ -253,10 +253,16 @@ fn about_field(model: &Model, bench: &Bench) -> String {
             parts.extend([
                 label,
                 say(line.field.help),
-                word("Enter edits; paste replaces; @file reads a file", model),
+                Text::new("{key} edits; paste replaces; @file reads a file")
+                    .with("key", key(Action::Enter))
+                    .render(&model.locale),
             ]);
         }
-        Role::Absent => parts.extend([label, say(line.field.help), word("Space puts it in", model)]),
+        Role::Absent => parts.extend([
+            label,
+            say(line.field.help),
+            Text::new("{key} puts it in").with("key", key(Action::Toggle)).render(&model.locale),
+        ]),
         Role::Group { .. } => parts.extend([label, say(line.field.help)]),
         Role::Leaf { shape, text } => {
             let read = form::echo(text, shape, model.locale.style).map(|echo| format!("= {echo}"));
@@ -279,11 +285,14 @@ fn about_field(model: &Model, bench: &Bench) -> String {
 
 fn about_pane(model: &Model, bench: &Bench) -> String {
     let several = bench.exhibits_of(bench.tab) > 1;
-    let key = |action| model.keys.key(bench.place(), action);
+    let key = |action| model.key(bench.place(), action);
+    let pair = |one, other| format!("{} {}", key(one), key(other));
     let cursor = || {
         Text::new("{keys} move a cursor that reads the curves")
-            .with("keys", format!("{} {}", key(Action::Left), key(Action::Right)))
+            .with("keys", pair(Action::Left, Action::Right))
     };
+    let display =
+        |text: Text| text.with("unit", key(Action::NextDisplayUnit)).with("digits", key(Action::NextDigits));
     let marks = || Text::new("{key} other marks").with("key", key(Action::NextMarker));
     let next = |text: Text| text.with("key", key(Action::NextExhibit));
     let hints: Vec<Text> = match bench.tab {
@@ -293,14 +302,28 @@ fn about_pane(model: &Model, bench: &Bench) -> String {
         Tab::Plot if several => vec![cursor(), marks(), next(Text::new("{key} next plot"))],
         Tab::Plot => vec![cursor(), marks()],
         Tab::Drawing if several => vec![next(Text::new("{key} next drawing"))],
-        Tab::Sources => vec!["↑ ↓ choose a case; Enter loads it".into()],
+        Tab::Sources => {
+            vec![
+                Text::new("{keys} choose a case; {enter} loads it")
+                    .with("keys", pair(Action::Up, Action::Down))
+                    .with("enter", key(Action::Enter)),
+            ]
+        }
         Tab::Check => vec!["a number and a unit; what is said of it follows at once".into()],
-        Tab::Sensitivity => vec!["← → another answer; type the tolerance of the input, such as 2 %".into()],
+        Tab::Sensitivity => {
+            vec![
+                Text::new("{keys} another answer; type the tolerance of the input, such as 2 %")
+                    .with("keys", pair(Action::Left, Action::Right)),
+            ]
+        }
         Tab::Study => vec!["the plot is also among those of the tab of plots, with cursor and zoom".into()],
         Tab::Results if bench.reading.answer.is_some() => {
-            vec!["↑ ↓ choose the answer; v its unit, D its digits".into()]
+            vec![
+                display(Text::new("{keys} choose the answer; {unit} its unit, {digits} its digits"))
+                    .with("keys", pair(Action::Up, Action::Down)),
+            ]
         }
-        Tab::Results => vec!["v another unit of an answer, D its digits".into()],
+        Tab::Results => vec![display(Text::new("{unit} another unit of an answer, {digits} its digits"))],
         Tab::Working | Tab::Drawing | Tab::Table => Vec::new(),
     };
     hints.iter().map(|hint| hint.render(&model.locale)).collect::<Vec<_>>().join("; ")

@@ -150,7 +150,14 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
         }
         Tab::Working => match solution {
             Some(solution) => {
-                let page = working::read(solution, &bench.reading, look, locale, width);
+                let page = working::read(
+                    solution,
+                    &bench.reading,
+                    &model.key(Place::Working, Action::Reveal),
+                    look,
+                    locale,
+                    width,
+                );
                 let before = page.lines.len();
                 let lines = stale(page.lines);
                 let more = lines.len() - before;
@@ -384,7 +391,7 @@ fn nothing(model: &Model, bench: &Bench, width: u16) -> Page {
 /// What a tab says whose content would give away what is to be found.
 fn covered(model: &Model, width: u16) -> Page {
     let words = Text::new("covered until every step of the working is revealed; {key} ends that")
-        .with("key", model.keys.key(Place::Form, Action::TryByHand))
+        .with("key", model.key(Place::Form, Action::TryByHand))
         .render(&model.locale);
     let lines = wrapped(&words, width.into()).into_iter();
     Page { lines: lines.map(|text| Line::styled(text, model.look.dim())).collect(), starts: Vec::new() }

@@ -1,13 +1,13 @@
 //! The unit and the digits that an answer is shown with.
 
-use dalembert_core::Display;
+use dalembert_core::{Display, Text};
 use dalembert_report::show_answer_in;
 use dalembert_units::{self as units, Kind};
 
 use super::kept;
 use crate::{
     bench::{Bench, Tab},
-    keys::Action,
+    keys::{Action, Place},
     model::{Effect, Model},
 };
 
@@ -28,7 +28,14 @@ pub(super) fn change(model: &mut Model, action: Action) -> Vec<Effect> {
     };
     let Some(at) = bench.reading.answer else {
         bench.reading.answer = Some(0);
-        model.say("↑ ↓ choose the answer; v its unit, D its digits; Esc ends it");
+        let key = |action| model.key(Place::Pane, action);
+        let said =
+            Text::new("{keys} choose the answer; {unit} its unit, {digits} its digits; {back} ends it")
+                .with("keys", format!("{} {}", key(Action::Up), key(Action::Down)))
+                .with("unit", key(Action::NextDisplayUnit))
+                .with("digits", key(Action::NextDigits))
+                .with("back", key(Action::Back));
+        model.say(said);
         return Vec::new();
     };
     let answer = &solution.answers[at.min(solution.answers.len() - 1)];

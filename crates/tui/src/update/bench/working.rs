@@ -20,7 +20,7 @@ pub(super) fn try_by_hand(model: &mut Model) {
     };
     (bench.reading.symbol, bench.reading.trail) = (None, Vec::new());
     let covered = bench.reading.revealed.is_some();
-    let key = |place, action| model.keys.key(place, action);
+    let key = |place, action| model.key(place, action);
     let said = if covered {
         Text::new("the results are covered: {next} in the working reveals the next step, {all} shows all")
             .with("next", key(keys::Place::Working, Action::Reveal))

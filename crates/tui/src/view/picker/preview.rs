@@ -14,6 +14,7 @@ use ratatui::{
 use crate::{
     drawing,
     glyphs::filter_untrusted,
+    keys::{Action, Place},
     layout,
     look::Glyph,
     model::Model,
@@ -58,7 +59,9 @@ fn of_heading(model: &Model, heading: Heading, area: Rect, buffer: &mut Buffer) 
     let (count, done) = contents.count(heading);
     let said = match heading {
         Heading::Exercises | Heading::Set(_) => {
-            Text::new("{done} of {count} exercises done; Space marks one").with("done", done)
+            Text::new("{done} of {count} exercises done; {key} marks one")
+                .with("done", done)
+                .with("key", model.key(Place::Picker, Action::Toggle))
         }
         _ if count == 1 => Text::from("1 analysis"),
         _ => Text::new("{count} analyses"),
