@@ -9,7 +9,10 @@ use dalembert_units::{self as units, Style, Unit};
 
 use crate::{
     Worked,
-    figure::{Seen, axes::Axes},
+    figure::{
+        Seen,
+        axes::{Axes, Reading},
+    },
     inputs::inputs,
 };
 
@@ -64,7 +67,7 @@ pub fn plot_csv(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<String>
     if let Some(x) = seen.cursor.and_then(|cursor| axes.within(cursor)) {
         for series in &plot.series {
             let label = Text::new("{curve} at the cursor").with_text("curve", series.label.clone());
-            if let Some((y, _)) = axes.read(series, x) {
+            if let Some(Reading { y, .. }) = axes.read(series, x) {
                 row(&label.render(locale), (x, y));
             }
         }

@@ -389,3 +389,4 @@ write-a-name-that-ends-in-svg = escreva um nome que termine em .svg
 what-is-seen-is-in-file = o que se vê está em { $file }
 no-plot-or-drawing-is-on-the-screen = não há gráfico nem desenho na tela
 go-round = dar a volta
+in-ascii-every-curve-has-a-character-of-its-own-and-there-are-no-other-marks = em ASCII cada curva tem o seu caractere, e não há outros sinais

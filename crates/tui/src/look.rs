@@ -130,11 +130,26 @@ impl Look {
         if focused { self.colored(Color::Cyan, Modifier::BOLD) } else { self.dim() }
     }
 
-    /// The curve of that place in a plot.
+    /// The curve of that place in a plot. Colours come again where there are more curves than [`curves`](Self::curves).
     pub fn series(&self, n: usize) -> Style {
-        const COLORS: [Color; 6] =
-            [Color::Cyan, Color::Magenta, Color::Yellow, Color::Green, Color::Blue, Color::Red];
-        self.colored(COLORS[n % COLORS.len()], Modifier::empty())
+        let colors = self.curve_colors();
+        colors.get(n % colors.len().max(1)).map_or_else(Style::new, |color| Style::new().fg(*color))
+    }
+
+    /// How many curves are told apart by their colours: without any, one.
+    pub fn curves(&self) -> usize {
+        self.curve_colors().len().max(1)
+    }
+
+    fn curve_colors(&self) -> &'static [Color] {
+        // Blue and red of many terminals are too dark for a line of dots on black: the bright ones are taken, and the
+        // text's own colour.
+        const OWN: &[Color] =
+            &[Color::Cyan, Color::LightMagenta, Color::Yellow, Color::Green, Color::LightRed, Color::Reset];
+        match (self.colors, self.theme) {
+            (Colors::None, _) | (_, Theme::None) => &[],
+            _ => self.palette().map_or(OWN, |palette| palette.curves),
+        }
     }
 
     /// The lines of a drawing.

@@ -3,6 +3,7 @@
 pub(crate) mod dots;
 mod frame;
 pub(crate) mod labels;
+mod rows;
 mod state;
 
 use dalembert_core::{Locale, Plot, Series};
@@ -15,7 +16,7 @@ use ratatui::{
 use unicode_width::UnicodeWidthStr;
 
 use self::{
-    dots::{Dots, Pen},
+    dots::{Dots, Pen, over},
     frame::{Frame, Setting},
     labels::Labels,
 };
@@ -47,7 +48,7 @@ pub fn render(
     }
     let locale = locale.ascii(look.ascii);
     let marker = if look.ascii { Marker::Ascii } else { state.marker };
-    let Some(axes) = Axes::seen(plot, pinned, &state.view) else {
+    let Some(mut axes) = Axes::seen(plot, pinned, &state.view) else {
         let words = dalembert_core::Text::new("nothing to draw").render(&locale);
         let words = look.shortened(&words, area.width.into());
         let x = area.x + (area.width - words.width() as u16) / 2;
@@ -56,7 +57,9 @@ pub fn render(
     };
     let frame = Frame::of(&axes, state, Setting { area, marker, look, locale: &locale });
     frame.draw(look, buffer);
-    let canvas = Canvas { axes: &axes, area: frame.canvas, marker, look };
+    let zero = axes.y.passes_zero();
+    axes.y.span = frame.up;
+    let canvas = Canvas { axes: &axes, area: frame.canvas, marker, look, zero };
     canvas.draw(state, &locale, buffer);
 }
 
@@ -77,27 +80,30 @@ pub(crate) fn place_at(
     (canvas.width > 0).then(|| (inside / f64::from(canvas.width), canvas.width))
 }
 
-/// The pen of the curve of that place.
-pub(crate) fn pen(n: usize, of: usize, look: &Look) -> Pen {
-    const STAMPS: [char; 6] = ['*', '+', 'x', 'o', '#', '%'];
-    const DASHES: [(u32, u32); 4] = [(1, 0), (6, 3), (2, 2), (8, 2)];
-    // Where colours do not tell curves apart, dashes do.
-    let dash = match look.colors {
-        crate::glyphs::Colors::None if !look.ascii && of > 1 => DASHES[n % DASHES.len()],
-        _ => (1, 0),
+/// The pen of the curve of that place: a colour of its own, or, where there are no more, signs on it.
+pub(crate) fn pen(n: usize, marker: Marker, look: &Look) -> Pen {
+    let colored = n < look.curves();
+    let stamp = match marker {
+        Marker::Ascii => point(n, true),
+        _ if colored => '•',
+        _ => point(n, false),
     };
-    Pen { style: look.series(n), stamp: if look.ascii { STAMPS[n % STAMPS.len()] } else { '•' }, dash }
+    let finer = matches!(marker, Marker::Braille | Marker::HalfBlock);
+    // Not at the same place on every curve: some begin at one point.
+    let mark = (finer && !colored).then(|| (point(n, false), 3 + 5 * (n as u32 % 4)));
+    Pen { mark, curve: Some(n), ..Pen::solid(look.series(n), stamp) }
 }
 
 /// The pen of the curves of a pinned plot.
 pub(crate) fn pinned_pen(look: &Look) -> Pen {
-    Pen { style: look.dim(), stamp: if look.ascii { '.' } else { '·' }, dash: (2, 1) }
+    Pen { dash: (2, 1), ..Pen::solid(look.dim(), if look.ascii { '.' } else { '·' }) }
 }
 
 /// What a separate point of that curve is drawn as.
-pub(crate) fn point(n: usize, look: &Look) -> char {
-    let (unicode, ascii) = (['•', '◆', '▲', '■', '○', '◇'], ['*', '+', 'x', 'o', '#', '%']);
-    if look.ascii { ascii[n % ascii.len()] } else { unicode[n % unicode.len()] }
+pub(crate) fn point(n: usize, ascii: bool) -> char {
+    const UNICODE: [char; 8] = ['•', '◆', '▲', '■', '○', '◇', '△', '□'];
+    const ASCII: [char; 8] = ['*', '+', 'x', 'o', '#', '%', '&', '$'];
+    if ascii { ASCII[n % ASCII.len()] } else { UNICODE[n % UNICODE.len()] }
 }
 
 /// What permitted and forbidden ranges are shaded with: no sign of the grid or of a curve.
@@ -113,6 +119,8 @@ struct Canvas<'a> {
     area: Rect,
     marker: Marker,
     look: &'a Look,
+    /// Whether zero lies among the values.
+    zero: bool,
 }
 
 impl Canvas<'_> {
@@ -138,19 +146,19 @@ impl Canvas<'_> {
             }
         }
         for (n, series) in plot.series.iter().enumerate().filter(|(_, series)| series.joined) {
-            self.curve(series, pen(n, plot.series.len(), look), &mut dots);
+            self.curve(series, pen(n, self.marker, look), &mut dots);
         }
         dots.draw(buffer);
         for (n, series) in plot.series.iter().enumerate().filter(|(_, series)| !series.joined) {
             for cell in series.points.iter().filter_map(|at| self.cell(&dots, *at)) {
-                buffer[cell].set_char(point(n, look)).set_style(look.series(n));
+                over(buffer, cell, point(n, look.ascii), look.series(n));
             }
         }
         self.cursor(state, &dots, &mut labels, buffer);
         let style = Style::new().add_modifier(Modifier::BOLD);
         for mark in &plot.marks {
             if let Some(cell) = self.cell(&dots, mark.at) {
-                buffer[cell].set_char(if look.ascii { '@' } else { '●' }).set_style(style);
+                over(buffer, cell, if look.ascii { '@' } else { '●' }, style);
                 labels.reserve(cell);
             }
         }
@@ -233,11 +241,11 @@ impl Canvas<'_> {
         };
         let stamp = if self.look.ascii { '-' } else { '╌' };
         let across = dots::per_cell(self.marker).0.into();
-        if self.axes.y.passes_zero() {
-            level(0.0, Pen { style: self.look.dim(), stamp, dash: (1, 2 * across - 1) });
+        if self.zero {
+            level(0.0, Pen { dash: (1, 2 * across - 1), ..Pen::solid(self.look.dim(), stamp) });
         }
         for limit in &self.axes.plot.levels {
-            level(limit.y, Pen { style: self.look.warning(), stamp, dash: (2 * across, across) });
+            level(limit.y, Pen { dash: (2 * across, across), ..Pen::solid(self.look.warning(), stamp) });
         }
     }
 
@@ -260,7 +268,7 @@ impl Canvas<'_> {
             let right = i32::from(self.area.right()) - words.width() as i32;
             let left = i32::from(self.area.x);
             let places = rows.iter().flat_map(|up| [right, left].map(|x| (x, row + up)));
-            labels.put(&words, self.look.warning(), places, |x, y| dots.is_free(x, y));
+            labels.put(&words, self.look.warning(), places, |_| 0, |x, y| dots.is_free(x, y));
         }
     }
 
@@ -314,9 +322,8 @@ impl Canvas<'_> {
             let most = i32::from(self.area.width) - words.width() as i32;
             let x = i32::from(self.area.x) + middle.clamp(0, most.max(0));
             let rows = (0..4).chain([i32::from(self.area.height) - 1]);
-            labels.put(&words, style, rows.map(|row| (x, i32::from(self.area.y) + row)), |x, y| {
-                dots.is_free(x, y)
-            });
+            let places = rows.map(|row| (x, i32::from(self.area.y) + row));
+            labels.put(&words, style, places, |_| 0, |x, y| dots.is_free(x, y));
         }
     }
 
@@ -327,15 +334,18 @@ impl Canvas<'_> {
         let (x, _) = dots.cell_of((place * (f64::from(dots.size().0) - 1.0), 0.0));
         let style = Style::new().add_modifier(Modifier::BOLD);
         for y in (self.area.y..self.area.bottom()).filter(|y| dots.is_free(x, *y)) {
-            buffer[(x, y)].set_symbol(self.look.glyph(Glyph::Bar)).set_style(style);
+            over(buffer, (x, y), if self.look.ascii { '|' } else { '│' }, style);
         }
         for (n, series) in self.axes.plot.series.iter().enumerate() {
-            let Some((y, _)) = self.axes.read(series, cursor) else { continue };
-            if let Some(cell) = self.cell(dots, (cursor, y)) {
-                let symbol = if self.look.ascii { 'O' } else { point(n, self.look) };
-                buffer[cell].set_char(symbol).set_style(self.look.series(n).add_modifier(Modifier::BOLD));
+            let Some(reading) = self.axes.read(series, cursor) else { continue };
+            if let Some(cell) = self.cell(dots, (cursor, reading.y)) {
+                let symbol = if self.look.ascii { 'O' } else { point(n, false) };
+                over(buffer, cell, symbol, self.look.series(n).add_modifier(Modifier::BOLD));
                 labels.reserve(cell);
             }
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -34,6 +34,15 @@ pub struct Ruler<'a> {
     pub span: Span,
 }
 
+/// What a curve reads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// The value, in SI.
+    pub y: f64,
+    /// How far off it may be, as the axis is numbered; `None` for what was computed.
+    pub error: Option<f64>,
+}
+
 /// What is shown of a plot.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct View {
@@ -152,23 +161,42 @@ impl<'a> Axes<'a> {
         Some(self.x.si(end))
     }
 
-    /// What a curve reads at `x`, and whether that is a computed point. Between two of them a joined curve is read
-    /// along the line that is drawn; separate points are read at themselves alone.
-    pub fn read(&self, series: &Series, x: f64) -> Option<(f64, bool)> {
-        let shown = |at: &&(f64, f64)| self.x.of(at.0).is_some() && self.y.of(at.1).is_some();
-        if let Some(at) = series.points.iter().filter(shown).find(|at| at.0 == x) {
-            return Some((at.1, true));
+    /// What a curve reads at `x`. Between two computed points a joined curve is read along the line that is drawn, and
+    /// no better than the curve bends there: parabolas through a third point on either side tell how much. A mark at `x`
+    /// that is no further off is one of the curve, and is read itself, so that no answer is contradicted. Separate
+    /// points are read at themselves alone.
+    pub fn read(&self, series: &Series, x: f64) -> Option<Reading> {
+        let place = |at: &(f64, f64)| Some((self.x.of(at.0)?, self.y.of(at.1)?));
+        if let Some(at) = series.points.iter().find(|at| at.0 == x && place(at).is_some()) {
+            return Some(Reading { y: at.1, error: None });
         }
         if !series.joined {
             return None;
         }
-        series.points.windows(2).find_map(|pair| {
-            let (from, to, here) = (self.x.of(pair[0].0)?, self.x.of(pair[1].0)?, self.x.of(x)?);
-            let (low, high) = (self.y.of(pair[0].1)?, self.y.of(pair[1].1)?);
-            let share = (here - from) / (to - from);
-            let place = low * (1.0 - share) + high * share;
-            (0.0..=1.0).contains(&share).then(|| (self.y.si(self.y.span.value(place)), false))
-        })
+        let here = self.x.of(x)?;
+        let between = |pair: &[(f64, f64)]| {
+            let (from, to) = (place(&pair[0])?, place(&pair[1])?);
+            (0.0..=1.0).contains(&((here - from.0) / (to.0 - from.0))).then_some((from, to))
+        };
+        let (n, (from, to)) =
+            series.points.windows(2).enumerate().find_map(|(n, pair)| Some((n, between(pair)?)))?;
+        let slope = (to.1 - from.1) / (to.0 - from.0);
+        let at = from.1 + slope * (here - from.0);
+        // Newton's form: the third point adds its divided difference times both distances to the line.
+        let third = [n.checked_sub(1), Some(n + 2)].into_iter().flatten();
+        let third = third.filter_map(|n| place(series.points.get(n)?));
+        let bend = |third: (f64, f64)| {
+            let beyond = (third.1 - from.1) / (third.0 - from.0);
+            ((beyond - slope) / (third.0 - to.0) * (here - from.0) * (here - to.0)).abs()
+        };
+        let bend = third.map(bend).filter(|bend| bend.is_finite()).fold(0.0, f64::max);
+        // Twice, since the next term of the series is not known.
+        let error = (self.y.span.value(at + 2.0 * bend) - self.y.span.value(at)).abs();
+        let y = self.y.si(self.y.span.value(at));
+        let off = |mark: &f64| (self.y.value(*mark) - self.y.value(y)).abs();
+        let marks = self.plot.marks.iter().filter(|mark| mark.at.0 == x).map(|mark| mark.at.1);
+        let mark = marks.min_by(|a, b| off(a).total_cmp(&off(b))).filter(|mark| off(mark) <= error);
+        Some(mark.map_or(Reading { y, error: Some(error) }, |y| Reading { y, error: None }))
     }
 
     /// `speed = 1500 rpm`, `X = 4.62 mm`, … and the marks at the cursor.
@@ -176,20 +204,28 @@ impl<'a> Axes<'a> {
         let Some(x) = self.within(cursor) else { return Vec::new() };
         let label = self.x.axis.label.render(locale);
         let mut parts = vec![format!("{label} = {}", self.x.write(x, locale.style))];
-        let mut found = |label: String, y: f64, exact: bool| {
-            let sign = match (exact, locale.style.ascii) {
+        let mut found = |label: String, Reading { y, error }: Reading| {
+            let sign = match (error.is_none(), locale.style.ascii) {
                 (true, _) => "=",
                 (false, false) => "≈",
                 (false, true) => "~",
             };
-            parts.push(format!("{label} {sign} {}", self.y.write(y, locale.style)));
+            let digits =
+                error.map_or(locale.style.digits, |error| digits(self.y.value(y), error, locale.style));
+            let value = self.y.write(y, Style { digits, ..locale.style });
+            parts.push(match (label.contains('='), error) {
+                // `ζ = 0.05` is a name.
+                (true, None) => format!("{label}: {value}"),
+                (true, Some(_)) => format!("{label}: {sign} {value}"),
+                (false, _) => format!("{label} {sign} {value}"),
+            });
         };
         for mark in self.plot.marks.iter().filter(|mark| mark.at.0 == x && self.y.of(mark.at.1).is_some()) {
-            found(mark.label.render(locale), mark.at.1, true);
+            found(mark.label.render(locale), Reading { y: mark.at.1, error: None });
         }
         for series in &self.plot.series {
-            if let Some((y, exact)) = self.read(series, x) {
-                found(series.label.render(locale), y, exact);
+            if let Some(reading) = self.read(series, x) {
+                found(series.label.render(locale), reading);
             }
         }
         parts
@@ -256,6 +292,12 @@ impl<'a> Ruler<'a> {
             (false, false) => format!("{label} [{ten} {unit}]"),
         }
     }
+}
+
+/// As many digits as an error leaves: the last one is worth more than it.
+fn digits(value: f64, error: f64, style: Style) -> u8 {
+    let digits = value.abs().log10().floor() - error.log10().floor();
+    if digits.is_finite() { digits.clamp(1.0, f64::from(style.digits)) as u8 } else { style.digits }
 }
 
 /// The height of the line between two points at an edge that lies between them.

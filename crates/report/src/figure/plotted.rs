@@ -111,7 +111,7 @@ impl Area<'_> {
             parts.push(Part::Line { points, tone: Tone::Ink, width: 1.0, dash: Dash::Solid });
         }
         for (n, series) in self.axes.plot.series.iter().enumerate() {
-            let at = self.axes.read(series, x).and_then(|(y, _)| self.inside((x, y)));
+            let at = self.axes.read(series, x).and_then(|reading| self.inside((x, reading.y)));
             parts.extend(at.map(|at| Part::Disc { at, radius: 3.5, tone: Tone::Curve(n) }));
         }
         let mut lines: Vec<String> = Vec::new();

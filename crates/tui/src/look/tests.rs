@@ -24,16 +24,15 @@ fn without_colours_nothing_is_coloured_and_still_tells_apart() {
     assert_ne!(look.border(true), look.border(false));
 }
 
-/// The relative luminance of WCAG 2.2.
-fn luminance(color: Color) -> f64 {
-    let channels = match color {
+/// Red, green and blue, those of a terminal's palette as xterm shows them.
+fn channels(color: Color) -> [u8; 3] {
+    match color {
         Color::Rgb(red, green, blue) => [red, green, blue],
         Color::Indexed(index @ 16..232) => {
             let level = |n: u8| [0, 95, 135, 175, 215, 255][usize::from(n % 6)];
             [level((index - 16) / 36), level((index - 16) / 6), level(index - 16)]
         }
         Color::Indexed(index @ 232..) => [8 + 10 * (index - 232); 3],
-        // As xterm shows them.
         Color::Black => [0, 0, 0],
         Color::Red => [205, 0, 0],
         Color::Green => [0, 205, 0],
@@ -51,8 +50,12 @@ fn luminance(color: Color) -> f64 {
         Color::LightCyan => [0, 255, 255],
         Color::White => [255, 255, 255],
         other => panic!("{other} is no fixed colour"),
-    };
-    let [red, green, blue] = channels.map(|channel| {
+    }
+}
+
+/// The relative luminance of WCAG 2.2.
+fn luminance(color: Color) -> f64 {
+    let [red, green, blue] = channels(color).map(|channel| {
         let share = f64::from(channel) / 255.0;
         if share <= 0.04045 { share / 12.92 } else { ((share + 0.055) / 1.055).powf(2.4) }
     });
@@ -91,7 +94,7 @@ fn every_text_of_a_theme_stands_out_from_its_ground() {
                 look.border(true),
                 look.border(false),
             ];
-            styles.extend((0..6).map(|n| look.series(n)));
+            styles.extend((0..8).map(|n| look.series(n)));
             styles.extend(inks.map(|ink| look.ink(ink)));
             let mut buffer = Buffer::empty(Rect::new(0, 0, styles.len() as u16, 1));
             for (x, style) in (0..).zip(&styles) {
@@ -117,5 +120,39 @@ fn a_terminal_without_colours_stays_without_them_in_every_theme() {
         let before = buffer.clone();
         look.ground(&mut buffer);
         assert_eq!((&before, look.error().fg), (&buffer, None));
+    }
+}
+
+/// The colour that is shown for a style, as a terminal of xterm's colours on black shows it.
+fn shown(look: &Look, style: Style) -> (Color, Color) {
+    let mut buffer = Buffer::empty(Rect::new(0, 0, 1, 1));
+    buffer.set_string(0, 0, "x", style);
+    look.ground(&mut buffer);
+    sweep(&mut buffer, &Capabilities { colors: look.colors, ..Capabilities::default() });
+    let or = |color, otherwise| if color == Color::Reset { otherwise } else { color };
+    (or(buffer[(0, 0)].fg, Color::Gray), or(buffer[(0, 0)].bg, Color::Black))
+}
+
+#[test]
+fn curves_of_one_plot_are_no_shades_of_one_another() {
+    for theme in [Theme::Terminal, Theme::Dark, Theme::Light, Theme::HighContrast] {
+        for colors in [Colors::True, Colors::Indexed256, Colors::Sixteen] {
+            let look = Look { colors, theme, ..Look::default() };
+            assert!(look.curves() >= 4, "{theme:?} in {colors:?}");
+            let curves: Vec<(Color, Color)> =
+                (0..look.curves()).map(|n| shown(&look, look.series(n))).collect();
+            for (n, (color, ground)) in curves.iter().enumerate() {
+                let found = contrast(*color, *ground);
+                assert!(found >= 4.5, "{theme:?} in {colors:?}: {found:.2} of {color:?}");
+                for (other, _) in &curves[..n] {
+                    let apart: f64 = channels(*color)
+                        .iter()
+                        .zip(channels(*other))
+                        .map(|(a, b)| (f64::from(*a) - f64::from(b)).powi(2))
+                        .sum();
+                    assert!(apart.sqrt() >= 80.0, "{theme:?} in {colors:?}: {color:?} and {other:?}");
+                }
+            }
+        }
     }
 }

@@ -39,8 +39,8 @@ pub struct Palette {
     pub cyan: Color,
     /// Forces.
     pub magenta: Color,
-    /// One curve of several.
-    pub blue: Color,
+    /// Curves, one after the other: no two alike.
+    pub curves: &'static [Color],
 }
 
 impl Theme {
@@ -86,7 +86,7 @@ impl Theme {
 }
 
 impl Palette {
-    /// Its own colour for one of the six of a terminal's palette.
+    /// Its own colour for one of a terminal's palette.
     pub fn of(&self, color: Color) -> Color {
         match color {
             Color::Red => self.red,
@@ -94,7 +94,6 @@ impl Palette {
             Color::Green => self.green,
             Color::Cyan => self.cyan,
             Color::Magenta => self.magenta,
-            Color::Blue => self.blue,
             other => other,
         }
     }
@@ -113,7 +112,14 @@ const DARK: Palette = Palette {
     green: rgb(110, 215, 110),
     cyan: rgb(95, 210, 220),
     magenta: rgb(230, 140, 230),
-    blue: rgb(135, 175, 255),
+    curves: &[
+        rgb(60, 220, 220),
+        rgb(230, 140, 230),
+        rgb(240, 200, 80),
+        rgb(110, 215, 110),
+        rgb(130, 150, 255),
+        rgb(255, 110, 110),
+    ],
 };
 
 const LIGHT: Palette = Palette {
@@ -125,7 +131,14 @@ const LIGHT: Palette = Palette {
     green: rgb(0, 95, 20),
     cyan: rgb(0, 80, 95),
     magenta: rgb(135, 0, 135),
-    blue: rgb(0, 50, 180),
+    curves: &[
+        rgb(0, 110, 130),
+        rgb(135, 0, 135),
+        rgb(110, 75, 0),
+        rgb(0, 95, 20),
+        rgb(40, 40, 220),
+        rgb(180, 0, 20),
+    ],
 };
 
 const HIGH_CONTRAST: Palette = Palette {
@@ -137,7 +150,14 @@ const HIGH_CONTRAST: Palette = Palette {
     green: rgb(95, 255, 95),
     cyan: rgb(0, 255, 255),
     magenta: rgb(255, 165, 255),
-    blue: rgb(160, 200, 255),
+    curves: &[
+        rgb(0, 255, 255),
+        rgb(255, 165, 255),
+        rgb(255, 255, 0),
+        rgb(95, 255, 95),
+        rgb(160, 200, 255),
+        rgb(255, 150, 150),
+    ],
 };
 
 const DARK_OF_SIXTEEN: Palette = Palette {
@@ -149,7 +169,14 @@ const DARK_OF_SIXTEEN: Palette = Palette {
     green: Color::LightGreen,
     cyan: Color::LightCyan,
     magenta: Color::LightMagenta,
-    blue: Color::Cyan,
+    curves: &[
+        Color::LightCyan,
+        Color::LightMagenta,
+        Color::LightYellow,
+        Color::LightGreen,
+        Color::LightRed,
+        Color::Gray,
+    ],
 };
 
 /// Greens, yellows and cyans are too bright to be read on white.
@@ -162,7 +189,7 @@ const LIGHT_OF_SIXTEEN: Palette = Palette {
     green: Color::Blue,
     cyan: Color::Blue,
     magenta: Color::Magenta,
-    blue: Color::Black,
+    curves: &[Color::Blue, Color::Magenta, Color::Red, Color::Black],
 };
 
 /// Reds and blues are too dark to be read well on black.
@@ -175,5 +202,5 @@ const HIGH_CONTRAST_OF_SIXTEEN: Palette = Palette {
     green: Color::LightGreen,
     cyan: Color::LightCyan,
     magenta: Color::Yellow,
-    blue: Color::Cyan,
+    curves: &[Color::LightCyan, Color::LightYellow, Color::LightGreen, Color::White],
 };

@@ -12,6 +12,10 @@ pub(crate) struct Dots {
     cells: Vec<Cell>,
     /// Dots since the pen was set down, for its dashes.
     travelled: u32,
+    /// Signs on curves, over their dots.
+    marks: Vec<(usize, char, Style)>,
+    /// The sign of a stroke that has none yet, at its last dot.
+    end: Option<(usize, char, Style)>,
 }
 
 /// What dots are drawn with.
@@ -23,6 +27,11 @@ pub(crate) struct Pen {
     pub(crate) stamp: char,
     /// Dots drawn and dots left out, in turn; nothing is left out of `(1, 0)`.
     pub(crate) dash: (u32, u32),
+    /// A sign that stands on the stroke now and then, and after how many dots it comes first; on a short one at its end.
+    pub(crate) mark: Option<(char, u32)>,
+    /// The place of its curve. A cell in which several curves have dots looks like the one that has most of them, the
+    /// first of equals; what is no curve gives way to any, and to what is drawn later.
+    pub(crate) curve: Option<usize>,
 }
 
 #[derive(Clone, Copy, Default)]
@@ -30,19 +39,51 @@ struct Cell {
     mask: u8,
     stamp: char,
     style: Style,
+    /// Whose look that is, and its dots.
+    owner: (Option<usize>, u8),
+    /// Another curve and its dots.
+    other: (Option<usize>, u8),
+}
+
+impl Cell {
+    fn add(&mut self, bit: u8, pen: &Pen) {
+        self.mask |= bit;
+        if self.owner.0 == pen.curve {
+            self.owner.1 |= bit;
+        } else if self.owner.0.is_none() || pen.curve.is_none() {
+            self.owner = (pen.curve, bit);
+        } else {
+            if self.other.0 != pen.curve {
+                self.other = (pen.curve, 0);
+            }
+            self.other.1 |= bit;
+            if self.other.1.count_ones() <= self.owner.1.count_ones() {
+                return;
+            }
+            std::mem::swap(&mut self.owner, &mut self.other);
+        }
+        (self.stamp, self.style) = (pen.stamp, pen.style);
+    }
 }
 
 impl Pen {
     /// A pen without gaps.
     pub(crate) fn solid(style: Style, stamp: char) -> Self {
-        Self { style, stamp, dash: (1, 0) }
+        Self { style, stamp, dash: (1, 0), mark: None, curve: None }
     }
 }
 
 impl Dots {
     /// No dots yet.
     pub(crate) fn new(area: Rect, marker: Marker) -> Self {
-        Self { marker, area, cells: vec![Cell::default(); area.area() as usize], travelled: 0 }
+        Self {
+            marker,
+            area,
+            cells: vec![Cell::default(); area.area() as usize],
+            travelled: 0,
+            marks: Vec::new(),
+            end: None,
+        }
     }
 
     /// Dots across a cell and down a cell.
@@ -72,6 +113,7 @@ impl Dots {
     /// Lifts the pen: the next line begins a dash.
     pub(crate) fn lift(&mut self) {
         self.travelled = 0;
+        self.marks.extend(self.end.take());
     }
 
     /// A straight line, clipped at the edges. Ends that are not finite draw nothing.
@@ -118,22 +160,35 @@ impl Dots {
                 Marker::HalfBlock => [' ', '▀', '▄', '█'][usize::from(cell.mask & 3)],
                 Marker::Dot | Marker::Ascii => cell.stamp,
             };
-            buffer[(self.area.x + x, self.area.y + y)].set_char(shown).set_style(cell.style);
+            over(buffer, (self.area.x + x, self.area.y + y), shown, cell.style);
+        }
+        for (n, mark, style) in &self.marks {
+            let (x, y) = (*n as u16 % self.area.width, *n as u16 / self.area.width);
+            over(buffer, (self.area.x + x, self.area.y + y), *mark, *style);
         }
     }
 
     fn dot(&mut self, (x, y): (f64, f64), pen: Pen) {
         let (on, off) = pen.dash;
         let drawn = self.travelled % (on + off).max(1) < on;
-        self.travelled = self.travelled.wrapping_add(1);
+        let travelled = self.travelled;
+        self.travelled = travelled.wrapping_add(1);
         let (across, down) = self.per_cell();
         let (x, y) = (x.round().max(0.0) as u16, y.round().max(0.0) as u16);
         let (column, row) = (x / across, y / down);
         let Some(at) = self.index(self.area.x + column, self.area.y + row).filter(|_| drawn) else {
             return;
         };
-        let cell = &mut self.cells[at];
-        *cell = Cell { mask: cell.mask | bit(self.marker, x, y), stamp: pen.stamp, style: pen.style };
+        self.cells[at].add(bit(self.marker, x, y), &pen);
+        if let Some((mark, first)) = pen.mark {
+            let every = 4 * u32::from(across + down);
+            if travelled % every == first % every {
+                self.marks.push((at, mark, pen.style));
+                self.end = None;
+            } else if travelled < first % every {
+                self.end = Some((at, mark, pen.style));
+            }
+        }
     }
 
     fn erase(&mut self, x: u16, y: u16) {
@@ -149,6 +204,13 @@ impl Dots {
             usize::from(y - self.area.y) * usize::from(self.area.width) + usize::from(x - self.area.x)
         })
     }
+}
+
+/// Draws over whatever a cell holds: nothing of its colours and emphasis stays.
+pub(crate) fn over(buffer: &mut Buffer, cell: (u16, u16), sign: char, style: Style) {
+    let cell = &mut buffer[cell];
+    cell.reset();
+    cell.set_char(sign).set_style(style);
 }
 
 /// Dots across a cell and down a cell.
@@ -192,6 +254,8 @@ fn clip(from: (f64, f64), to: (f64, f64), (width, height): (f64, f64)) -> Option
 
 #[cfg(test)]
 mod tests {
+    use ratatui::style::Color;
+
     use super::*;
 
     fn drawn(width: u16, height: u16, marker: Marker, lines: &[[(f64, f64); 2]]) -> Vec<String> {
@@ -245,10 +309,40 @@ mod tests {
     }
 
     #[test]
+    fn a_marked_curve_has_its_sign_now_and_then_and_a_short_stroke_at_its_end() {
+        let area = Rect::new(0, 0, 20, 1);
+        let mut dots = Dots::new(area, Marker::Ascii);
+        let pen = Pen { mark: Some(('#', 2)), ..Pen::solid(Style::new(), '-') };
+        dots.line((0.0, 0.0), (13.0, 0.0), pen);
+        dots.lift();
+        dots.line((18.0, 0.0), (19.0, 0.0), pen);
+        dots.lift();
+        let mut buffer = Buffer::empty(area);
+        dots.draw(&mut buffer);
+        let shown: String = (0..20).map(|x| buffer[(x, 0)].symbol()).collect();
+        assert_eq!(shown, "--#-------#---    -#");
+    }
+
+    #[test]
+    fn a_cell_of_two_curves_looks_like_the_one_with_more_dots_in_it() {
+        let area = Rect::new(0, 0, 1, 2);
+        let mut dots = Dots::new(area, Marker::Braille);
+        let colors = [Color::Cyan, Color::Yellow];
+        let pen = |n: usize| Pen { curve: Some(n), ..Pen::solid(Style::new().fg(colors[n]), '*') };
+        // A long stem, and beside it one that reaches half a cell higher than its own.
+        dots.line((0.0, 7.0), (0.0, 2.0), pen(0));
+        dots.line((1.0, 7.0), (1.0, 0.0), pen(1));
+        let mut buffer = Buffer::empty(area);
+        dots.draw(&mut buffer);
+        assert_eq!([0, 1].map(|y| buffer[(0, y)].fg), [Color::Yellow, Color::Cyan]);
+        assert_eq!([0, 1].map(|y| buffer[(0, y)].symbol()), ["⣼", "⣿"]);
+    }
+
+    #[test]
     fn dashes_run_on_along_a_curve() {
         let area = Rect::new(0, 0, 9, 1);
         let mut dots = Dots::new(area, Marker::Ascii);
-        let pen = Pen { style: Style::new(), stamp: '-', dash: (2, 1) };
+        let pen = Pen { dash: (2, 1), ..Pen::solid(Style::new(), '-') };
         dots.line((0.0, 0.0), (8.0, 0.0), pen);
         let mut buffer = Buffer::empty(area);
         dots.draw(&mut buffer);

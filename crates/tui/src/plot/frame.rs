@@ -1,17 +1,26 @@
 //! What stands round the curves: titles, legend, axes, ticks, the reading of the cursor.
 
 use dalembert_core::{Locale, Text};
-use dalembert_report::figure::{axes::Axes, ticks::Ticks};
+use dalembert_report::figure::{
+    axes::Axes,
+    ticks::{Span, Ticks},
+};
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
-use super::{Marker, State, dots::per_cell, pen, pinned_pen, point, shade};
+use super::{
+    Marker, State,
+    dots::{Pen, per_cell},
+    pen, pinned_pen, point, rows, shade,
+};
 use crate::{look::Look, panes::wrap};
 
 /// Words and ticks round a canvas, each at its place.
 pub(crate) struct Frame {
     /// Where the curves go.
     pub(crate) canvas: Rect,
+    /// What the vertical axis covers over the rows of the canvas: no less than the curves need.
+    pub(crate) up: Span,
     words: Vec<(u16, u16, String, Style)>,
     /// The cells of the axes: a column left of the canvas and a row below it, where there is room.
     lines: Vec<(u16, u16, &'static str)>,
@@ -41,24 +50,24 @@ pub(crate) struct Setting<'a> {
 
 impl Frame {
     pub(crate) fn of(axes: &Axes, state: &State, setting: Setting) -> Self {
-        let Setting { area, look, locale, .. } = setting;
+        let Setting { area, marker, look, locale } = setting;
         let height = area.height;
         let from = |least: u16| u16::from(height >= least);
         let readout = state.cursor.map_or_else(Vec::new, |cursor| axes.readout(cursor, locale));
-        let readout = flow(&readout, area.width.into(), usize::from(height / 5).max(1), look);
         // The name of the axis and the legend share a row if they can. A low plot has no second one for shades: their
         // names stand in them.
-        let head = axes.y.title(y_ticks(axes, 9, locale).ten, locale);
+        let rows_of = |rows: u16| rows::Rows { rows, dots: per_cell(marker).1 };
+        let head = axes.y.title(axes.y.span.ticks(3, locale.style).ten, locale);
         let fits = |legend: &[Sample]| head.width() + 2 + legend_width(legend) <= area.width.into();
-        let mut legend = [curves(axes, look, locale), shades(axes, look, locale)].concat();
+        let mut legend = [curves(axes, marker, look, locale), shades(axes, look, locale)].concat();
         if height < 14 && !fits(&legend) {
-            legend = curves(axes, look, locale);
+            legend = curves(axes, marker, look, locale);
         }
         let beside = fits(&legend);
         // A title that is too long goes on in a second row where there is room for one.
         let title = axes.plot.title.render(locale);
         let title = wrap::title(&title, area.width.into(), if height > 10 { 2 } else { 1 }, look);
-        let rows = Rows {
+        let mut rows = Rows {
             title: from(10) * title.len() as u16,
             head: from(6),
             legend: if legend.is_empty() || beside {
@@ -69,17 +78,22 @@ impl Frame {
             axis: from(4),
             labels: from(5),
             foot: from(8),
-            readout: if height >= 3 { readout.len() as u16 } else { 0 },
+            readout: 0,
         };
+        // All that the cursor reads, as long as the curves keep a third of the rows.
+        let others = rows.title + rows.head + rows.legend + rows.axis + rows.labels + rows.foot;
+        let spare = height.saturating_sub(others + (height / 3).max(2));
+        let readout = flow(&readout, area.width.into(), spare.max(1).into(), look);
+        rows.readout = if height >= 3 { readout.len() as u16 } else { 0 };
         let above = rows.title + rows.head + rows.legend;
         let below = rows.axis + rows.labels + rows.foot + rows.readout;
         let inner = Rect { y: area.y + above, height: height.saturating_sub(above + below), ..area };
-        let ticks = y_ticks(axes, inner.height, locale);
+        let (up, ticks) = rows_of(inner.height).ticked(axes.y.span, locale.style);
         let gutter = ticks.ticks.iter().map(|tick| tick.label.width()).max().unwrap_or(0) as u16 + 1;
         let gutter = if rows.axis > 0 && gutter + 8 <= area.width { gutter } else { 0 };
         let canvas = Rect { x: area.x + gutter, width: area.width - gutter, ..inner };
 
-        let mut frame = Self { canvas, words: Vec::new(), lines: Vec::new(), grid: Vec::new() };
+        let mut frame = Self { canvas, up, words: Vec::new(), lines: Vec::new(), grid: Vec::new() };
         for (line, y) in title.into_iter().zip(area.y..area.y + rows.title) {
             frame.words.push((area.x, y, line, look.title()));
         }
@@ -101,7 +115,7 @@ impl Frame {
                 }
             }
         }
-        let rows_of_ticks = frame.y_axis(axes, &ticks, gutter, setting);
+        let rows_of_ticks = frame.y_axis(&ticks, gutter, setting);
         if rows.axis > 0 {
             for x in frame.x_axis(axes, gutter, &rows, setting) {
                 frame.grid.extend(rows_of_ticks.iter().map(|y| (x, *y)));
@@ -127,7 +141,7 @@ impl Frame {
     }
 
     /// The rows of its labelled ticks.
-    fn y_axis(&mut self, axes: &Axes, ticks: &Ticks, gutter: u16, setting: Setting) -> Vec<u16> {
+    fn y_axis(&mut self, ticks: &Ticks, gutter: u16, setting: Setting) -> Vec<u16> {
         let Setting { marker, look, .. } = setting;
         let mut rows = Vec::new();
         if gutter == 0 {
@@ -137,7 +151,7 @@ impl Frame {
         let (line, minor, major) = if look.ascii { ("|", "|", "+") } else { ("│", "┤", "┤") };
         self.lines.extend((canvas.y..canvas.bottom()).map(|y| (x, y, line)));
         for tick in &ticks.ticks {
-            let Some(row) = axes.y.span.place(tick.at).and_then(|place| row(canvas, marker, place)) else {
+            let Some(row) = self.up.place(tick.at).and_then(|place| row(canvas, marker, place)) else {
                 continue;
             };
             self.lines.push((x, row, if tick.label.is_empty() { minor } else { major }));
@@ -220,17 +234,6 @@ impl Frame {
     }
 }
 
-/// The ticks of the vertical axis: their labels two rows apart.
-fn y_ticks(axes: &Axes, height: u16, locale: &Locale) -> Ticks {
-    let most = usize::from(height / 3).clamp(2, 10);
-    axes.y.span.ticks_that_fit(most, locale.style, |ticks| {
-        let rows = |place: f64| (place * (f64::from(height) - 1.0)).round() as i64;
-        let places = ticks.ticks.iter().filter(|tick| !tick.label.is_empty());
-        let rows: Vec<i64> = places.filter_map(|tick| axes.y.span.place(tick.at).map(rows)).collect();
-        rows.windows(2).all(|pair| pair[1] - pair[0] >= 2)
-    })
-}
-
 /// The column of a place on the horizontal axis: that of its dots.
 fn column(canvas: Rect, marker: Marker, place: f64) -> Option<u16> {
     cell(canvas.x, canvas.width, per_cell(marker).0, place)
@@ -271,7 +274,7 @@ fn legend_rows(legend: &[Sample], area: Rect) -> u16 {
 }
 
 /// The curves by their names; empty where one curve needs no name.
-fn curves(axes: &Axes, look: &Look, locale: &Locale) -> Vec<Sample> {
+fn curves(axes: &Axes, marker: Marker, look: &Look, locale: &Locale) -> Vec<Sample> {
     let series = &axes.plot.series;
     if series.len() < 2 && axes.pinned.is_none() {
         return Vec::new();
@@ -280,11 +283,11 @@ fn curves(axes: &Axes, look: &Look, locale: &Locale) -> Vec<Sample> {
         let sample = if look.ascii { "." } else { "┄┄" };
         (sample.into(), Text::new("before").render(locale), pinned_pen(look).style)
     });
-    let sample = |n: usize, joined: bool| match (joined, look.ascii, pen(n, series.len(), look).dash) {
-        (false, ..) | (_, true, _) => point(n, look).to_string(),
-        (true, false, (_, 0)) => "──".into(),
-        (true, false, (2, _)) => "┄┄".into(),
-        (true, false, _) => "╌╌".into(),
+    let sample = |n: usize, joined: bool| match (joined, pen(n, marker, look)) {
+        (false, _) => point(n, look.ascii).to_string(),
+        (true, Pen { mark: Some((mark, _)), .. }) => format!("─{mark}─"),
+        (true, Pen { stamp, .. }) if matches!(marker, Marker::Dot | Marker::Ascii) => stamp.to_string(),
+        (true, _) => "──".into(),
     };
     series
         .iter()

@@ -15,14 +15,15 @@ impl Labels {
         Self { area, placed: Vec::new() }
     }
 
-    /// Words at one of `places` (of their first cell): the one where they cover fewest cells that are not `free`,
-    /// the first of several. Says whether there was one; where a third of the words would cover something else,
+    /// Words at one of `places` (of their first cell): the one where they cover fewest cells that are not `free` and
+    /// are least `far` (in cells that may be covered to be nearer), the first of several. Says whether there was one; where a third of the words would cover something else,
     /// the words give way.
     pub(crate) fn put(
         &mut self,
         words: &str,
         style: Style,
         places: impl IntoIterator<Item = (i32, i32)>,
+        far: impl Fn(&Rect) -> usize,
         free: impl Fn(u16, u16) -> bool,
     ) -> bool {
         let width = u16::try_from(words.width()).unwrap_or(u16::MAX);
@@ -35,7 +36,7 @@ impl Labels {
             .into_iter()
             .filter_map(|place| self.rect(place, width))
             .map(|at| (covered(&at), at))
-            .min_by_key(|(covered, _)| *covered);
+            .min_by_key(|(covered, at)| covered + far(at));
         let Some((_, at)) = best.filter(|(covered, _)| 3 * covered <= usize::from(width) + 3) else {
             return false;
         };
@@ -74,7 +75,8 @@ impl Labels {
             (right, y + 2),
             (left, y + 2),
         ];
-        self.put(words, style, places, free)
+        // Words two rows away may belong to anything: they stand there only to cover much less.
+        self.put(words, style, places, |at| if at.y.abs_diff(y as u16) > 1 { 3 } else { 0 }, free)
     }
 
     /// A sign of a few cells at a point or next to it, over whatever is drawn there but no words; nowhere if there are
@@ -107,6 +109,10 @@ impl Labels {
     /// Writes them.
     pub(crate) fn draw(&self, buffer: &mut Buffer) {
         for (at, words, style) in &self.placed {
+            // Letters are of one colour, whatever they stand on.
+            for x in at.x..at.x + words.width() as u16 {
+                buffer[(x, at.y)].reset();
+            }
             buffer.set_string(at.x, at.y, words, *style);
         }
     }

@@ -427,6 +427,9 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
         {
             pictures::go_round(model, action);
         }
+        Action::NextMarker if model.look.ascii => {
+            model.say("in ASCII every curve has a character of its own, and there are no other marks");
+        }
         Action::NextMarker => {
             bench.plot_state = bench.plot_state.next_marker();
             model.marker = bench.plot_state.marker;
