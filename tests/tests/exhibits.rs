@@ -79,7 +79,7 @@ fn is_on_a_curve(plot: &Plot, (x, y): (f64, f64)) -> bool {
     let Some(axes) = Axes::of(plot) else { return false };
     let Some(place) = axes.y.of(y) else { return false };
     plot.series.iter().any(|series| {
-        let Some(read) = axes.read(series, x).and_then(|(y, _)| axes.y.of(y)) else { return false };
+        let Some(read) = axes.read(series, x).and_then(|reading| axes.y.of(reading.y)) else { return false };
         let at = series.points.windows(2).position(|pair| (pair[0].0 - x) * (pair[1].0 - x) <= 0.0);
         let at = at.unwrap_or(0);
         let near = &series.points[at.saturating_sub(1)..(at + 3).min(series.points.len())];
