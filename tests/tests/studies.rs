@@ -46,7 +46,7 @@ fn fan() -> Problem {
 /// An answer's sensitivity, by the path of the input.
 fn elasticity(problem: &Problem, answer: &str, path: &str) -> f64 {
     let found =
-        sensitivity::sensitivity(problem.entry, &problem.record, answer, (&[], 0.01), &Stop::new()).unwrap();
+        sensitivity::sensitivity(problem.entry, &problem.record, answer, (&[], 1.0), &Stop::new()).unwrap();
     let one = found.influences.iter().find(|one| one.input.path == path).unwrap();
     one.elasticity(found.value)
 }
@@ -67,10 +67,38 @@ fn elasticities_are_the_exponents_of_the_formulas() {
     }
 }
 
+/// The size of an angle depends on where it is counted from: it is taken by degrees, as it is also at zero.
+#[test]
+fn a_tolerance_is_a_share_or_a_width() {
+    let inputs = |id: &str| {
+        let entry = find(id).unwrap();
+        vary::inputs(&cases::first(entry).unwrap().record(entry).unwrap())
+    };
+    let of =
+        |inputs: &[vary::Input], path: &str| inputs.iter().find(|input| input.path == path).unwrap().clone();
+    let mass = of(&inputs("vibration/rotating-unbalance"), "mass");
+    let angle =
+        inputs("virtual-work/slider-crank").into_iter().find(|input| input.unit.pretty() == "°").unwrap();
+    for (input, typed, width) in [
+        (&mass, "2 %", 0.8),
+        (&mass, "2", 0.8),
+        (&mass, "500 g", 0.5),
+        (&angle, "2", 2f64.to_radians()),
+        (&angle, "0.01 rad", 0.01),
+        (&angle, "10 %", 0.1 * angle.si.abs()),
+    ] {
+        assert!((input.tolerance(typed).unwrap() - width).abs() < 1e-12, "{typed} of {}", input.path);
+    }
+    assert_eq!((mass.step(), angle.step()), (0.4, 1f64.to_radians()));
+    assert!(
+        mass.tolerance("3 mm").is_err() && mass.tolerance("-1 %").is_err() && mass.tolerance("").is_err()
+    );
+}
+
 #[test]
 fn tolerances_add_up_at_worst_and_in_squares() {
     let fan = fan();
-    let tolerances = [("mass".to_owned(), 0.02), ("support.cantilever.young".to_owned(), 0.04)];
+    let tolerances = [("mass".to_owned(), 0.8), ("support.cantilever.young".to_owned(), 8e9)];
     let found = sensitivity::sensitivity(
         fan.entry,
         &fan.record,
@@ -79,9 +107,12 @@ fn tolerances_add_up_at_worst_and_in_squares() {
         &Stop::new(),
     )
     .unwrap();
-    let spread = found.spread();
+    let spread = found.spread;
+    // ω ∝ √(E/m): the stiffest material with the lightest mass, and the other way round.
+    let [least, most] = spread.worst.map(|end| end / found.value);
+    assert!((least - (0.96f64 / 1.02).sqrt()).abs() < 1e-12, "{spread:?}");
+    assert!((most - (1.04f64 / 0.98).sqrt()).abs() < 1e-12, "{spread:?}");
     // ½ · 2 % and ½ · 4 %, to the second order of what is left out.
-    assert!((spread.worst / found.value - 0.03).abs() < 6e-4, "{spread:?}");
     assert!(
         (spread.likely / found.value - (0.01f64.powi(2) + 0.02f64.powi(2)).sqrt()).abs() < 5e-4,
         "{spread:?}"
@@ -145,7 +176,7 @@ fn a_sweep_runs_through_the_answers_and_says_where_there_is_none() {
 fn a_linear_answer_scatters_as_its_input_does() {
     let fan = fan();
     let plan = |distribution, seed| Plan::Scatter {
-        tolerances: vec![("unbalance".into(), 0.1)],
+        tolerances: vec![("unbalance".into(), 0.01)],
         usual: 0.0,
         distribution,
         samples: 10_000,
@@ -153,7 +184,7 @@ fn a_linear_answer_scatters_as_its_input_does() {
         answer: "stiffness".into(),
     };
     let stiffness = Plan::Scatter {
-        tolerances: vec![("support.cantilever.young".into(), 0.1)],
+        tolerances: vec![("support.cantilever.young".into(), 0.1 * 2e11)],
         usual: 0.0,
         distribution: Distribution::Uniform,
         samples: 10_000,
@@ -167,7 +198,7 @@ fn a_linear_answer_scatters_as_its_input_does() {
     assert!((found[1] / ours - 0.1 / 3f64.sqrt()).abs() < 0.0015, "{found:?}");
     assert!((found[2] / ours - 0.905).abs() < 0.003 && (found[3] / ours - 1.095).abs() < 0.003, "{found:?}");
     let normal = Plan::Scatter {
-        tolerances: vec![("support.cantilever.young".into(), 0.3)],
+        tolerances: vec![("support.cantilever.young".into(), 0.3 * 2e11)],
         usual: 0.0,
         distribution: Distribution::Normal,
         samples: 10_000,
@@ -193,7 +224,7 @@ fn a_study_is_stopped() {
     let plan =
         Plan::Find { input: "speed".into(), range: [50.0, 300.0], answer: "amplitude".into(), wanted: 0.01 };
     assert!(study::study(fan.entry, &fan.record, &plan, &stop).is_err());
-    assert!(sensitivity::sensitivity(fan.entry, &fan.record, "amplitude", (&[], 0.01), &stop).is_err());
+    assert!(sensitivity::sensitivity(fan.entry, &fan.record, "amplitude", (&[], 1.0), &stop).is_err());
 }
 
 /// What a key leads to, while nobody does it.

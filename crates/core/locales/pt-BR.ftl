@@ -223,7 +223,7 @@ it-fits-but-give-more-digits-to-be-sure = confere, mas dê mais algarismos para 
 not-right = não está certo
 
 # Sensibilidade e estudos
-write-a-share-from-0-to-below-100 = escreva uma parcela de 0 a menos de 100 %
+a-tolerance-is-not-negative-it-holds-to-both-sides = uma tolerância não é negativa: vale para os dois lados
 this-answer-is-no-single-number = esta resposta não é um único número
 this-input-is-no-number-of-the-problem-as-it-stands = esta entrada não é um número do problema como está
 the-range-has-no-width-write-two-different-ends = o intervalo não tem largura: escreva dois extremos diferentes

@@ -7,8 +7,6 @@ use crate::{
     vary::{self, Again, Input},
 };
 
-/// The change of an input that its influence is shown for.
-pub const PERCENT: f64 = 0.01;
 /// The step of the derivative, as a share of the input: the error of a central difference is then about 10⁻⁸.
 const STEP: f64 = 1e-4;
 /// One-sided changes that differ by so much of the larger one are a kink.
@@ -23,6 +21,8 @@ pub struct Sensitivity {
     pub value: f64,
     /// Its influences, one for each input, in the order of the form.
     pub influences: Vec<Influence>,
+    /// What all tolerances do together.
+    pub spread: Spread,
 }
 
 /// What one answer does when one input changes.
@@ -30,10 +30,10 @@ pub struct Sensitivity {
 pub struct Influence {
     /// The input.
     pub input: Input,
-    /// The tolerance that was given for it, as a share of its value.
+    /// The tolerance that was given for it, in SI.
     pub tolerance: f64,
-    /// The answer with the input 1 % smaller and 1 % larger, in SI; NaN where there is none.
-    pub one_percent: [f64; 2],
+    /// The answer with the input a [step](Input::step) smaller and a step larger, in SI; NaN where there is none.
+    pub sides: [f64; 2],
     /// The answer with the input at both ends of its tolerance.
     pub at_tolerance: [f64; 2],
     /// The derivative of the answer by the input, in SI; NaN where there is none.
@@ -45,14 +45,15 @@ pub struct Influence {
 /// What the tolerances of all inputs do to an answer, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// All at their worst ends together: `Σ |Δ|`.
-    pub worst: f64,
-    /// Independent of each other: `√(Σ Δ²)`.
+    /// The least and the greatest answer with every input at that end of its tolerance which alone lowers the answer
+    /// most, or raises it. Where there is no answer so, the sum of what each does alone.
+    pub worst: [f64; 2],
+    /// To either side, where they are independent of each other: `√(Σ Δ²)`.
     pub likely: f64,
 }
 
-/// The sensitivity of an answer to every number among the inputs. `tolerances` are shares of the inputs, by their
-/// paths; `usual` is that of every other one.
+/// The sensitivity of an answer to every number among the inputs. `tolerances` are in SI, by the paths of their inputs;
+/// `usual` is that of every other one, in its [steps](Input::step).
 ///
 /// # Errors
 /// Why the problem as it stands has no answer, or none of that name.
@@ -70,45 +71,55 @@ pub fn sensitivity(
     let value = again.with(&[], stop)?[0];
     let mut influences = Vec::new();
     for (at, input) in again.inputs.clone().into_iter().enumerate() {
-        let tolerance =
-            tolerances.iter().find(|(path, _)| *path == input.path).map_or(usual, |(_, share)| *share);
-        let mut changed = |share: f64| -> Result<f64, Refusal> {
-            Ok(again.with(&[(at, input.si * (1.0 + share))], stop)?[0])
-        };
-        let one_percent = [changed(-PERCENT)?, changed(PERCENT)?];
-        let at_tolerance = [changed(-tolerance)?, changed(tolerance)?];
-        let derivative = if input.si == 0.0 {
-            let step = STEP * input.unit.factor;
-            let [before, after] = [again.with(&[(at, -step)], stop)?[0], again.with(&[(at, step)], stop)?[0]];
-            sided([before, value, after], step)
-        } else {
-            let ends = [changed(-STEP)?, value, changed(STEP)?];
-            sided(ends, STEP * input.si)
-        };
-        let missing = [(-PERCENT, one_percent[0]), (PERCENT, one_percent[1])]
+        let tolerance = tolerance(&input, tolerances, usual);
+        let mut changed =
+            |by: f64| -> Result<f64, Refusal> { Ok(again.with(&[(at, input.si + by)], stop)?[0]) };
+        let mut both = |by: f64| -> Result<[f64; 2], Refusal> { Ok([changed(-by)?, changed(by)?]) };
+        let sides = both(input.step())?;
+        let at_tolerance = both(tolerance)?;
+        let small = STEP * if input.si == 0.0 { input.unit.factor } else { input.si.abs() };
+        let [before, after] = both(small)?;
+        let derivative = sided([before, value, after], small);
+        let missing = [-input.step(), input.step(), -tolerance, tolerance]
             .into_iter()
-            .chain([(-tolerance, at_tolerance[0]), (tolerance, at_tolerance[1])])
+            .zip(sides.into_iter().chain(at_tolerance))
             .find(|(_, value)| value.is_nan());
-        let refused = missing
-            .and_then(|(share, _)| vary::why_not(entry, record, &input, input.si * (1.0 + share), stop));
-        influences.push(Influence { input, tolerance, one_percent, at_tolerance, derivative, refused });
+        let refused = missing.and_then(|(by, _)| vary::why_not(entry, record, &input, input.si + by, stop));
+        influences.push(Influence { input, tolerance, sides, at_tolerance, derivative, refused });
     }
-    Ok(Sensitivity { answer: answer.to_owned(), value, influences })
+    let spread = together(&mut again, value, &influences, stop)?;
+    Ok(Sensitivity { answer: answer.to_owned(), value, influences, spread })
 }
 
-impl Sensitivity {
-    /// What all tolerances do together; an end without an answer counts as the other one.
-    pub fn spread(&self) -> Spread {
-        let changes = self.influences.iter().map(|one| one.within_tolerance(self.value));
-        let (worst, squares) = changes.fold((0.0, 0.0), |(sum, squares), x| (sum + x, squares + x * x));
-        Spread { worst, likely: squares.sqrt() }
-    }
+/// The tolerance of an input among those that were given.
+pub(crate) fn tolerance(input: &Input, given: &[(String, f64)], usual: f64) -> f64 {
+    given
+        .iter()
+        .find(|(path, _)| *path == input.path)
+        .map_or_else(|| usual * input.step(), |(_, width)| *width)
+}
+
+fn together(again: &mut Again, value: f64, all: &[Influence], stop: &Stop) -> Result<Spread, Refusal> {
+    let mut corner = |sign: f64| -> Result<f64, Refusal> {
+        let end = |one: &Influence| {
+            let [less, more] =
+                one.at_tolerance.map(|end| if end.is_nan() { f64::NEG_INFINITY } else { sign * end });
+            one.input.si + if less > more { -one.tolerance } else { one.tolerance }
+        };
+        let ends: Vec<(usize, f64)> = all.iter().map(end).enumerate().collect();
+        let found = again.with(&ends, stop)?[0];
+        let sum: f64 = all.iter().map(|one| one.within_tolerance(value)).sum();
+        Ok(if found.is_nan() { value + sign * sum } else { found })
+    };
+    let worst = [corner(-1.0)?, corner(1.0)?];
+    let squares: f64 = all.iter().map(|one| one.within_tolerance(value).powi(2)).sum();
+    Ok(Spread { worst, likely: squares.sqrt() })
 }
 
 impl Influence {
-    /// The change of the answer for 1 % more of the input, from both sides, in SI.
+    /// The change of the answer for a step more of the input, from both sides, in SI.
     pub fn change(&self, value: f64) -> f64 {
-        let [less, more] = self.one_percent;
+        let [less, more] = self.sides;
         match (less.is_nan(), more.is_nan()) {
             (false, false) => (more - less) / 2.0,
             (true, false) => more - value,
@@ -130,7 +141,7 @@ impl Influence {
 
     /// Whether the answer goes otherwise to one side than to the other.
     pub fn has_kink(&self, value: f64) -> bool {
-        let [less, more] = self.one_percent;
+        let [less, more] = self.sides;
         let (before, after) = (value - less, more - value);
         (before - after).abs() > KINK * before.abs().max(after.abs())
     }

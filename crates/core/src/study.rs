@@ -58,9 +58,9 @@ pub enum Plan {
     },
     /// How an answer scatters when the inputs do.
     Scatter {
-        /// The tolerances of inputs, as shares of their values, by their paths.
+        /// The tolerances of inputs in SI, by their paths.
         tolerances: Vec<(String, f64)>,
-        /// That of every other input.
+        /// That of every other input, in its [steps](Input::step).
         usual: f64,
         /// How values lie within it.
         distribution: Distribution,

@@ -1,12 +1,15 @@
 //! The numbers among the inputs of a problem, and the same problem solved again with some of them changed.
 
-use dalembert_units::{self as units, Kind, Unit};
+use dalembert_units::{self as units, Dim, Kind, Unit};
 
 use crate::{
     Entry, Evaluate, Limit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value,
     path::{Segment, segments},
     reading,
 };
+
+/// The share of an input that its influence is shown for.
+const PERCENT: f64 = 0.01;
 
 /// A number among the inputs: a quantity, or one component of a vector.
 #[derive(Clone, Debug)]
@@ -99,20 +102,6 @@ pub fn why_not(entry: &Entry, record: &Record, input: &Input, si: f64, stop: &St
     }
 }
 
-/// A share as it is typed: `1 %`, `0.5`; a number alone is in percent.
-///
-/// # Errors
-/// Why it cannot be read.
-pub fn share(text: &str) -> Result<f64, Text> {
-    let percent = units::unit("%").expect("percent is a unit");
-    let read = units::read_quantity(text, &percent, Kind::Ratio).map_err(|error| reading::text(&error))?;
-    if (0.0..1.0).contains(&read.si) {
-        Ok(read.si)
-    } else {
-        Err(Text::new("write a share from 0 to below 100 %"))
-    }
-}
-
 impl Input {
     /// A value of this input as it is typed; a number alone is in the unit of the input.
     ///
@@ -121,6 +110,39 @@ impl Input {
     pub fn read(&self, text: &str) -> Result<f64, Text> {
         let read = units::read_quantity(text, &self.unit, self.measure.kind());
         read.map(|read| read.si).map_err(|error| reading::text(&error))
+    }
+
+    /// The small change that inputs are compared by, in SI: 1 % of its value, or a degree where it is an angle, whose
+    /// size says nothing: it depends on where the angle is counted from.
+    pub fn step(&self) -> f64 {
+        if self.is_angle() { 1f64.to_radians() } else { PERCENT * self.si.abs() }
+    }
+
+    /// [`step`](Self::step) as it is written.
+    pub fn step_text(&self) -> &'static str {
+        if self.is_angle() { "1°" } else { "1 %" }
+    }
+
+    /// A tolerance as it is typed, in SI: `2 %` of the value, `0.05 mm` to either side. A number alone is in percent, or
+    /// in the unit of an angle.
+    ///
+    /// # Errors
+    /// Why it cannot be read.
+    pub fn tolerance(&self, text: &str) -> Result<f64, Text> {
+        let percent = units::unit("%").expect("percent is a unit");
+        let width = match units::read_quantity(text, &percent, Kind::Ratio) {
+            Ok(share) if !self.is_angle() || text.contains('%') => share.si * self.si.abs(),
+            _ => self.read(text)?,
+        };
+        if width >= 0.0 {
+            Ok(width)
+        } else {
+            Err(Text::new("a tolerance is not negative: it holds to both sides"))
+        }
+    }
+
+    fn is_angle(&self) -> bool {
+        self.unit.dim == Dim::ANGLE
     }
 
     /// Whether a value, in SI, is within the limits of the input.

@@ -112,8 +112,8 @@ pub enum Reply {
     Study(Box<Result<Studied, SolveError>>),
 }
 
-/// The tolerance of an input that none is typed for, as a share.
-pub const USUAL: f64 = 0.01;
+/// The tolerance of an input that none is typed for, in its steps.
+pub const USUAL: f64 = 1.0;
 
 impl Question {
     /// The answer; `None` when it was stopped.
@@ -210,9 +210,12 @@ impl Sensitivity {
         put(&mut self.tolerances, path, text);
     }
 
-    /// The tolerances that can be read, as shares.
-    pub fn shares(&self) -> Vec<(String, f64)> {
-        let read = |(path, text): &(String, String)| Some((path.clone(), vary::share(text).ok()?));
+    /// The tolerances that can be read, in SI.
+    pub fn widths(&self, inputs: &[vary::Input]) -> Vec<(String, f64)> {
+        let read = |(path, text): &(String, String)| {
+            let input = inputs.iter().find(|input| input.path == *path)?;
+            Some((path.clone(), input.tolerance(text).ok()?))
+        };
         self.tolerances.iter().filter_map(read).collect()
     }
 

@@ -4,8 +4,8 @@ use std::{f64::consts::TAU, thread};
 
 use super::{MOST_POINTS, Studied, fixed};
 use crate::{
-    Answer, Axis, Entry, Plot, Record, Refusal, Series, SolveError, Stop, Text,
-    vary::{self, Again},
+    Answer, Axis, Entry, Plot, Record, Refusal, Series, SolveError, Stop, Text, sensitivity,
+    vary::{self, Again, Input},
 };
 
 /// Samples are shared out among so many threads.
@@ -37,12 +37,11 @@ pub(super) fn scatter(
     let again = || Again::new(entry, record, vary::inputs(record), vec![answer.name.to_string()]);
     let inputs = again()?.inputs;
     let mut random = Random(seed);
-    let mut drawn = |path: &str, si: f64| {
-        let share = tolerances.iter().find(|(known, _)| known == path).map_or(usual, |(_, share)| *share);
-        si * (1.0 + share * random.within(distribution))
+    let mut drawn = |input: &Input| {
+        input.si + sensitivity::tolerance(input, tolerances, usual) * random.within(distribution)
     };
     let points: Vec<Vec<(usize, f64)>> = (0..samples.clamp(FEWEST, MOST_POINTS))
-        .map(|_| inputs.iter().enumerate().map(|(at, input)| (at, drawn(&input.path, input.si))).collect())
+        .map(|_| inputs.iter().enumerate().map(|(at, input)| (at, drawn(input))).collect())
         .collect();
     let shares = points.chunks(points.len().div_ceil(THREADS));
     // Each thread has its own reading of the problem; the samples are drawn before, so their order is always the same.

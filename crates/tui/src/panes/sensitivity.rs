@@ -13,7 +13,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{Page, check::typed_in, columns::padded, results, wrap};
 use crate::{
-    ask::{Ask, USUAL},
+    ask::Ask,
     bench::Tab,
     glyphs::filter_untrusted,
     look::{Glyph, Look},
@@ -57,7 +57,7 @@ pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: 
     let heading = format!(
         "  {}  {:>CHANGE$}  {}",
         padded("", columns.label + columns.bar),
-        Text::new("for +1 %").render(locale),
+        Text::new("for +1 % or 1°").render(locale),
         Text::new("± tol.").render(locale)
     );
     page.lines.push(Line::styled(look.shortened(&plus_minus(&heading, look), cells), look.dim()));
@@ -77,11 +77,14 @@ pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: 
         page.lines.push(Line::styled(Text::new("solving").render(locale), look.dim()));
         return page;
     }
-    let spread = found.spread();
+    let written = |si: f64, digits| {
+        write_quantity(si, &answer.unit, locale.digits(digits).style).replace(' ', "\u{A0}")
+    };
     let together =
-        Text::new("all tolerances together: ± {worst} at worst, ± {likely} if they are independent")
-            .with("worst", write_quantity(spread.worst, &answer.unit, locale.digits(3).style))
-            .with("likely", write_quantity(spread.likely, &answer.unit, locale.digits(3).style));
+        Text::new("all tolerances together: {least} to {most} at worst, ± {likely} if they are independent")
+            .with("least", written(found.spread.worst[0], 4))
+            .with("most", written(found.spread.worst[1], 4))
+            .with("likely", written(found.spread.likely, 3));
     let together = plus_minus(&together.render(locale), look);
     page.lines.extend(wrap::words(&together, cells).into_iter().map(Line::from));
     page
@@ -143,7 +146,7 @@ impl Row<'_> {
             None => {
                 let typed = self.ask.sensitivity.text(&self.one.input.path);
                 let (text, style) = match typed.trim() {
-                    "" => (format!("{} %", write_number(100.0 * USUAL, locale.style)), look.dim()),
+                    "" => (self.one.input.step_text().to_owned(), look.dim()),
                     typed => (filter_untrusted(typed).into_owned(), Style::new()),
                 };
                 let style = if self.under_cursor { look.focus() } else { style };
@@ -186,9 +189,10 @@ impl Row<'_> {
                 look.glyph(Glyph::Ellipsis).to_owned()
             }
         };
-        let sides = Text::new("with −1 %: {less}; with +1 %: {more}")
-            .with("less", written(one.one_percent[0]))
-            .with("more", written(one.one_percent[1]));
+        let sides = Text::new("with −{step}: {less}; with +{step}: {more}")
+            .with("step", one.input.step_text())
+            .with("less", written(one.sides[0]))
+            .with("more", written(one.sides[1]));
         say(sides, look.dim());
         if one.has_kink(value) {
             say(Text::new("it does not change alike to both sides"), look.warning());
@@ -197,7 +201,7 @@ impl Row<'_> {
             say(Text::new("no answer on one side: {why}").with_text("why", why.clone()), look.warning());
         }
         let typed = self.ask.sensitivity.text(&one.input.path);
-        if let Err(why) = dalembert_core::vary::share(typed)
+        if let Err(why) = one.input.tolerance(typed)
             && !typed.trim().is_empty()
         {
             say(why, look.error());

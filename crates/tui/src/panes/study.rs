@@ -24,7 +24,7 @@ pub fn page(of: &Subject<'_>, ask: &Ask, focused: bool, look: &Look, locale: &Lo
     let all = study.cells();
     let label = all.iter().map(|cell| cell.name().render(locale).width()).max().unwrap_or(0).min(cells / 2);
     let room = cells.saturating_sub(label + 6).max(1);
-    let plan = study.plan(of, &ask.sensitivity.shares());
+    let plan = study.plan(of, &ask.sensitivity.widths(&of.inputs));
     for cell in all {
         page.starts.push(page.lines.len());
         let under_cursor = focused && cell == study.cell();

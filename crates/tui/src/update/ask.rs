@@ -195,11 +195,12 @@ fn question(bench: &Bench) -> Option<Question> {
                 entry: bench.entry,
                 record: record()?,
                 answer: answers.get(at)?.name.to_string(),
-                tolerances: sensitivity.shares(),
+                tolerances: sensitivity.widths(&bench.subject()?.inputs),
             })
         }
         Tab::Study => {
-            let plan = bench.ask.study.plan(&bench.subject()?, &bench.ask.sensitivity.shares()).ok()?;
+            let of = bench.subject()?;
+            let plan = bench.ask.study.plan(&of, &bench.ask.sensitivity.widths(&of.inputs)).ok()?;
             Some(Question::Study { entry: bench.entry, record: record()?, plan })
         }
         _ => None,
