@@ -100,7 +100,7 @@ fn read<'t>(text: &'t str, range: Range<usize>, bare: &Unit) -> Result<Reading<'
     let cursor = Cursor::new(text, range);
     let mut reading = match literal_and_unit(cursor) {
         Some(reading) => reading,
-        None => expression::evaluate(cursor).map_err(ReadError::suggesting)?,
+        None => expression::evaluate(cursor).map_err(|error| error.suggesting(bare.dim))?,
     };
     if suffix != Sense::Plain {
         let unit = match reading.unit {

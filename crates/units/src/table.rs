@@ -31,8 +31,9 @@ pub(crate) fn lookup(text: &str) -> Option<&'static Symbol> {
     symbols.binary_search_by(|symbol| (*symbol.text).cmp(text)).ok().map(|at| &symbols[at])
 }
 
-/// Up to three symbols that `text` may have been meant as: first those that differ in case alone.
-pub(crate) fn nearest(text: &str) -> Vec<&'static str> {
+/// Up to three symbols that `text` may have been meant as: first those of the wanted dimension, where there is one, and
+/// among them those that differ in case alone.
+pub(crate) fn nearest(text: &str, wanted: Dim) -> Vec<&'static str> {
     let length = text.chars().count();
     if length > 12 {
         return Vec::new();
@@ -48,11 +49,12 @@ pub(crate) fn nearest(text: &str) -> Vec<&'static str> {
                 return None;
             };
             let prefixed = matches!(symbol.text, Cow::Owned(_));
-            Some((rank, prefixed, &*symbol.text))
+            let other = wanted != Dim::NONE && symbol.scale.dim != wanted;
+            Some((other, rank, prefixed, &*symbol.text))
         })
         .collect();
     found.sort_unstable();
-    found.into_iter().map(|(_, _, text)| text).take(3).collect()
+    found.into_iter().map(|(_, _, _, text)| text).take(3).collect()
 }
 
 /// Every symbol, prefixes included, sorted.

@@ -280,11 +280,12 @@ impl fmt::Display for Hint {
 }
 
 impl ReadError {
-    /// Names the units that an unknown one may have been meant as: a search that only a message needs.
-    pub(super) fn suggesting(self) -> Self {
+    /// Names the units that an unknown one may have been meant as, those of the wanted dimension first: a search that
+    /// only a message needs.
+    pub(super) fn suggesting(self, wanted: Dim) -> Self {
         match self {
             Self::UnknownUnit { symbol, span, .. } => {
-                Self::UnknownUnit { nearest: table::nearest(&symbol), symbol, span }
+                Self::UnknownUnit { nearest: table::nearest(&symbol, wanted), symbol, span }
             }
             other => other,
         }

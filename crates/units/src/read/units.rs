@@ -6,7 +6,7 @@ use super::{
     ReadError,
     scan::{Cursor, DEPTH, guard, is_product, is_quotient, starts_symbol, takes_digit},
 };
-use crate::{Sense, Unit, scale::Scale, table};
+use crate::{Dim, Sense, Unit, scale::Scale, table};
 
 /// The largest power of a unit.
 pub(super) const POWER: u8 = 12;
@@ -28,7 +28,7 @@ pub fn unit(text: &str) -> Result<Unit, ReadError> {
         return Ok(Unit::ONE);
     }
     let mut cursor = Cursor::new(text, range);
-    let unit = whole(&mut cursor).map_err(ReadError::suggesting)?;
+    let unit = whole(&mut cursor).map_err(|error| error.suggesting(Dim::NONE))?;
     if !cursor.rest().is_empty() {
         return Err(cursor.unexpected("a unit"));
     }

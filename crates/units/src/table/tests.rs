@@ -185,8 +185,20 @@ fn nearest_symbols() {
         ("degs", "deg"),
         ("Rad", "rad"),
     ] {
-        assert!(nearest(typed).contains(&meant), "{typed}: {:?}", nearest(typed));
+        let found = nearest(typed, Dim::NONE);
+        assert!(found.contains(&meant), "{typed}: {found:?}");
     }
-    assert_eq!(nearest("furlong"), [""; 0]);
-    assert_eq!(nearest(&"m".repeat(5000)), [""; 0]);
+    assert_eq!(nearest("furlong", Dim::NONE), [""; 0]);
+    assert_eq!(nearest(&"m".repeat(5000), Dim::NONE), [""; 0]);
+}
+
+#[test]
+fn units_of_the_wanted_dimension_come_first() {
+    for (typed, wanted, first) in
+        [("mmt", Dim::LENGTH, "mm"), ("mmt", Dim::MASS, "mt"), ("Kgg", Dim::MASS, "kg"), ("nm", Dim::LENGTH, "nm")]
+    {
+        if lookup(typed).is_none() {
+            assert_eq!(nearest(typed, wanted).first(), Some(&first), "{typed}");
+        }
+    }
 }
