@@ -155,6 +155,45 @@ fn everything_a_crashed_session_left_is_taken_up() {
     assert_eq!((next.model.problems().len(), fs::read_dir(&state).expect("there").count()), (2, 0));
 }
 
+#[test]
+fn a_problem_that_a_crashed_session_left_is_called_by_its_analysis() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let state = folder.path().join("autosave");
+    let mut person = Person::at(100, 30).opens(FAN);
+    person.types("<end>+");
+    let autosave = Autosave::in_folder(state.clone()).expect("a folder of its own");
+    for (problem, text) in &person.kept {
+        autosave.note(*problem, None, text.clone());
+    }
+    autosave.flush().expect("written");
+    let file = fs::read_dir(&state).expect("there").flatten().next().expect("it is kept").path();
+    let text = fs::read_to_string(&file).expect("readable");
+    let (before, after) = text.split_once(" began=").expect("the header says so");
+    fs::write(&file, format!("{before} began=1{after}")).expect("written");
+    let sessions = Autosave::in_folder(state).expect("there").crashed();
+    for (mut person, name) in
+        [(Person::at(100, 30), "Rotating unbalance"), (Person::in_portuguese(100, 30), "Desbalanceamento")]
+    {
+        let screen = person.happens(Msg::Crashed(sessions.clone())).sees();
+        let asked = screen.lines().filter(|line| line.contains(name)).count();
+        assert!(asked >= 1 && !screen.contains("without a file"), "{screen}");
+    }
+}
+
+#[test]
+fn the_state_of_an_exercise_stands_behind_the_longest_title() {
+    let mut person = Person::at(80, 30);
+    let lists = Row::Heading(Heading::Exercises);
+    let at = person.model.picker.rows(person.model.contents()).iter().position(|row| *row == lists);
+    person
+        .types("<home>")
+        .types(&"<down>".repeat(at.expect("there are lists of exercises")))
+        .types("<right><down>");
+    let shown = person.sees();
+    let exercises = shown.lines().filter(|line| line.contains("• ")).count();
+    assert!(exercises > 3 && shown.matches("not begun").count() == exercises, "{shown}");
+}
+
 /// These screens are of these analyses, so that another analysis changes no snapshot. They are more than a few: the
 /// topics begin folded.
 const SOME: [&str; 15] = [

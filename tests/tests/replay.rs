@@ -115,11 +115,53 @@ fn what_is_recorded_can_be_played() {
     let bare = |screen: &str| screen.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
     assert_eq!(bare(screen.trim_end()), bare(last.trim_end()));
 
-    // A file that is there is not written over.
-    let launch = Launch::new(pty::program()).argument("--record").argument(path.as_os_str());
-    let pty = launch.start();
-    pty.expect("is not recorded");
+    // A file that is there is not written over, and that is said before the terminal is taken.
+    for (name, words) in
+        [(path.clone(), "exists already"), (folder.path().join("none/x.replay"), "there is no such folder")]
+    {
+        let launch = Launch::new(pty::program()).argument("--record").argument(name.as_os_str());
+        let mut pty = launch.start();
+        assert_eq!(pty.exit_code(), Some(2), "{}", pty.screen());
+        let screen = pty.screen().split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(screen.contains(words) && screen.contains(".replay"), "{screen}");
+    }
     assert_eq!(fs::read_to_string(&path).expect("the session is there"), text);
+}
+
+/// What was recorded saves and quits; played again it does neither, and nobody's work is asked about.
+#[test]
+fn a_session_that_is_played_writes_nothing_and_does_not_end_the_program() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let problem =
+        "analysis = \"vibration/rotating-unbalance\"\ntitle = \"Paint shop\"\n\n[inputs]\nmass = \"40 kg\"\n";
+    let file = folder.path().join("fan.toml");
+    fs::write(&file, problem).expect("written");
+    // Work that an earlier session left.
+    let kept = folder.path().join("state/dalembert/autosave");
+    fs::create_dir_all(&kept).expect("made");
+    let autosave = dalembert_tui::files::Autosave::in_folder(kept.clone()).expect("a folder of its own");
+    autosave.note(1, None, problem.to_owned());
+    autosave.flush().expect("written");
+    let work = fs::read_dir(&kept).expect("there").flatten().next().expect("it is kept").path();
+    let text = fs::read_to_string(&work).expect("readable");
+    let (before, after) = text.split_once(" began=").expect("the header says so");
+    fs::write(&work, format!("{before} began=1{after}")).expect("written");
+
+    for keys in ["<home>41<enter>sq<enter>", "<home>41<enter>q<enter>", "<home>41<enter>q<down><enter>"] {
+        let session = written(folder.path(), &format!("open fan.toml\ntype {keys}\n"));
+        let launch = Launch::new(pty::program()).argument("replay").argument(&session);
+        let mut pty = launch
+            .argument("--speed")
+            .argument("20")
+            .env("XDG_STATE_HOME", folder.path().join("state").to_str().expect("a readable path"))
+            .start();
+        pty.expect("the keys are yours");
+        assert!(pty.screen().contains("read-only") && pty.screen().contains("41 kg"), "{}", pty.screen());
+        pty.types("q");
+        assert_eq!(pty.exit_code(), Some(0), "{keys}");
+        assert_eq!(fs::read_to_string(&file).expect("there"), problem, "{keys}");
+        assert!(work.exists(), "the next session is asked about it");
+    }
 }
 
 #[test]

@@ -244,3 +244,9 @@ share-of-the-samples = parcela das amostras
 a-thread-of-this-study-failed = uma parte deste estudo falhou
 the-printed-value-cannot-be-compared-with-ours = o valor impresso não pode ser comparado com o nosso
 this-dispute-is-stale-the-printed-value-is-ours = esta divergência caducou: o valor impresso é o nosso
+it-needs-title = precisa de `title = "…"`
+it-needs-one-exercise-at-least-with-analysis-family-name = precisa de ao menos um `[[exercise]]`, com `analysis = "família/nome"`
+an-exercise-needs-analysis-family-name = um exercício precisa de `analysis = "família/nome"`
+key-is-neither-analysis-nor-case = `{ $key }` não é `analysis` nem `case`
+analysis-has-no-case-name-did-you-mean-near = { $analysis } não tem o caso `{ $name }`; seria `{ $near }`?
+analysis-has-no-case-name-dalembert-show-analysis-lists-them = { $analysis } não tem o caso `{ $name }`; `dalembert show { $analysis }` os lista

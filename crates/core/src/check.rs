@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use dalembert_units::{self as units, Dim, Kind, Quantity};
 
 pub use self::search::slips;
-use crate::{Answer, Arg, Solution, Symbol, Text, cases, printer, reading};
+use crate::{Answer, AnswerValue, Arg, Solution, Symbol, Text, cases, printer, reading};
 
 /// Answers that are farther off than this share of ours are not right, however few their digits.
 pub const TOLERANCE: f64 = 0.005;
@@ -168,12 +168,14 @@ fn difference(a: f64, b: f64, dim: Dim) -> f64 {
     off.min(TAU - off)
 }
 
-/// Something that can be typed for an answer that is no single number, and gives nothing away.
-fn example(answer: &Answer) -> String {
-    match &answer.value {
-        crate::AnswerValue::Set(..) => format!("≤ 1 {}", answer.unit.ascii()).trim().to_owned(),
-        _ => format!("(1; 2; …) {}", answer.unit.ascii()).trim().to_owned(),
-    }
+/// Something that can be typed for an answer that is no single number, and gives nothing away: `(1; 2; 3) N·mm`.
+pub fn example(answer: &Answer) -> String {
+    let numbers = match &answer.value {
+        AnswerValue::Set(..) => "≤ 1",
+        AnswerValue::Number(..) => "(1; 2; 3)",
+        AnswerValue::List(_) => "(1; 2; …)",
+    };
+    format!("{numbers} {}", answer.unit.pretty()).trim().to_owned()
 }
 
 impl Slip {

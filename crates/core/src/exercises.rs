@@ -9,9 +9,14 @@
 //! case = "Francis turbine"
 //! ```
 
-use toml_edit::Item;
+use toml_edit::{Document, Item, Key, Table};
 
-use crate::{Language, file};
+use crate::{
+    Language, Text, cases,
+    file::{self, FileError},
+    find,
+    path::nearest,
+};
 
 /// The text of a list that comes with the program.
 #[doc(hidden)]
@@ -55,38 +60,84 @@ impl Exercises {
     }
 }
 
-/// Reads a list. `Err` says what is wrong with it, in English.
-pub fn read(text: &str) -> Result<Exercises, String> {
-    let document = file::document(text)
-        .map_err(|errors| errors.iter().map(|error| error.why.english()).collect::<Vec<_>>().join("; "))?;
+/// Reads a list; whether there are such analyses and cases is another question, see [`unknown`].
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub fn read(text: &str) -> Result<Exercises, Vec<FileError>> {
+    let document = file::document(text)?;
     let table = document.as_table();
     let word = |item: Option<&Item>| item.and_then(Item::as_str).map(str::to_owned);
-    let title = word(table.get("title")).ok_or("it needs `title = \"…\"`")?;
-    let exercises = table
-        .get("exercise")
-        .and_then(Item::as_array_of_tables)
-        .ok_or("it needs one `[[exercise]]` at least, with `analysis = \"family/name\"`")?;
-    let list = exercises
-        .iter()
-        .enumerate()
-        .map(|(n, exercise)| {
-            let unknown = exercise.iter().map(|(key, _)| key).find(|key| !["analysis", "case"].contains(key));
-            if let Some(key) = unknown {
-                return Err(format!("exercise {}: `{key}` is neither `analysis` nor `case`", n + 1));
+    let mut errors = Vec::new();
+    let title = word(table.get("title"));
+    if title.is_none() {
+        errors.push(FileError { why: Text::new("it needs `title = \"…\"`"), span: None });
+    }
+    let exercises = tables(&document);
+    if exercises.is_empty() {
+        let why = Text::new("it needs one `[[exercise]]` at least, with `analysis = \"family/name\"`");
+        errors.push(FileError { why, span: None });
+    }
+    let mut list = Vec::new();
+    for exercise in exercises {
+        for (key, _) in exercise.iter().filter(|(key, _)| !["analysis", "case"].contains(key)) {
+            let why = Text::new("`{key}` is neither `analysis` nor `case`").with("key", key);
+            errors.push(FileError { why, span: exercise.key(key).and_then(Key::span) });
+        }
+        match word(exercise.get("analysis")) {
+            Some(analysis) => {
+                list.push(Exercise { analysis, case: word(exercise.get("case")).unwrap_or_default() });
             }
-            let analysis = word(exercise.get("analysis"))
-                .ok_or_else(|| format!("exercise {}: it needs `analysis = \"family/name\"`", n + 1))?;
-            Ok(Exercise { analysis, case: word(exercise.get("case")).unwrap_or_default() })
-        })
-        .collect::<Result<_, String>>()?;
-    Ok(Exercises { title, portuguese: word(table.get("title-pt-BR")), list })
+            None => {
+                let why = Text::new("an exercise needs `analysis = \"family/name\"`");
+                errors.push(FileError { why, span: exercise.span() });
+            }
+        }
+    }
+    match title {
+        Some(title) if errors.is_empty() => {
+            Ok(Exercises { title, portuguese: word(table.get("title-pt-BR")), list })
+        }
+        _ => Err(errors),
+    }
+}
+
+/// The analyses and cases of a list that there are not.
+pub fn unknown(text: &str) -> Vec<FileError> {
+    let Ok(document) = file::document(text) else { return Vec::new() };
+    let mut errors = Vec::new();
+    for exercise in tables(&document) {
+        let word = |key: &str| Some((exercise.get(key)?.as_str()?, exercise.get(key)?.span()));
+        let Some((id, span)) = word("analysis") else { continue };
+        let Some(entry) = find(id) else {
+            errors.push(FileError { why: file::no_such_analysis(id), span });
+            continue;
+        };
+        let Some((name, span)) = word("case").filter(|(name, _)| !name.is_empty()) else { continue };
+        let cases = cases::cases(entry).unwrap_or_default();
+        if cases.iter().all(|case| case.name != name) {
+            let why = match nearest(name, cases.iter().map(|case| case.name.as_str())) {
+                Some(near) => {
+                    Text::new("{analysis} has no case `{name}`; did you mean `{near}`?").with("near", near)
+                }
+                None => Text::new("{analysis} has no case `{name}`; `dalembert show {analysis}` lists them"),
+            };
+            errors.push(FileError { why: why.with("analysis", id).with("name", name), span });
+        }
+    }
+    errors
+}
+
+fn tables<'d>(document: &'d Document<&str>) -> Vec<&'d Table> {
+    let all = document.as_table().get("exercise").and_then(Item::as_array_of_tables);
+    all.map_or_else(Vec::new, |all| all.iter().collect())
 }
 
 /// The lists that come with the program, in the order of their English titles.
-pub fn shipped() -> Vec<Result<Exercises, String>> {
+pub fn shipped() -> Vec<Result<Exercises, Vec<FileError>>> {
     let mut all: Vec<_> = inventory::iter::<Shipped>().map(|shipped| read(shipped.0)).collect();
     all.sort_by(|a, b| {
-        let title = |one: &Result<Exercises, String>| one.as_ref().map(|one| one.title.clone()).ok();
+        let title = |one: &Result<Exercises, _>| one.as_ref().map(|one| one.title.clone()).ok();
         title(a).cmp(&title(b))
     });
     all
@@ -109,8 +160,9 @@ mod tests {
             ("title = \"A\"\n[[exercise]]\nanalysis = \"x/y\"\nanswer = 1\n", "answer"),
             ("title = ", "string"),
         ] {
-            let error = read(wrong).unwrap_err();
-            assert!(error.contains(said), "{wrong:?}: {error}");
+            let errors = read(wrong).unwrap_err();
+            let all: Vec<String> = errors.iter().map(|error| error.why.english()).collect();
+            assert!(all.iter().any(|error| error.contains(said)), "{wrong:?}: {all:?}");
         }
     }
 }

@@ -116,3 +116,6 @@ is-not-there = não existe
 own-lists-of-exercises = listas de exercícios próprias
 what-is-remembered = o que é lembrado
 not-taken-of-the-settings = não aceito da configuração
+not-taken-of-the-exercises = não aceito dos exercícios
+file-exists-already-and-no-session-is-recorded-over-it-write-another-name-or-remove-it = { $file } já existe, e nenhuma sessão é gravada por cima: escreva outro nome, ou remova-o
+file-cannot-be-recorded-there-is-no-such-folder = { $file } não pode ser gravado: não há essa pasta

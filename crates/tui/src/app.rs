@@ -19,7 +19,7 @@ use crate::{
     files::{self, Autosave, Memory},
     glyphs::{Capabilities, Colors, Environment, Glyphs, PlotMarker},
     look::Look,
-    model::{EditError, Editing, Effect, Model, Msg},
+    model::{After, EditError, Editing, Effect, Model, Msg},
     replay::{Player, Recorder, Replay},
     settings::{self, Settings},
     solver::{Solver, judges},
@@ -40,6 +40,8 @@ const FILM_BYTES: (f64, f64) = (64e3, 8e3);
 const FILM_SHARE: u32 = 4;
 /// Nothing is expected: until then the loop sleeps.
 const LONG: Duration = Duration::from_hours(24);
+/// What is said when a session that was played has come to its end.
+const ENDED: &str = "the session has ended: the keys are yours; the replay is read-only";
 /// The exit code when the terminal cannot be had.
 const NO_TERMINAL: u8 = 2;
 
@@ -136,8 +138,15 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     model.look.basic = basic;
     model.playing &= !basic;
     model.readonly = readonly;
+    model.played = replay.is_some();
     model.faults = Fault::allowed();
     let judges = judges(teller(&sender, &session, |(id, cases)| Msg::Judged(id, cases)));
+    let mut faulty: Vec<_> = faults.into_iter().filter(|(_, faults)| !faults.is_empty()).collect();
+    if let Some(folder) = files::sets_path() {
+        let (sets, wrong) = files::sets(&folder);
+        model.sets.extend(sets);
+        faulty.extend(wrong);
+    }
     let (memory, forgetful) = recall(&mut model, teller(&sender, &session, Msg::Trouble));
     let mut world = World {
         session,
@@ -180,8 +189,9 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     if !sessions.is_empty() {
         update(&mut model, Msg::Crashed(sessions));
     }
-    if let Some((path, faults)) = faults.filter(|(_, faults)| !faults.is_empty()) {
-        update(&mut model, Msg::Settings { path, faults });
+    // A session that is played does not know of a message over its screen.
+    if !model.played {
+        update(&mut model, Msg::Faulty(faulty));
     }
     world.run(&mut model, &messages)
 }
@@ -290,21 +300,33 @@ impl World {
         let said = match &mut self.player {
             Some(_) if inputs.iter().any(typed) => {
                 inputs.retain(|input| !typed(input));
-                "the session has stopped: the keys are yours"
+                "the session has stopped: the keys are yours; the replay is read-only"
             }
-            Some(player) if player.due().is_none() => "the session has ended: the keys are yours",
+            Some(player) if player.due().is_none() => ENDED,
             Some(player) => return (player.next(model), false),
             None => return (None, false),
         };
-        self.player = None;
-        model.say(said);
+        self.hand_over(model, said);
         (None, true)
+    }
+
+    /// The keys are the person's from now on.
+    fn hand_over(&mut self, model: &mut Model, said: &'static str) {
+        self.player = None;
+        (model.played, model.after_save) = (false, After::Stay);
+        model.say(said);
     }
 
     /// Does what is to be done; whether the program ends.
     fn perform(&mut self, model: &mut Model, effects: Vec<Effect>) -> bool {
         for effect in effects {
             let msg = match effect {
+                // The program belongs to who looks on, not to the session.
+                Effect::Quit if self.player.is_some() => {
+                    self.hand_over(model, ENDED);
+                    continue;
+                }
+                Effect::Suspend if self.player.is_some() => continue,
                 Effect::Quit => return true,
                 Effect::Solve(job) => {
                     self.awaited = Some((job.generation, Instant::now()));
@@ -347,6 +369,10 @@ impl World {
                     let path = at_home(path);
                     let result = files::read(&path);
                     Msg::Opened { path, result }
+                }
+                Effect::List(folder) => {
+                    let names = files::list(&at_home(folder.clone()));
+                    Msg::Listed(folder, names)
                 }
                 Effect::ReadTable { field, path, columns } => {
                     let result = files::read_table(&at_home(path), columns);
@@ -466,18 +492,12 @@ fn is_remote() -> bool {
     ["SSH_CONNECTION", "SSH_TTY"].iter().any(|name| std::env::var_os(name).is_some())
 }
 
-/// What earlier sessions remembered, and the person's own lists of exercises; what remembers for later sessions, and
-/// what could not be read.
+/// What earlier sessions remembered; what remembers for later sessions, and what could not be read.
 fn recall(
     model: &mut Model,
     told: impl Fn(files::FileError) + Send + 'static,
 ) -> (Option<Memory>, Vec<files::FileError>) {
     let mut trouble = Vec::new();
-    if let Some(folder) = files::sets_path() {
-        let (sets, error) = files::sets(&folder);
-        model.sets.extend(sets);
-        trouble.extend(error);
-    }
     let Some(path) = files::remembered_path() else { return (None, trouble) };
     match files::recall(&path) {
         Ok(remembered) => model.remembered = remembered,

@@ -112,6 +112,17 @@ pub enum State {
     Unread,
 }
 
+/// What a cell of a tab is for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CellOf {
+    /// A person's own answer, by its name.
+    Answer(String),
+    /// The tolerance of an input, by its path.
+    Tolerance(String),
+    /// A cell of a study.
+    Study(ask::Cell),
+}
+
 /// What the keys act on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Focus {
@@ -319,6 +330,26 @@ impl Bench {
             (0, 0) => None,
             (0, _) => Some(Text::new("{count} to be filled in").with("count", needed)),
             _ => Some(Text::new("{count} to be put right").with("count", wrong)),
+        }
+    }
+
+    /// What the cell under the cursor of the tab is for.
+    pub fn cell(&self) -> Option<CellOf> {
+        match self.tab {
+            Tab::Check => {
+                let answers = &self.found.solution.as_ref()?.answers;
+                let at = self.ask.check.cursor.min(answers.len().checked_sub(1)?);
+                Some(CellOf::Answer(answers[at].name.to_string()))
+            }
+            Tab::Sensitivity => {
+                let sensitivity = &self.ask.sensitivity;
+                // The order must not change while a tolerance is typed.
+                let sorted = sensitivity.sorted();
+                let at = sensitivity.cursor.min(sorted.len().checked_sub(1)?);
+                Some(CellOf::Tolerance(sorted[at].input.path.clone()))
+            }
+            Tab::Study => Some(CellOf::Study(self.ask.study.cell())),
+            _ => None,
         }
     }
 

@@ -1,5 +1,7 @@
 //! What lies over a screen and takes the keys: help, palette, lists, questions.
 
+mod names;
+
 use std::path::PathBuf;
 
 use dalembert_core::Text;
@@ -8,6 +10,8 @@ use nucleo_matcher::{
     pattern::{CaseMatching, Normalization, Pattern},
 };
 use tui_input::Input;
+
+pub use names::Names;
 
 use crate::{
     files::Crashed,
@@ -50,6 +54,8 @@ pub enum Dialog {
         proposed: bool,
         /// Why the last one would not do.
         error: Option<Text>,
+        /// The files that may be meant, where it is the path of one.
+        names: Names,
     },
     /// A question with a few answers.
     Ask {
@@ -104,6 +110,13 @@ pub enum Purpose {
     Title,
     /// The path of the plot or drawing that is seen.
     ExportSeen,
+}
+
+impl Purpose {
+    /// Whether a file is meant.
+    pub fn is_path(self) -> bool {
+        self != Purpose::Title
+    }
 }
 
 /// What follows an answer.
@@ -163,12 +176,24 @@ impl Dialog {
 
     /// A line of text is asked for; a proposal gives way to what is typed.
     pub fn prompt(purpose: Purpose, proposal: String) -> Self {
-        Dialog::Prompt { purpose, proposed: !proposal.is_empty(), input: proposal.into(), error: None }
+        Dialog::Prompt {
+            purpose,
+            proposed: !proposal.is_empty(),
+            input: proposal.into(),
+            error: None,
+            names: Names::default(),
+        }
     }
 
     /// What was typed will not do: it is asked for again, to be put right.
     pub fn prompt_again(purpose: Purpose, typed: String, error: Text) -> Self {
-        Dialog::Prompt { purpose, proposed: false, input: typed.into(), error: Some(error) }
+        Dialog::Prompt {
+            purpose,
+            proposed: false,
+            input: typed.into(),
+            error: Some(error),
+            names: Names::default(),
+        }
     }
 
     /// An empty palette.

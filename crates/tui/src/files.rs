@@ -30,6 +30,9 @@ use crate::glyphs::filter_untrusted;
 /// The largest file that is read, in bytes.
 pub const LARGEST: u64 = 16 * 1024 * 1024;
 
+/// So many names of a folder are listed.
+const MOST_NAMES: usize = 1_000;
+
 /// Why a file was not read or written.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
@@ -223,6 +226,19 @@ fn numbered(path: &Path) -> (PathBuf, Option<usize>) {
         Some((name, which)) => (PathBuf::from(name), Some(which)),
         None => (path.to_owned(), None),
     }
+}
+
+/// What is in a folder, in the order of names; folders end in `/`. Nothing where it cannot be read.
+pub fn list(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_NAMES);
+    let mut names: Vec<String> = entries
+        .filter_map(|entry| {
+            let end = if entry.path().is_dir() { "/" } else { "" };
+            entry.file_name().into_string().ok().map(|name| name + end)
+        })
+        .collect();
+    names.sort_by_key(|name| name.to_lowercase());
+    names
 }
 
 /// The bytes of a regular file, at most [`LARGEST`].

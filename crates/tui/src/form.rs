@@ -1,5 +1,6 @@
 //! The inputs of a problem as a form: a [`Draft`] seen as lines, a cursor, and the changes that keys make.
 
+mod edit;
 mod lines;
 mod nudge;
 mod units;
@@ -8,12 +9,12 @@ use std::{collections::HashMap, ops::Range};
 
 use dalembert_core::{Draft, Entry, FieldError, Shape, Value, draft};
 use dalembert_units::{Decimal, Style, write_quantity, write_vector};
-use tui_input::Input;
 
+pub use edit::{Edit, Sign};
 pub use lines::{Line, Role, lines};
 pub use nudge::{digit_at, nudged};
 
-use self::units::in_next_unit;
+use self::units::{in_next_unit, with_unit, written_unit};
 use crate::glyphs::filter_untrusted;
 
 /// The longest text that is kept of one line, in characters.
@@ -30,6 +31,8 @@ pub struct Form {
     pub cursor: usize,
     /// The field that is being typed in.
     pub edit: Option<Edit>,
+    /// The sign that was the last key.
+    pub sign: Option<Sign>,
     shape: Shape,
     undo: Vec<Draft>,
     redo: Vec<Draft>,
@@ -41,17 +44,6 @@ pub struct Form {
     aim: Option<(String, u32)>,
     /// The alternatives that were left, by path and place, to come back to.
     left: HashMap<(String, usize), Draft>,
-}
-
-/// A field that is being typed in.
-#[derive(Clone, Debug)]
-pub struct Edit {
-    /// Which.
-    pub path: String,
-    /// The text and the cursor in it.
-    pub input: Input,
-    /// Everything as it was before.
-    before: Draft,
 }
 
 /// A text in another unit than it was typed in: the quantity is that of the text as it was typed, however often its
@@ -87,6 +79,7 @@ impl Form {
             draft,
             cursor: 0,
             edit: None,
+            sign: None,
             shape: entry.shape(),
             undo: Vec::new(),
             redo: Vec::new(),
@@ -134,45 +127,16 @@ impl Form {
         }
     }
 
-    /// Begins to type in the field under the cursor, in its text or in an empty one.
-    pub fn begin(&mut self, text: Option<String>) -> bool {
-        let Some(Line { path, role: Role::Leaf { text: old, .. }, .. }) = self.line() else { return false };
-        let replaced = text.is_some();
-        let input = Input::new(text.unwrap_or(old));
-        self.edit = Some(Edit { path, input, before: self.draft.clone() });
-        if replaced {
-            self.typed();
-        }
-        true
-    }
-
-    /// Takes the text of the edit into the draft: as it is typed.
-    pub fn typed(&mut self) {
-        if let Some(edit) = &self.edit
-            && let Ok((place, _)) = self.draft.at_mut(&self.shape, &edit.path)
-        {
-            *place = Draft::Leaf(edit.input.value().to_owned());
-        }
-    }
-
-    /// Ends the edit and keeps its text.
-    pub fn keep(&mut self) {
-        if let Some(edit) = self.edit.take()
-            && edit.before != self.draft
-        {
-            self.remember(edit.before, Change::Other);
-        }
-    }
-
-    /// Ends the edit; everything is as it was before.
-    pub fn drop_edit(&mut self) {
-        if let Some(edit) = self.edit.take() {
-            self.draft = edit.before;
-        }
-    }
-
-    /// Puts a text in place of that of a field.
+    /// Puts a text in place of that of a field; a number alone keeps the unit that is there.
     pub fn set(&mut self, path: &str, text: String) -> bool {
+        let text = match self.draft.at(&self.shape, path) {
+            Ok((Draft::Leaf(old), shape)) => {
+                let shape = shape.present();
+                let unit = written_unit(old, &shape);
+                with_unit(text, unit.as_ref(), &shape)
+            }
+            _ => text,
+        };
         self.put(Change::Other, path, Draft::Leaf(text))
     }
 

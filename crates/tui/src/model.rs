@@ -71,6 +71,8 @@ pub struct Model {
     pub size: (u16, u16),
     /// Nothing is saved.
     pub readonly: bool,
+    /// A session is played: it is asked what it was asked when it was recorded, though nothing is saved.
+    pub played: bool,
     /// Whether `:fault` is a command.
     pub faults: bool,
     /// What waits for a save to be done.
@@ -172,6 +174,8 @@ pub enum Msg {
         /// What it says.
         result: Result<Opened, FileError>,
     },
+    /// What is in a folder, in order; folders end in `/`.
+    Listed(PathBuf, Vec<String>),
     /// The file of a table was read, or not.
     TableRead {
         /// The field of the table.
@@ -203,13 +207,8 @@ pub enum Msg {
     Crashed(Vec<Crashed>),
     /// Unsaved work could not be kept aside.
     Trouble(FileError),
-    /// Some of the settings cannot be taken.
-    Settings {
-        /// Their file.
-        path: PathBuf,
-        /// What is wrong in it.
-        faults: Vec<SettingFault>,
-    },
+    /// Files of the person's own, settings and lists of exercises, and what of each cannot be taken.
+    Faulty(Vec<(PathBuf, Vec<SettingFault>)>),
     /// Something to tell.
     Notice(String),
 }
@@ -243,6 +242,8 @@ pub enum Effect {
     },
     /// Read a file; [`Msg::Opened`].
     Open(PathBuf),
+    /// Look into a folder; [`Msg::Listed`].
+    List(PathBuf),
     /// Read the file of a table; [`Msg::TableRead`].
     ReadTable {
         /// The field of the table.
@@ -330,6 +331,7 @@ impl Model {
             film_speed: 1.0,
             size: (80, 24),
             readonly: false,
+            played: false,
             faults: false,
             after_save: After::Stay,
             reloading: None,

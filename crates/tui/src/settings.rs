@@ -59,6 +59,18 @@ pub struct Fault {
     pub why: Text,
 }
 
+impl Fault {
+    /// What is wrong at some bytes of a text.
+    pub fn of(text: &str, span: Option<Range<usize>>, why: Text) -> Self {
+        Self { line: line_of(text, span), why }
+    }
+
+    /// The sentence, with its line.
+    pub fn text(&self) -> Text {
+        Text::new("line {line}: {why}").with("line", self.line).with_text("why", self.why.clone())
+    }
+}
+
 /// The settings at the top of the file, in its order.
 const KEYS: [&str; 10] =
     ["language", "theme", "ascii", "mouse", "marker", "decimal", "digits", "film-speed", "editor", "keys"];

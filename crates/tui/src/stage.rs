@@ -145,6 +145,11 @@ impl Stage {
                     let result = files::read(&path);
                     Msg::Opened { path, result }
                 }
+                // A stage stands in no folder: what is there is not part of a session.
+                Effect::List(folder) => {
+                    let names = if folder.is_absolute() { files::list(&folder) } else { Vec::new() };
+                    Msg::Listed(folder, names)
+                }
                 Effect::ReadTable { field, path, columns } => {
                     Msg::TableRead { field, result: files::read_table(&path, columns) }
                 }

@@ -42,6 +42,18 @@ pub fn start(model: &mut Model, file: Option<PathBuf>, analysis: Option<&'static
 
 /// Changes the model by what happened, and says what is to be done outside of it.
 pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
+    let mut effects = take(model, msg);
+    // A path is asked for: what is there stands below it.
+    if let Some(Dialog::Prompt { purpose, input, names, .. }) = &mut model.dialog
+        && purpose.is_path()
+        && !names.is_trying()
+    {
+        effects.extend(names.wanted(input.value()).map(Effect::List));
+    }
+    effects
+}
+
+fn take(model: &mut Model, msg: Msg) -> Vec<Effect> {
     match msg {
         Msg::Key(key) => {
             model.notice = None;
@@ -82,6 +94,12 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
         Msg::Saved { path, text, result } => files::saved(model, &path, text, result),
         Msg::Exported { path, result } => export::written(model, &path, result),
         Msg::Opened { path, result } => files::opened(model, path, result),
+        Msg::Listed(folder, found) => {
+            if let Some(Dialog::Prompt { names, .. }) = &mut model.dialog {
+                names.take(&folder, found);
+            }
+            Vec::new()
+        }
         Msg::TableRead { field, result } => bench::table_read(model, &field, result),
         Msg::Crashed(sessions) => {
             files::crashed(model, sessions);
@@ -91,8 +109,8 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
             model.complain(error.text());
             Vec::new()
         }
-        Msg::Settings { path, faults } => {
-            settings::faulty(model, &path, &faults);
+        Msg::Faulty(files) => {
+            settings::faulty(model, &files);
             Vec::new()
         }
         Msg::Notice(text) => {
@@ -104,10 +122,12 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
 
 fn press(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
     let place = model.place();
+    let sign = model.bench.as_mut().and_then(|bench| bench.form.sign.take());
     match model.keys.action(place, key) {
+        Some(action @ Action::Nudge(_)) if place == Place::Form => bench::nudge(model, key, action),
         Some(action) => act(model, place, action),
         None => match place {
-            Place::Form => bench::begin_by_typing(model, key),
+            Place::Form => bench::begin_by_typing(model, key, sign),
             Place::Cells => ask::begin_by_typing(model, key),
             Place::Sheet => {
                 dialog::edit_sheet(model, key);
@@ -250,11 +270,12 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Effect> {
                 *chosen = 0;
             }
         }
-        Some(Dialog::Prompt { input, proposed, error, .. }) => {
+        Some(Dialog::Prompt { input, proposed, error, names, .. }) => {
             if std::mem::take(proposed) && matches!(requests, [InputRequest::InsertChar(_), ..]) {
                 input.reset();
             }
             if handle(input) {
+                names.typed();
                 *error = None;
             }
         }

@@ -30,11 +30,18 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
         place("own lists of exercises", files::sets_path().as_deref()),
         place("unsaved work is kept in", kept.as_deref()),
     ];
-    lines.extend(set.faults.iter().map(|fault| {
-        let fault =
-            Text::new("line {line}: {why}").with("line", fault.line).with_text("why", fault.why.clone());
-        line("not taken of the settings", fault.render(&console.locale))
-    }));
+    lines.extend(
+        set.faults
+            .iter()
+            .map(|fault| line("not taken of the settings", fault.text().render(&console.locale))),
+    );
+    for (path, faults) in files::sets_path().map_or_else(Vec::new, |folder| files::sets(&folder).1) {
+        lines.extend(faults.iter().map(|fault| {
+            let said =
+                Text::new("in {file}, {why}").with("file", path.display()).with_text("why", fault.text());
+            line("not taken of the exercises", said.render(&console.locale))
+        }));
+    }
     let program = vec![
         line("version", env!("CARGO_PKG_VERSION").into()),
         line("analyses", registry().len().to_string()),

@@ -1,8 +1,11 @@
 //! `dalembert` and `dalembert FILE`: the workbench, or a worked solution where there is no terminal.
 
-use std::{path::PathBuf, process::ExitCode};
+use std::{
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
 
-use dalembert_core::{file, find};
+use dalembert_core::{Text, file, find};
 use dalembert_tui::{Options, settings::Settings};
 
 use crate::{
@@ -17,6 +20,9 @@ pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<
     let named = arguments.problem.as_deref();
     if !console.interactive {
         return print_worked(&problem::read(named.unwrap_or(FIRST), None, &[], console)?, console);
+    }
+    if let Some(path) = &arguments.record {
+        can_be_recorded(path)?;
     }
     let analysis = find(named.unwrap_or(FIRST));
     let path = named.filter(|_| analysis.is_none()).map(PathBuf::from);
@@ -40,4 +46,20 @@ pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<
         record: arguments.record.clone(),
         replay: None,
     }))
+}
+
+/// A session is recorded in a new file, and that is known before the workbench opens. The file is made later: the
+/// program is started twice, see [`run_guarded`](dalembert_tui::terminal::run_guarded).
+fn can_be_recorded(path: &Path) -> Result<(), Failure> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let why = if path.symlink_metadata().is_ok() {
+        Text::new(
+            "{file} exists already, and no session is recorded over it: write another name, or remove it",
+        )
+    } else if folder.is_some_and(|folder| !folder.is_dir()) {
+        Text::new("{file} cannot be recorded: there is no such folder")
+    } else {
+        return Ok(());
+    };
+    Err(Failure::input(why.with("file", path.display())))
 }

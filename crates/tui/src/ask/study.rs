@@ -5,7 +5,7 @@ use dalembert_core::{
     study::{Distribution, Plan, Studied},
     vary::{self, Input},
 };
-use dalembert_units::{Decimal, Style, write_quantity};
+use dalembert_units::{Decimal, Style, Unit, write_quantity};
 
 use super::{USUAL, chosen, put, text_of, turned};
 
@@ -247,6 +247,17 @@ impl Study {
             Cell::Samples => words(&SAMPLES.to_string()),
             Cell::Seed => words("1"),
         }
+    }
+
+    /// The unit of a number that is typed alone in a cell; `None` where a whole number without one is wanted.
+    pub fn unit(&self, cell: Cell, of: &Subject<'_>) -> Option<Unit> {
+        let input = match cell {
+            Cell::Wanted => return Some(of.answers.get(of.answer)?.unit.clone()),
+            Cell::From | Cell::To => of.input,
+            Cell::Values => of.family?,
+            _ => return None,
+        };
+        Some(of.inputs.get(input)?.unit.clone())
     }
 
     /// What is asked, or which cell cannot be read, and why.

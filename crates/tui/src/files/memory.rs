@@ -12,7 +12,10 @@ use dalembert_core::exercises::{self, Exercises};
 use etcetera::{BaseStrategy, choose_base_strategy};
 
 use super::{Before, FileError, failed, read, save};
-use crate::remembered::{self, Change, Remembered};
+use crate::{
+    remembered::{self, Change, Remembered},
+    settings::Fault,
+};
 
 /// So long the end of the program waits for the last changes to be written.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -105,25 +108,35 @@ pub fn remember(path: &Path, change: &Change) -> Result<(), FileError> {
     }
 }
 
-/// The lists of exercises in a folder, in the order of their names, and the first that cannot be read.
-pub fn sets(folder: &Path) -> (Vec<Exercises>, Option<FileError>) {
-    let Ok(entries) = fs::read_dir(folder) else { return (Vec::new(), None) };
+/// The lists of exercises in a folder, in the order of their names, and what is wrong in which of its files.
+pub fn sets(folder: &Path) -> (Vec<Exercises>, Vec<(PathBuf, Vec<Fault>)>) {
+    let Ok(entries) = fs::read_dir(folder) else { return (Vec::new(), Vec::new()) };
     let mut paths: Vec<PathBuf> = entries
         .flatten()
         .map(|entry| entry.path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
         .collect();
     paths.sort();
-    let (mut found, mut trouble) = (Vec::new(), None);
+    let (mut found, mut wrong) = (Vec::new(), Vec::new());
     for path in paths {
-        let one =
-            read(&path).and_then(|opened| exercises::read(&opened.text).map_err(|why| broken(&path, &why)));
-        match one {
-            Ok(one) => found.push(one),
-            Err(error) => trouble = trouble.or(Some(error)),
+        let faults = match read(&path) {
+            Ok(opened) => {
+                let errors = match exercises::read(&opened.text) {
+                    Ok(list) => {
+                        found.push(list);
+                        exercises::unknown(&opened.text)
+                    }
+                    Err(errors) => errors,
+                };
+                errors.into_iter().map(|error| Fault::of(&opened.text, error.span, error.why)).collect()
+            }
+            Err(error) => vec![Fault { line: 1, why: error.text() }],
+        };
+        if !faults.is_empty() {
+            wrong.push((path, faults));
         }
     }
-    (found, trouble)
+    (found, wrong)
 }
 
 fn broken(path: &Path, why: &str) -> FileError {

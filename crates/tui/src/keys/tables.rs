@@ -209,8 +209,13 @@ pub(super) const LIST: &[Binding] = &[
 pub(super) const PROMPT: &[Binding] = &[
     bind(Action::Enter, ENTER, "take it", "take it"),
     bind(Action::Back, ESC, "close", "close"),
-    bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "line up", ""),
-    bind(Action::Down, &[plain(KeyCode::Down), plain(KeyCode::Tab)], "line down", ""),
+    bind(
+        Action::Down,
+        &[plain(KeyCode::Tab), plain(KeyCode::Down)],
+        "the next line; of a path, the next file or folder that is meant",
+        "next",
+    ),
+    bind(Action::Up, &[plain(KeyCode::BackTab), plain(KeyCode::Up)], "the line before", ""),
 ];
 
 /// Keys of a text of many lines.

@@ -78,6 +78,7 @@ impl std::error::Error for Failure {}
 /// Plays a session that stands in a folder. A film shows the frames that the time of a `wait` has room for.
 pub fn play(replay: &Replay, folder: &Path) -> Result<Played, Failure> {
     let mut stage = Stage::new(registry(), replay.screen, replay.language, replay.look);
+    (stage.model.readonly, stage.model.played) = (true, true);
     if let Some(named) = &replay.open {
         let (file, analysis) = to_open(named, folder)?;
         stage.begins(file, analysis);

@@ -6,8 +6,8 @@ use tui_input::{Input, InputRequest};
 
 use super::{bench::bring_in, remember_done, request, type_in};
 use crate::{
-    ask::{self, Cell, Question, Reply},
-    bench::{Bench, Focus, State, Tab},
+    ask::{self, Question, Reply},
+    bench::{Bench, CellOf, Focus, State, Tab},
     form,
     keys::Action,
     model::{Effect, Model},
@@ -70,13 +70,13 @@ pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
 pub(super) fn typed(model: &mut Model) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let Some(text) = bench.ask.edit.as_ref().map(|input| input.value().to_owned()) else { return Vec::new() };
-    match under_cursor(bench) {
-        Some(Under::Answer(name)) => bench.ask.check.set(&name, text),
-        Some(Under::Tolerance(path)) => {
+    match bench.cell() {
+        Some(CellOf::Answer(name)) => bench.ask.check.set(&name, text),
+        Some(CellOf::Tolerance(path)) => {
             bench.ask.sensitivity.set(&path, text);
             bench.ask.study.found = None;
         }
-        Some(Under::Cell(cell)) => {
+        Some(CellOf::Study(cell)) => {
             if let Some(names) = bench.subject().map(|subject| subject.names()) {
                 bench.ask.study.keep(names);
             }
@@ -207,31 +207,6 @@ fn question(bench: &Bench) -> Option<Question> {
     }
 }
 
-/// What is under the cursor of the shown tab.
-enum Under {
-    /// A person's own answer, by its name.
-    Answer(String),
-    /// The tolerance of an input, by its path.
-    Tolerance(String),
-    /// A cell of a study.
-    Cell(Cell),
-}
-
-fn under_cursor(bench: &Bench) -> Option<Under> {
-    match bench.tab {
-        Tab::Check => name_under_cursor(bench).map(Under::Answer),
-        Tab::Sensitivity => {
-            let sensitivity = &bench.ask.sensitivity;
-            // The order must not change while a tolerance is typed.
-            let sorted = sensitivity.sorted();
-            let at = sensitivity.cursor.min(sorted.len().checked_sub(1)?);
-            Some(Under::Tolerance(sorted[at].input.path.clone()))
-        }
-        Tab::Study => Some(Under::Cell(bench.ask.study.cell())),
-        _ => None,
-    }
-}
-
 /// Chooses another answer, or what stands beside in the cell under the cursor.
 fn choose(model: &mut Model, by: isize) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
@@ -259,21 +234,15 @@ fn choose(model: &mut Model, by: isize) -> Vec<Effect> {
 /// Begins to type in the cell under the cursor, in its text or in an empty one.
 fn begin(model: &mut Model, text: Option<String>) -> bool {
     let Some(bench) = &mut model.bench else { return false };
-    let old = match under_cursor(bench) {
-        Some(Under::Answer(name)) => bench.ask.check.text(&name).to_owned(),
-        Some(Under::Tolerance(path)) => bench.ask.sensitivity.text(&path).to_owned(),
-        Some(Under::Cell(cell)) if !cell.is_choice() => bench.ask.study.text(cell).to_owned(),
+    let old = match bench.cell() {
+        Some(CellOf::Answer(name)) => bench.ask.check.text(&name).to_owned(),
+        Some(CellOf::Tolerance(path)) => bench.ask.sensitivity.text(&path).to_owned(),
+        Some(CellOf::Study(cell)) if !cell.is_choice() => bench.ask.study.text(cell).to_owned(),
         _ => return false,
     };
     let text = text.unwrap_or(old);
     bench.ask.edit = Some(Input::new(text.chars().take(form::LONGEST).collect()));
     true
-}
-
-fn name_under_cursor(bench: &Bench) -> Option<String> {
-    let answers = &bench.found.solution.as_ref()?.answers;
-    let at = bench.ask.check.cursor.min(answers.len().checked_sub(1)?);
-    Some(answers[at].name.to_string())
 }
 
 fn step(model: &mut Model, by: isize) {
@@ -293,10 +262,17 @@ fn step(model: &mut Model, by: isize) {
 /// Shows our answer under the cursor, or covers it again.
 fn show_ours(model: &mut Model) {
     let Some(bench) = &mut model.bench else { return };
-    let Some(name) = name_under_cursor(bench).filter(|_| bench.tab == Tab::Check) else { return };
+    let Some(name) = answer_under_cursor(bench) else { return };
     let seen = &mut bench.ask.check.seen;
     if !seen.remove(&name) {
         seen.insert(name);
+    }
+}
+
+fn answer_under_cursor(bench: &Bench) -> Option<String> {
+    match bench.cell()? {
+        CellOf::Answer(name) => Some(name),
+        CellOf::Tolerance(_) | CellOf::Study(_) => None,
     }
 }
 

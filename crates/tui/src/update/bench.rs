@@ -9,7 +9,10 @@ use std::path::PathBuf;
 
 use dalembert_core::{Draft, Shape, Text, file};
 use dalembert_report::show_answer_in;
-use ratatui::{crossterm::event::KeyEvent, layout::Rect};
+use ratatui::{
+    crossterm::event::{KeyCode, KeyEvent, KeyModifiers},
+    layout::Rect,
+};
 use tui_input::InputRequest;
 
 use super::{ask, export, files, picker, remembering, request, too_long, type_in};
@@ -17,7 +20,7 @@ use crate::{
     bench::{Bench, Focus, State, Tab},
     dialog::{Choice, Chosen, Dialog, Purpose, Sheet},
     files::FileError,
-    form::{self, Line, Role},
+    form::{self, Line, Role, Sign},
     glyphs::filter_untrusted,
     keys::{Action, Key, Place},
     layout,
@@ -200,8 +203,23 @@ pub(super) fn tell_hidden(model: &mut Model, problem: u64, before: Option<&[Text
     }
 }
 
-/// A digit on a field of numbers begins a new text.
-pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
+/// A key that changes a digit; a sign may turn out to be that of a number.
+pub(super) fn nudge(model: &mut Model, key: KeyEvent, action: Action) -> Vec<Effect> {
+    let sign = match Key::of(key) {
+        Key(KeyCode::Char(sign @ ('+' | '-' | '−')), KeyModifiers::NONE) => {
+            model.bench.as_ref().and_then(|bench| bench.form.sign_typed(sign))
+        }
+        _ => None,
+    };
+    let effects = act(model, Place::Form, action);
+    if let Some(bench) = &mut model.bench {
+        bench.form.sign = sign;
+    }
+    effects
+}
+
+/// A digit on a field of numbers begins a new text, with the sign that was typed just before.
+pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent, sign: Option<Sign>) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let begins = Key::of(key).begins_a_number();
     let Some(request @ InputRequest::InsertChar(_)) = request(key).filter(|_| begins) else {
@@ -217,7 +235,12 @@ pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
             (Text::new("{key} edits; paste replaces; @file reads a file"), Action::Enter)
         }
         Some(Role::Absent) => (Text::new("{key} puts it in"), Action::Toggle),
-        _ if bench.form.begin(Some(String::new())) => return type_in(model, &[request]),
+        Some(Role::Leaf { .. }) => {
+            let sign = sign.and_then(|sign| bench.form.take_back(sign));
+            bench.form.begin(Some(String::new()));
+            let sign = sign.map(InputRequest::InsertChar);
+            return type_in(model, &sign.into_iter().chain([request]).collect::<Vec<_>>());
+        }
         _ => return Vec::new(),
     };
     model.say(instead.with("key", model.key(Place::Form, action)));

@@ -36,6 +36,13 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
             };
             Vec::new()
         }
+        (Action::Up | Action::Down, Some(Dialog::Prompt { input, proposed, error, names, .. })) => {
+            if let Some(text) = names.next(input.value(), action == Action::Down) {
+                *input = text.into();
+                (*proposed, *error) = (false, None);
+            }
+            Vec::new()
+        }
         _ => {
             choose(model, action);
             Vec::new()

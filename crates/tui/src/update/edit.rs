@@ -18,8 +18,7 @@ use crate::{
 /// Opens the problem in the person's editor: its file, or a copy where that says something else.
 pub(super) fn begin(model: &mut Model) -> Vec<Effect> {
     if model.readonly {
-        model.complain("nothing is saved: the program was started read-only");
-        return Vec::new();
+        return files::refuse(model);
     }
     let Some(bench) = &mut model.bench else { return Vec::new() };
     bench.form.keep();

@@ -22,6 +22,9 @@ use crate::{
 
 /// Asks for the file of what is exported; its ending says what is written.
 pub(super) fn ask_path(model: &mut Model, purpose: Purpose) -> Vec<Effect> {
+    if model.readonly && !model.played {
+        return super::files::refuse(model);
+    }
     if let Some(why) = hindrance(model, purpose) {
         model.complain(why);
         return Vec::new();
@@ -48,6 +51,9 @@ pub(super) fn ask_path(model: &mut Model, purpose: Purpose) -> Vec<Effect> {
 
 /// Writes what is exported.
 pub(super) fn write(model: &mut Model, purpose: Purpose, path: PathBuf, before: Before) -> Vec<Effect> {
+    if model.readonly {
+        return super::files::refuse(model);
+    }
     if let Some(why) = hindrance(model, purpose) {
         model.complain(why);
         return Vec::new();
@@ -114,9 +120,6 @@ pub(super) fn written(model: &mut Model, path: &Path, result: Result<(), FileErr
 /// Why nothing can be exported now.
 fn hindrance(model: &Model, purpose: Purpose) -> Option<Text> {
     let bench = model.bench.as_ref()?;
-    if model.readonly {
-        return Some("nothing is saved: the program was started read-only".into());
-    }
     if bench.found.state != State::Current || bench.found.solution.is_none() {
         return Some("there is no solution of these inputs to export".into());
     }

@@ -13,17 +13,18 @@ use crate::{
     dialog::{Answer, Dialog, Purpose},
     files::{Before, Crashed, FileError, Fingerprint, Opened, shown},
     glyphs::filter_untrusted,
-    model::{Effect, Model},
+    model::{After, Effect, Model},
 };
 
+/// How the name of a problem file ends.
+const ENDING: &str = "toml";
 /// So many faults of a file are listed.
 const MOST_FAULTS: usize = 8;
 
 /// Saves the problem in its file, or asks for one.
 pub(super) fn save(model: &mut Model) -> Vec<Effect> {
-    if model.readonly {
-        model.complain("nothing is saved: the program was started read-only");
-        return Vec::new();
+    if model.readonly && !model.played {
+        return refuse(model);
     }
     match model.bench.as_ref().and_then(|bench| bench.file.as_ref()) {
         Some(file) => {
@@ -36,7 +37,7 @@ pub(super) fn save(model: &mut Model) -> Vec<Effect> {
 
 /// Saves under another name, which must be free.
 pub(super) fn save_as(model: &mut Model, path: PathBuf) -> Vec<Effect> {
-    let path = if path.extension().is_none() { path.with_extension("toml") } else { path };
+    let path = if path.extension().is_none() { path.with_extension(ENDING) } else { path };
     let own = model.bench.as_ref().and_then(|bench| bench.file.as_ref()).filter(|file| file.path == path);
     let before = own.and_then(|file| file.fingerprint).map_or(Before::Absent, Before::Was);
     write(model, path, before)
@@ -49,8 +50,8 @@ pub(super) fn overwrite(model: &mut Model, path: PathBuf) -> Vec<Effect> {
 
 /// Asks for a path to save under.
 pub(super) fn ask_path(model: &mut Model) -> Vec<Effect> {
-    if model.readonly {
-        return save(model);
+    if model.readonly && !model.played {
+        return refuse(model);
     }
     let Some(bench) = &model.bench else { return Vec::new() };
     let proposed = match &bench.file {
@@ -117,6 +118,10 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
     let reloading = model.reloading.take().is_some_and(|reloaded| reloaded == path);
     let opened = match result {
         Ok(opened) => opened,
+        // A save writes the ending that is not typed.
+        Err(FileError::Missing(_)) if path.extension().is_none() => {
+            return vec![Effect::Open(path.with_extension(ENDING))];
+        }
         Err(error) => {
             let typed = path.display().to_string();
             model.dialog = Some(Dialog::prompt_again(Purpose::Open, typed, error.text()));
@@ -181,14 +186,14 @@ pub(super) fn faults(model: &Model, text: &str, errors: &[file::FileError]) -> V
 pub(super) fn crashed(model: &mut Model, sessions: Vec<Crashed>) {
     let Some(newest) = sessions.first() else { return };
     let minutes = newest.kept.elapsed().map_or(0, |past| past.as_secs() / 60);
-    let name = match &newest.original {
-        None => Text::from("a problem without a file"),
-        Some(path) => Text::new("{file}").with("file", shown(path)),
-    };
     let question = match sessions.len() {
         1 => {
+            let name = match &newest.original {
+                Some(path) => shown(path),
+                None => name_of(model, newest),
+            };
             Text::new("An earlier session ended without saving {name}, {minutes} min ago; its work was kept.")
-                .with_text("name", name)
+                .with("name", name)
         }
         count => {
             let names: Vec<String> = sessions.iter().map(|crashed| name_of(model, crashed)).collect();
@@ -249,17 +254,33 @@ pub(super) fn restore(model: &mut Model, sessions: Vec<Crashed>) -> Vec<Effect> 
     effects
 }
 
-/// What crashed work is called among others: its file, or its analysis.
+/// What crashed work is called: its file, or its title and its analysis.
 fn name_of(model: &Model, crashed: &Crashed) -> String {
     match (&crashed.original, file::parse(&crashed.text)) {
         (Some(path), _) => shown(Path::new(path.file_name().unwrap_or(path.as_os_str()))),
-        (None, Ok(problem)) => Text::from(problem.entry.about.title).render(&model.locale),
+        (None, Ok(problem)) => {
+            let analysis = Text::from(problem.entry.about.title).render(&model.locale);
+            match problem.title.as_str() {
+                "" => analysis,
+                title => format!("{analysis}, {title}"),
+            }
+        }
         (None, Err(_)) => Text::from("a problem without a file").render(&model.locale),
     }
 }
 
+/// Says why nothing is saved.
+pub(super) fn refuse(model: &mut Model) -> Vec<Effect> {
+    model.after_save = After::Stay;
+    model.complain("nothing is saved: the program was started read-only");
+    Vec::new()
+}
+
 /// The text of a problem goes to a file, with its comments.
 fn write(model: &mut Model, path: PathBuf, before: Before) -> Vec<Effect> {
+    if model.readonly {
+        return refuse(model);
+    }
     let Some(bench) = &mut model.bench else { return Vec::new() };
     bench.form.keep();
     let text = file::write(&bench.problem(), bench.text());

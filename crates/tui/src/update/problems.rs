@@ -81,7 +81,7 @@ pub(super) fn next(model: &mut Model) -> Vec<Effect> {
 /// Does what ends problems, or asks first what becomes of unsaved work.
 pub(super) fn leave(model: &mut Model, after: After) -> Vec<Effect> {
     let unsaved = match after {
-        _ if model.readonly => Vec::new(),
+        _ if model.readonly && !model.played => Vec::new(),
         After::Quit => unsaved(model),
         After::Stay | After::Close => {
             model.bench.iter().filter(|bench| bench.is_unsaved()).map(|bench| bench.number).collect()

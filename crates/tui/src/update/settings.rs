@@ -1,6 +1,6 @@
 //! What a person sets, and what is wrong with it.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use dalembert_core::Text;
 
@@ -16,22 +16,36 @@ use crate::{
 /// So many faults are listed.
 const MOST_FAULTS: usize = 8;
 
-/// Tells what of the settings is not taken, over the screen or, where something else lies there, below it.
-pub(super) fn faulty(model: &mut Model, path: &Path, faults: &[Fault]) {
-    let say = |fault: &Fault| {
-        Text::new("line {line}: {why}").with("line", fault.line).with_text("why", fault.why.clone())
+/// Tells what of the person's own files is not taken, over the screen or, where something else lies there, below it.
+pub(super) fn faulty(model: &mut Model, files: &[(PathBuf, Vec<Fault>)]) {
+    let all: Vec<(&PathBuf, &Fault)> =
+        files.iter().flat_map(|(path, faults)| faults.iter().map(move |fault| (path, fault))).collect();
+    let Some((path, first)) = all.first() else { return };
+    let seen = if model.dialog.is_some() { 1 } else { MOST_FAULTS };
+    let more = (all.len() > seen)
+        .then(|| Text::new("and {more} more: `dalembert info` lists all").with("more", all.len() - seen));
+    let said = |path: &Path, fault: &Fault| {
+        Text::new("in {file}, {why}").with("file", shown(path)).with_text("why", fault.text())
     };
-    let title = Text::new("{file}: this is not taken, the rest is").with("file", shown(path));
-    let Some(first) = faults.first() else { return };
     if model.dialog.is_some() {
-        model.complain(Text::new("{file}: {why}").with("file", shown(path)).with_text("why", say(first)));
+        let first = said(path, first);
+        model.complain(match more {
+            Some(more) => Text::new("{why}; {more}").with_text("why", first).with_text("more", more),
+            None => first,
+        });
         return;
     }
+    let one_file = files.len() == 1;
+    let title = match one_file {
+        true => Text::new("{file}: this is not taken, the rest is").with("file", shown(path)),
+        false => "this is not taken, the rest is".into(),
+    };
+    let lines = all.iter().take(MOST_FAULTS).map(|(path, fault)| {
+        let name = Path::new(path.file_name().unwrap_or(path.as_os_str()));
+        if one_file { fault.text() } else { said(name, fault) }
+    });
     let line = |text: Text| filter_untrusted(&text.render(&model.locale)).into_owned();
-    let mut lines: Vec<String> = faults.iter().take(MOST_FAULTS).map(|fault| line(say(fault))).collect();
-    if faults.len() > MOST_FAULTS {
-        lines.push(line(Text::new("and {more} more").with("more", faults.len() - MOST_FAULTS)));
-    }
+    let lines = lines.chain(more).map(line).collect();
     model.dialog = Some(Dialog::Message { title, lines });
 }
 

@@ -1,6 +1,7 @@
 //! The lines at the edges: what is worked on, what the field means, what keys do.
 
-use dalembert_core::{Exhibit, Shape, Text};
+use dalembert_core::{Exhibit, Text, check};
+use dalembert_units::Unit;
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -14,7 +15,7 @@ use super::{
     word,
 };
 use crate::{
-    bench::{Bench, State, Tab},
+    bench::{Bench, CellOf, State, Tab},
     form::{self, Role},
     glyphs::filter_untrusted,
     keys::{Action, Bound, Place},
@@ -65,6 +66,7 @@ pub(super) fn help(model: &Model, area: Rect, buffer: &mut Buffer) {
     let text = match model.shown_bench() {
         Some(bench) => match bench.place() {
             place if place.is_pane() => about_pane(model, bench),
+            Place::Cell => about_cell(model, bench),
             _ => about_field(model, bench),
         },
         None => String::new(),
@@ -265,21 +267,61 @@ fn about_field(model: &Model, bench: &Bench) -> String {
         ]),
         Role::Group { .. } => parts.extend([label, say(line.field.help)]),
         Role::Leaf { shape, text } => {
-            let read = form::echo(text, shape, model.locale.style).map(|echo| format!("= {echo}"));
-            parts.extend(read);
+            parts.extend(bench.form.unit_of_number(&line).and_then(|unit| number_alone(model, &unit)));
+            // A number that is typed alone has a unit in the draft that is not on the screen.
+            let typed = bench.form.edit.as_ref().map(|edit| edit.input.value());
+            let read = match typed.filter(|typed| typed != text) {
+                Some(_) => Some(text.clone()),
+                None => form::echo(text, shape, model.locale.style),
+            };
+            parts.extend(read.map(|read| format!("= {read}")));
             parts.push(label);
             parts.push(say(line.field.help));
-            if let Shape::Quantity(measure) | Shape::Vector(measure, _) = shape {
-                let unit = measure.own_unit().pretty();
-                if !unit.is_empty() {
-                    parts.push(
-                        Text::new("a number alone is in {unit}").with("unit", unit).render(&model.locale),
-                    );
-                }
-            }
         }
     }
     parts.retain(|part| !part.is_empty());
+    parts.join(&format!(" {} ", model.look.glyph(Glyph::Dot)))
+}
+
+/// In which unit a number is taken that is typed without one. It comes first: the end of a line may be cut.
+fn number_alone(model: &Model, unit: &Unit) -> Option<String> {
+    let unit = if model.look.ascii { unit.ascii() } else { unit.pretty() };
+    let said = Text::new("a number alone: {unit}").with("unit", &unit);
+    (!unit.is_empty()).then(|| said.render(&model.locale))
+}
+
+/// What is to be typed in the cell of a tab.
+fn about_cell(model: &Model, bench: &Bench) -> String {
+    let (Some(solution), Some(cell)) = (&bench.found.solution, bench.cell()) else { return String::new() };
+    let (form, what) = match &cell {
+        CellOf::Answer(name) => {
+            let Some(answer) = solution.answer(name) else { return String::new() };
+            let form = match answer.si() {
+                Some(_) => number_alone(model, &answer.unit),
+                None => {
+                    let said =
+                        Text::new("write it as in `{example}`").with("example", check::example(answer));
+                    Some(said.render(&model.locale))
+                }
+            };
+            (form, answer.title())
+        }
+        CellOf::Tolerance(path) => {
+            let sorted = bench.ask.sensitivity.sorted();
+            let Some(one) = sorted.iter().find(|one| one.input.path == *path) else { return String::new() };
+            let form = Text::new("the tolerance of an input, such as 2 %").render(&model.locale);
+            (Some(form), one.input.label.clone())
+        }
+        CellOf::Study(cell) => {
+            let unit = bench.subject().and_then(|subject| bench.ask.study.unit(*cell, &subject));
+            let form = match unit {
+                Some(unit) => number_alone(model, &unit),
+                None => Some(Text::new("a whole number").render(&model.locale)),
+            };
+            (form, cell.name())
+        }
+    };
+    let parts: Vec<String> = form.into_iter().chain([what.render(&model.locale)]).collect();
     parts.join(&format!(" {} ", model.look.glyph(Glyph::Dot)))
 }
 

@@ -16,7 +16,7 @@ use super::{
     word,
 };
 use crate::{
-    dialog::{Answer, Choice, Dialog, Purpose, Sheet, offered},
+    dialog::{Answer, Choice, Dialog, Names, Purpose, Sheet, offered},
     glyphs::filter_untrusted,
     keys::{ALWAYS, Action, Binding, COMMON, PANES, PROBLEM, Place},
     layout,
@@ -26,8 +26,18 @@ use crate::{
 
 /// So many actions are offered at once: few, for the sake of slow lines, and always as many rows.
 const OFFERED: usize = 4;
+/// So many files are shown that may be meant.
+const NAMES: usize = 6;
 /// Cells for the keys of an action in the help: three of them, with modifiers.
 const KEYS: usize = 20;
+/// What the marks of the list mean.
+const MARKS: [(Glyph, &str); 5] = [
+    (Glyph::Hollow, "the analysis is open; of an exercise: it was opened"),
+    (Glyph::Full, "it is open with changes that are not saved"),
+    (Glyph::Good, "an exercise is done; of a case: every printed answer is ours"),
+    (Glyph::Unequal, "a printed answer is disputed: the sources say why"),
+    (Glyph::Bad, "a printed answer is not ours"),
+];
 /// The widest box.
 const WIDEST: u16 = 76;
 
@@ -51,7 +61,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
             bars::footer(model, footer, buffer);
             None
         }
-        Dialog::Prompt { purpose, input, proposed, error } => {
+        Dialog::Prompt { purpose, input, proposed, error, names } => {
             let title = match purpose {
                 Purpose::SaveAs => "Save as",
                 Purpose::Export => "Worked solution (.html, .tex, .typ, .md, .txt)",
@@ -59,7 +69,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
                 Purpose::Open => "File to open",
                 Purpose::Title => "Title of the problem",
             };
-            let error: Vec<Line<'static>> = error
+            let mut below: Vec<Line<'static>> = error
                 .iter()
                 .flat_map(|error| {
                     let text = filter_untrusted(&error.render(&model.locale)).into_owned();
@@ -67,12 +77,20 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
                 })
                 .map(|text| Line::styled(text, model.look.error()))
                 .collect();
-            let area = centred(screen, 3 + error.len());
+            if purpose.is_path() {
+                let room = usize::from(box_width(screen)).saturating_sub(4);
+                let found = found_names(model, names, input.value(), room);
+                if found.is_empty() && *purpose == Purpose::Open && error.is_none() {
+                    below.push(Line::styled(word("nothing found", model), model.look.dim()));
+                }
+                below.extend(found);
+            }
+            let area = centred(screen, 3 + below.len());
             Clear.render(area, buffer);
             framed(model, &word(title, model), area, buffer);
             let inner = layout::inside(area);
             draw_lines(
-                &error,
+                &below,
                 0,
                 Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner },
                 buffer,
@@ -208,6 +226,13 @@ fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
     let first = home(&COMMON[0]);
     section("Everywhere", first, &mut COMMON.iter().chain(ALWAYS));
     lines.push(Line::default());
+    if screen == Screen::Picker {
+        for (glyph, text) in MARKS {
+            let text = format!("{} {}", look.glyph(glyph), say(text));
+            lines.extend(wrapped(&text, room).into_iter().map(|text| Line::styled(text, look.dim())));
+        }
+        lines.push(Line::default());
+    }
     for text in [
         "A quantity is a number and a unit: 20.3 mm, 1000 rpm, 200 kN/mm^2, 5 kg*mm, 2*pi*50 rad/s, 1/2 in. Comma and point are both decimal marks. A vector: (300; 200) m/s.",
         "A digit typed on a field replaces its text; everything is solved again as you type. Rows are added with a, also below the heading of their list.",
@@ -234,6 +259,9 @@ fn draw_palette(
         Clear.render(area, buffer);
         framed(model, &word("Every action", model), area, buffer);
         let inner = layout::inside(area);
+        if offers.is_empty() {
+            buffer.set_string(inner.x, inner.y, word("nothing found", model), look.dim());
+        }
         let first = chosen.saturating_sub(rows - 1);
         for ((n, (_, bound)), y) in offers.iter().enumerate().skip(first).zip(inner.y..inner.bottom()) {
             let (pointer, style) =
@@ -257,6 +285,25 @@ fn draw_palette(
 fn palette_area(screen: Rect, footer: Rect) -> Rect {
     let height = OFFERED.min(usize::from(screen.height.saturating_sub(4))) as u16 + 2;
     Rect::new(screen.x, footer.y.saturating_sub(height), screen.width.min(56), height)
+}
+
+/// The files that may be meant, a part of them round the one that is tried.
+fn found_names(model: &Model, names: &Names, typed: &str, room: usize) -> Vec<Line<'static>> {
+    let look = &model.look;
+    let (found, at) = names.matching(typed);
+    let first = (at.unwrap_or(0) + 1).saturating_sub(NAMES);
+    let seen = found.iter().enumerate().skip(first).take(NAMES);
+    let mut lines: Vec<Line<'static>> = seen
+        .map(|(n, name)| {
+            let name = fit(&filter_untrusted(name).replace('\n', "\u{FFFD}"), room, look);
+            Line::styled(name, if at == Some(n) { look.focus() } else { look.dim() })
+        })
+        .collect();
+    if found.len() > first + NAMES {
+        let more = Text::new("and {more} more").with("more", found.len() - first - NAMES);
+        lines.push(Line::styled(more.render(&model.locale), look.dim()));
+    }
+    lines
 }
 
 /// A line of text with its cursor.

@@ -93,13 +93,14 @@ fn of_heading(model: &Model, heading: Heading, area: Rect, buffer: &mut Buffer) 
             }
             _ => (listing.title(&model.locale), String::new()),
         };
-        let name = fit(&name, room.saturating_sub(2), look);
-        let left = room.saturating_sub(width(&name) + 4);
+        // The state is what one looks for: a long title gives way to it.
+        let state = if more.is_empty() { 0 } else { width(&more) + 2 };
+        let name = fit(&name, room.saturating_sub(2 + state), look);
         let mut line = Line::from(vec![
             Span::styled(format!("{} ", look.glyph(Glyph::Bullet)), look.dim()),
             Span::raw(name),
         ]);
-        if !more.is_empty() && left >= width(&more) {
+        if !more.is_empty() {
             line.push_span(Span::styled(format!("  {more}"), look.dim()));
         }
         lines.push(line);

@@ -1,0 +1,105 @@
+//! Typing in a field.
+
+use dalembert_core::{Draft, Shape};
+use dalembert_units::Unit;
+use tui_input::Input;
+
+use super::{
+    Change, Form, Line, Role,
+    units::{with_unit, written_unit},
+};
+
+/// A field that is being typed in.
+#[derive(Clone, Debug)]
+pub struct Edit {
+    /// Which.
+    pub path: String,
+    /// The text and the cursor in it.
+    pub input: Input,
+    /// Everything as it was before.
+    before: Draft,
+    /// The unit that the field showed: a number alone keeps it.
+    unit: Option<Unit>,
+}
+
+/// A sign that was typed on a field, where it means more or less: a number that follows at once begins with it.
+#[derive(Clone, Debug)]
+pub struct Sign {
+    character: char,
+    path: String,
+    /// Everything as it was before.
+    before: Draft,
+}
+
+impl Form {
+    /// Begins to type in the field under the cursor, in its text or in an empty one.
+    pub fn begin(&mut self, text: Option<String>) -> bool {
+        let Some(Line { path, role: Role::Leaf { text: old, shape }, .. }) = self.line() else {
+            return false;
+        };
+        let replaced = text.is_some();
+        let unit = written_unit(&old, &shape);
+        let input = Input::new(text.unwrap_or(old));
+        self.edit = Some(Edit { path, input, before: self.draft.clone(), unit });
+        if replaced {
+            self.typed();
+        }
+        true
+    }
+
+    /// Takes the text of the edit into the draft: as it is typed, a number alone in the unit that was there.
+    pub fn typed(&mut self) {
+        if let Some(edit) = &self.edit
+            && let Ok((place, shape)) = self.draft.at_mut(&self.shape, &edit.path)
+        {
+            let text = edit.input.value().to_owned();
+            *place = Draft::Leaf(with_unit(text, edit.unit.as_ref(), &shape.present()));
+        }
+    }
+
+    /// Ends the edit and keeps its text.
+    pub fn keep(&mut self) {
+        if let Some(edit) = self.edit.take()
+            && edit.before != self.draft
+        {
+            self.remember(edit.before, Change::Other);
+        }
+    }
+
+    /// Ends the edit; everything is as it was before.
+    pub fn drop_edit(&mut self) {
+        if let Some(edit) = self.edit.take() {
+            self.draft = edit.before;
+        }
+    }
+
+    /// The unit of a number that is typed alone on this line.
+    pub fn unit_of_number(&self, line: &Line) -> Option<Unit> {
+        let Role::Leaf { text, shape } = &line.role else { return None };
+        let (Shape::Quantity(measure) | Shape::Vector(measure, _)) = shape else { return None };
+        let kept = match self.edit.as_ref().filter(|edit| edit.path == line.path) {
+            Some(edit) => edit.unit.clone(),
+            None => written_unit(text, shape),
+        };
+        Some(kept.unwrap_or_else(|| measure.own_unit()))
+    }
+
+    /// A sign that is about to be taken for more or less.
+    pub fn sign_typed(&self, character: char) -> Option<Sign> {
+        let path = self.line()?.path;
+        Some(Sign { character, path, before: self.draft.clone() })
+    }
+
+    /// Takes back what a sign did to the field under the cursor; answers the sign.
+    pub fn take_back(&mut self, sign: Sign) -> Option<char> {
+        if self.line().is_none_or(|line| line.path != sign.path) {
+            return None;
+        }
+        if self.undo.last() == Some(&sign.before) {
+            self.undo.pop();
+            self.last = None;
+        }
+        self.draft = sign.before;
+        Some(sign.character)
+    }
+}
