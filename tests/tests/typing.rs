@@ -163,7 +163,7 @@ fn every_slip_in_files_of_ones_own_is_told() {
     // Many are counted; what is below something else is one line.
     let many = vec![Fault { line: 1, why: "wrong".into() }; 20];
     let mut person = Person::at(100, 30);
-    let screen = person.types("?").happens(Msg::Faulty(vec![("settings.toml".into(), many)])).sees();
+    let screen = person.types("o").happens(Msg::Faulty(vec![("settings.toml".into(), many)])).sees();
     assert!(screen.contains("and 19 more: `dalembert info` lists all"), "{screen}");
 }
 

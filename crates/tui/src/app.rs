@@ -234,7 +234,8 @@ impl World {
             });
             let keep = self.noted.map(|noted| noted + KEEP_AFTER);
             let look = Watched::follow(&mut self.watched, model).map(|watched| watched.next);
-            let played = self.player.as_ref().and_then(Player::due);
+            // A session without anything left to do has ended now.
+            let played = self.player.as_ref().map(|player| player.due().unwrap_or_else(Instant::now));
             let next = film.into_iter().chain(keep).chain(look).chain(played).min();
             let wait = next.map_or(LONG, |next| next.saturating_duration_since(Instant::now()));
             let mut inputs = self.session.next_events(wait)?;
