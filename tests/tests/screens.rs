@@ -3,7 +3,7 @@
 
 use dalembert_core::registry;
 use dalembert_tests::person::Person;
-use dalembert_tui::{Msg, keys::Place, tempo};
+use dalembert_tui::{Msg, bench::Tab, keys::Place, tempo};
 use insta::assert_snapshot;
 use ratatui::style::Color;
 
@@ -863,7 +863,6 @@ fn a_table_is_read_from_the_file_it_names() {
 #[test]
 fn every_word_of_the_interface_is_translated() {
     use dalembert_core::text::is_translated;
-    use dalembert_tui::bench::Tab;
     let of_places = Place::ALL.into_iter().flat_map(|place| {
         let names = place.bindings().flat_map(|binding| [binding.name, binding.hint]);
         names.chain([place.name()]).collect::<Vec<_>>()
@@ -924,4 +923,28 @@ fn draw_sizes(drawn: fn(u16, u16) -> bool) {
             }
         }
     }
+}
+
+#[test]
+fn in_ascii_keys_and_greek_letters_are_called_by_their_names() {
+    let mut person = Person::in_ascii(80, 24).opens("vibration/rotating-unbalance");
+    person.turns_to(Tab::Plot);
+    let seen = person.types("<tab>").sees();
+    assert!(seen.contains("Left Right move a cursor"), "{seen}");
+    assert!(seen.contains(" omega "), "{seen}");
+    person.turns_to(Tab::Working);
+    let mut seen = person.sees();
+    for _ in 0..8 {
+        seen += &person.types("<pgdn>").sees();
+    }
+    assert!(seen.contains("omega_n") && seen.contains("zeta"), "{seen}");
+}
+
+#[test]
+fn in_portuguese_printed_numbers_have_the_comma_of_ours() {
+    let mut person = Person::in_portuguese(140, 40).opens("vibration/rotating-unbalance");
+    person.turns_to(Tab::Sources);
+    let seen = person.sees();
+    assert!(seen.contains("Casos publicados"), "{seen}");
+    assert!(seen.matches("106,23 rad/s").count() >= 2 && !seen.contains("106.23"), "{seen}");
 }

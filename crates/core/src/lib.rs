@@ -7,6 +7,7 @@
 extern crate self as dalembert_core;
 
 mod analysis;
+mod ascii;
 pub mod cases;
 pub mod check;
 pub mod draft;
@@ -40,6 +41,7 @@ pub use inventory;
 pub use crate::input::derive_support;
 pub use crate::{
     analysis::{About, Analysis, Entry, Evaluate, Refusal, SolveError, Stop, find, registry},
+    ascii::ascii,
     draft::Draft,
     exhibit::{
         Axis, Band, Cell, Column, Drawing, DrawnShape, Exhibit, Film, Ink, Level, Mark, Plot, Point, Scale,

@@ -120,11 +120,13 @@ impl Text {
             Language::English => None,
             Language::Portuguese => portuguese(&self.template, &args),
         };
-        translated.unwrap_or_else(|| {
+        let text = translated.unwrap_or_else(|| {
             args.iter().fold(self.template.to_string(), |text, (name, value)| {
                 text.replace(&format!("{{{name}}}"), value)
             })
-        })
+        });
+        // Names take more cells than letters: they have to stand here before anything is laid out.
+        if locale.style.ascii { crate::ascii(&text) } else { text }
     }
 
     /// The same sentence with a question mark for every number.
@@ -308,5 +310,12 @@ mod tests {
         let text = Text::new("{a} is above {b}").with("a", "3 kg").with_quantity("b", 0.0025, "mm");
         assert_eq!(text.english(), "3 kg is above 2.5 mm");
         assert_eq!(text.render(&Locale::portuguese()), "3 kg is above 2,5 mm");
+    }
+
+    #[test]
+    fn in_ascii_no_greek_letter_is_a_latin_one() {
+        let text = Text::verbatim("Λₘₐₓ beside L, §1.7, ω and w");
+        let ascii = Locale::english().ascii(true);
+        assert_eq!(text.render(&ascii), "Lambda_max beside L, sec. 1.7, omega and w");
     }
 }

@@ -1,9 +1,8 @@
 //! A document in LaTeX, for pdfLaTeX, XeLaTeX and LuaLaTeX alike: one file, its figures drawn by TikZ.
 
-use dalembert_core::printer::WrittenStep;
+use dalembert_core::{ascii, printer::WrittenStep};
 
 use crate::{
-    ascii::ascii,
     document::{Block, Document, Line, Table},
     figure::picture::tikz_colours,
     math::{self, Math, sides},

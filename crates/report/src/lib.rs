@@ -5,7 +5,6 @@
 //! [`text`], [`markdown`], [`html`], [`latex`] and [`typst`] how it looks. Another format for people is another function of a [`Document`];
 //! one for machines is another function of a [`Worked`], like [`json`] and [`csv`].
 
-mod ascii;
 mod csv;
 mod document;
 pub mod figure;
@@ -23,8 +22,9 @@ mod worked;
 mod wrap;
 mod xml;
 
+pub use dalembert_core::ascii;
+
 pub use crate::{
-    ascii::ascii,
     csv::{csv, csv_tables, plot_csv},
     document::{Block, Document, Line, Table},
     figure::figure,

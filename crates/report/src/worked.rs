@@ -2,12 +2,11 @@
 
 use dalembert_core::{
     Answer, AnswerValue, Cell, Draft, Entry, Exhibit, Locale, Plot, Record, Solution, TableExhibit, Text,
-    printer,
+    ascii, printer,
 };
 use dalembert_units as units;
 
 use crate::{
-    ascii::ascii,
     document::{Block, Document, Line, Table},
     figure::figure,
     inputs::inputs,

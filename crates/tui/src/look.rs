@@ -2,6 +2,8 @@
 
 mod theme;
 
+use std::borrow::Cow;
+
 use dalembert_core::Ink;
 use ratatui::{
     buffer::Buffer,
@@ -187,6 +189,11 @@ impl Look {
             Glyph::Held => ("‖", "="),
         };
         if self.ascii { ascii } else { unicode }
+    }
+
+    /// Words as this terminal shows them: Greek letters by their names where there is nothing but ASCII.
+    pub fn words<'a>(&self, text: &'a str) -> Cow<'a, str> {
+        if self.ascii { Cow::Owned(dalembert_core::ascii(text)) } else { Cow::Borrowed(text) }
     }
 
     /// The text in no more than `width` cells; where something is left out, it ends with an ellipsis.

@@ -378,7 +378,7 @@ impl Model {
 
     /// The usual key of an action in a place, as a person reads it; empty where there is none.
     pub fn key(&self, place: Place, action: Action) -> String {
-        self.keys.key(place, action).map_or_else(String::new, |key| key.name(self.locale.language))
+        self.keys.key(place, action).map_or_else(String::new, |key| key.name(&self.locale))
     }
 
     /// The problem, while it is on the screen.

@@ -45,7 +45,7 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
     let program = vec![
         line("version", env!("CARGO_PKG_VERSION").into()),
         line("analyses", registry().len().to_string()),
-        line("published cases", cases.to_string()),
+        line("number of published cases", cases.to_string()),
         line(
             "language",
             match console.locale.language {

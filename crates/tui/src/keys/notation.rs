@@ -1,6 +1,6 @@
 //! How keys are written: on the screen, in the settings, and in replays and tests.
 
-use dalembert_core::{Language, Text, nearest};
+use dalembert_core::{Language, Locale, Text, nearest};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::Key;
@@ -35,6 +35,14 @@ const NAMED: [([&str; 3], KeyCode); 15] = [
     (["PgDn", "page-down", "pgdn"], KeyCode::PageDown),
 ];
 
+/// Keys with an arrow on them, in English and in Portuguese for a terminal without arrows.
+const ARROWS: [(&str, KeyCode, [&str; 2]); 4] = [
+    ("↑", KeyCode::Up, ["Up", "Cima"]),
+    ("↓", KeyCode::Down, ["Down", "Baixo"]),
+    ("←", KeyCode::Left, ["Left", "Esquerda"]),
+    ("→", KeyCode::Right, ["Right", "Direita"]),
+];
+
 /// What is held with a key, in each [`Notation`].
 const MODIFIERS: [([&str; 3], KeyModifiers); 3] = [
     (["Ctrl-", "ctrl-", "c-"], KeyModifiers::CONTROL),
@@ -47,8 +55,15 @@ const SAME_BYTE: [(char, &str); 4] = [('i', "tab"), ('m', "enter"), ('h', "backs
 
 impl Key {
     /// How a person reads it: `Ctrl-C`, `↑`, `Esc`.
-    pub fn name(self, language: Language) -> String {
-        match (self.0, language) {
+    pub fn name(self, locale: &Locale) -> String {
+        let portuguese = locale.language == Language::Portuguese;
+        if let Some((arrow, _, names)) =
+            ARROWS.iter().find(|(_, code, _)| *code == self.0).filter(|_| locale.style.ascii)
+        {
+            // `<` and `v` are keys of their own.
+            return self.written(Notation::Screen).replace(arrow, names[usize::from(portuguese)]);
+        }
+        match (self.0, locale.language) {
             (KeyCode::Char(' '), Language::Portuguese) => {
                 self.written(Notation::Screen).replace("Space", "Espaço")
             }
@@ -229,9 +244,14 @@ mod tests {
             (plain(KeyCode::F(1)), "F1"),
             (plain(KeyCode::BackTab), "Shift-Tab"),
         ] {
-            assert_eq!(key.name(Language::English), name);
+            assert_eq!(key.name(&Locale::english()), name);
         }
-        assert_eq!(typed(' ').name(Language::Portuguese), "Espaço");
+        assert_eq!(typed(' ').name(&Locale::portuguese()), "Espaço");
+        let ascii = Locale::english().ascii(true);
+        assert_eq!(
+            [shift(KeyCode::Up), plain(KeyCode::Left)].map(|key| key.name(&ascii)),
+            ["Shift-Up", "Left"]
+        );
     }
 
     #[test]

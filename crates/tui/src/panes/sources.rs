@@ -51,7 +51,7 @@ pub fn lines(
     heading("Books and notes", look, locale, width, &mut page.lines);
     for source in entry.about.sources {
         let head = vec![Span::styled(look.glyph(Glyph::Bullet), look.dim()), Span::raw(" ")];
-        page.lines.extend(wrap::hanging(head, source.full, Style::new(), width));
+        page.lines.extend(wrap::hanging(head, &look.words(source.full), Style::new(), width));
     }
     page
 }
@@ -95,7 +95,13 @@ impl Words<'_> {
         self.signed(&replaced(text, '.', mark, |before, after| digit(before) && digit(after)))
     }
 
-    /// As it was printed, but for its minus signs: they are those of every number on the screen.
+    /// The digits that were printed, with the signs of every number on the screen.
+    fn printed(&self, text: &str) -> String {
+        let has_number = text.contains(|c: char| c.is_ascii_digit());
+        if has_number { self.number(text) } else { self.signed(text) }
+    }
+
+    /// With the minus signs of every number on the screen.
     fn signed(&self, text: &str) -> String {
         let begins =
             |before: Option<char>| before.is_none_or(|c| c.is_whitespace() || ['(', '[', ','].contains(&c));
@@ -172,7 +178,7 @@ fn compared(verdicts: &[Verdict], space: &[Span<'static>], words: &Words, lines:
         |text: &dyn Fn(&Verdict) -> String| verdicts.iter().map(|one| text(one).width()).max().unwrap_or(0);
     let (printed, ours) = (Text::new("printed").render(locale), Text::new("ours").render(locale));
     let name = |one: &Verdict| words.name(&one.answer);
-    let theirs = |one: &Verdict| words.signed(&one.printed);
+    let theirs = |one: &Verdict| words.printed(&one.printed);
     let mine = |one: &Verdict| words.number(&one.ours);
     let names = widest(&name);
     let printed_width = widest(&theirs).max(printed.width());

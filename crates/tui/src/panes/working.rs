@@ -49,7 +49,7 @@ pub fn read(
             page.lines.push(Line::default());
         }
         page.starts.push(page.lines.len());
-        let mut written = printer::step(solution, step, locale);
+        let mut written = plain(printer::step(solution, step, locale), look);
         if n == revealed {
             written = WrittenStep {
                 symbol: written.symbol,
@@ -101,7 +101,7 @@ fn made_of(
     let &Reader { look, locale, width, indent } = reader;
     let mut parts = vec![Span::styled(Text::new("made of").render(locale), look.dim())];
     for (n, id) in symbols(solution, step).into_iter().enumerate() {
-        let symbol = printer::formula(solution, id, locale);
+        let symbol = look.words(&printer::formula(solution, id, locale)).into_owned();
         let from = step_of(solution, id).map_or_else(String::new, |step| format!(" ({})", step + 1));
         let style = if n == chosen { look.focus() } else { look.symbol() };
         parts.push(Span::styled(
@@ -122,6 +122,20 @@ fn made_of(
     }
     line.spans.pop();
     lines.push(line);
+}
+
+/// A step in what the terminal can show.
+fn plain(step: WrittenStep, look: &Look) -> WrittenStep {
+    let plain = |text: String| look.words(&text).into_owned();
+    WrittenStep {
+        symbol: plain(step.symbol),
+        formula: plain(step.formula),
+        substitution: plain(step.substitution),
+        result: plain(step.result),
+        why: plain(step.why),
+        source: plain(step.source),
+        terms: step.terms.into_iter().map(|(term, value)| (plain(term), plain(value))).collect(),
+    }
 }
 
 /// For whom it is written, and where.

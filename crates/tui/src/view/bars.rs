@@ -158,7 +158,7 @@ fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
                 let keys = [one, other].map(|action| model.key(place, action));
                 keys.iter().filter(|key| !key.is_empty()).map(String::as_str).collect::<Vec<_>>().join(" ")
             }
-            None => bound.keys.first().map_or_else(String::new, |key| key.name(model.locale.language)),
+            None => bound.keys.first().map_or_else(String::new, |key| key.name(&model.locale)),
         };
         Hint { action: binding.action, pair, keys, name: word(binding.hint, model) }
     };

@@ -195,7 +195,7 @@ fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
             // What has no key is found by its name.
             let keys = match keys {
                 [] => model.key(place, Action::Palette),
-                keys => keys.iter().map(|key| key.name(model.locale.language)).collect::<Vec<_>>().join("  "),
+                keys => keys.iter().map(|key| key.name(&model.locale)).collect::<Vec<_>>().join("  "),
             };
             let keys = padded(&keys, KEYS.min(room / 2), look);
             let left = room.saturating_sub(width(&keys) + 3);
@@ -266,7 +266,7 @@ fn draw_palette(
         for ((n, (_, bound)), y) in offers.iter().enumerate().skip(first).zip(inner.y..inner.bottom()) {
             let (pointer, style) =
                 if n == chosen { (look.glyph(Glyph::Pointer), look.title()) } else { (" ", Style::new()) };
-            let key = bound.keys.first().map_or_else(String::new, |key| key.name(model.locale.language));
+            let key = bound.keys.first().map_or_else(String::new, |key| key.name(&model.locale));
             let left = usize::from(inner.width).saturating_sub(width(&key) + 4);
             let name = fit(&word(bound.binding.name, model), left, look);
             let line = Line::from(vec![

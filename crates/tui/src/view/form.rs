@@ -138,7 +138,10 @@ fn columns(model: &Model, lines: &[Line], room: usize) -> Columns {
     let room = room.saturating_sub(POINTER);
     let leaves = || lines.iter().filter(|line| matches!(line.role, Role::Leaf { .. } | Role::Table { .. }));
     let label = leaves().map(|line| indent(line) + width(&label(model, line))).max().unwrap_or(0);
-    let symbol = leaves().map(|line| width(line.field.symbol)).max().unwrap_or(0).min(6);
+    // The names of Greek letters are longer than they are.
+    let look = &model.look;
+    let most = if look.ascii { 10 } else { 6 };
+    let symbol = leaves().map(|line| width(&look.words(line.field.symbol))).max().unwrap_or(0).min(most);
     let symbol = if room < 30 { 0 } else { symbol };
     let gaps = 1 + usize::from(symbol > 0);
     let value = lines
@@ -194,7 +197,10 @@ fn draw_line(
             ));
             if columns.symbol > 0 {
                 shown.push_span(" ");
-                shown.push_span(Span::styled(padded(line.field.symbol, columns.symbol, look), look.symbol()));
+                shown.push_span(Span::styled(
+                    padded(&look.words(line.field.symbol), columns.symbol, look),
+                    look.symbol(),
+                ));
             }
             shown.push_span(" ");
             let before = shown.width();

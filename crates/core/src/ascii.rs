@@ -4,6 +4,9 @@
 ///
 /// Greek letters get their names, indices a `_`, powers a `^`; accents are dropped.
 pub fn ascii(text: &str) -> String {
+    if text.is_ascii() {
+        return text.to_owned();
+    }
     let mut out = String::with_capacity(text.len());
     let mut before = Run::None;
     for character in text.chars() {
