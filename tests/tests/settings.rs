@@ -2,7 +2,7 @@
 
 use std::{fs, os::unix::fs::PermissionsExt, path::Path, process::Command, time::Duration};
 
-use dalembert_core::{Language, Locale};
+use dalembert_core::Locale;
 use dalembert_tests::{
     person::Person,
     pty::{self, Launch, Pty},
@@ -432,7 +432,7 @@ fn the_keys_in_the_readme_are_keys_of_the_tables() {
         .into_iter()
         .flat_map(Place::bindings)
         .flat_map(|binding| binding.keys)
-        .map(|key| key.name(Language::English))
+        .map(|key| key.name(&Locale::english()))
         .collect();
     let table = readme.split("| key | what it does |").nth(1).expect("the table of keys");
     let rows = table.lines().skip(2).take_while(|line| line.starts_with('|'));

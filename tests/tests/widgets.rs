@@ -309,11 +309,11 @@ fn the_drawing_of_the_fan() {
         _ => None,
     });
     let machine = found.expect("the fan is drawn");
-    for look in [UNICODE, ASCII] {
+    for (look, unbalance) in [(UNICODE, "m₀e"), (ASCII, "m_0e")] {
         let drawn = screen(60, 20, |area, buffer| {
             drawing::render(machine, &look, &Locale::english(), area, buffer);
         });
-        assert!(drawn.contains("m₀e"), "{drawn}");
+        assert!(drawn.contains(unbalance), "{drawn}");
     }
 }
 
@@ -610,7 +610,7 @@ fn verdicts_are_written_as_everything_else_is() {
     assert!(english.contains("✓ Natural frequency "), "{english}");
     assert!(english.contains(" −1.5e-3 m s^-1  −1.5004 m/s "), "{english}");
     let portuguese = shown(&UNICODE, &Locale::portuguese());
-    assert!(portuguese.contains(" −1.5e-3 m s^-1  −1,5004 m/s "), "{portuguese}");
+    assert!(portuguese.contains(" −1,5e-3 m s^-1  −1,5004 m/s "), "{portuguese}");
     let ascii = shown(&ASCII, &Locale::english());
     assert!(ascii.contains(" -1.5e-3 m s^-1  -1.5004 m/s "), "{ascii}");
 }
