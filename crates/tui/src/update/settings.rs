@@ -36,9 +36,10 @@ pub(super) fn faulty(model: &mut Model, files: &[(PathBuf, Vec<Fault>)]) {
         return;
     }
     let one_file = files.len() == 1;
-    let title = match one_file {
-        true => Text::new("{file}: this is not taken, the rest is").with("file", shown(path)),
-        false => "this is not taken, the rest is".into(),
+    let title = if one_file {
+        Text::new("{file}: this is not taken, the rest is").with("file", shown(path))
+    } else {
+        Text::new("this is not taken, the rest is")
     };
     let lines = all.iter().take(MOST_FAULTS).map(|(path, fault)| {
         let name = Path::new(path.file_name().unwrap_or(path.as_os_str()));
