@@ -286,6 +286,31 @@ fn an_editor_that_fails_is_named() {
 }
 
 #[test]
+fn an_editor_that_is_not_there_is_named() {
+    let mut pty = started(Launch::new(pty::program()).env("VISUAL", "no-such-editor"));
+    pty.expect("19.456 mm");
+    pty.types("E");
+    pty.expect("`no-such-editor` was not found");
+    pty.types("<c-c>");
+    assert_eq!(pty.exit_code(), Some(0));
+}
+
+#[test]
+fn what_the_editor_did_was_no_other_program() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = fan_file(folder.path());
+    let command = editor(folder.path(), "sed -i s/inputs/inputz/ \"$1\"");
+    let mut pty = opening(&path, "", Launch::new(pty::program()).env("EDITOR", &command));
+    pty.types("E");
+    pty.expect("cannot be read");
+    let looked_at = Duration::from_secs(3);
+    assert!(!pty.sees("by another program", looked_at), "{}", pty.screen());
+    pty.types("<down><enter>");
+    pty.types("q");
+    assert_eq!(pty.exit_code(), Some(0));
+}
+
+#[test]
 fn an_interrupt_in_the_editor_is_the_editor_s() {
     let folder = tempfile::tempdir().expect("a folder");
     let command = editor(folder.path(), "echo waiting; sleep 20");

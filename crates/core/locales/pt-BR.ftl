@@ -49,7 +49,11 @@ must-be-limit-or-more-you-wrote-text = deve ser { $limit } ou mais; foi escrito 
 must-be-below-limit-you-wrote-text = deve ser menor que { $limit }; foi escrito { $text }
 must-be-limit-or-less-you-wrote-text = deve ser { $limit } ou menos; foi escrito { $text }
 count-is-outside-the-limits-write-a-whole-number-from-min-to-max = { $count } está fora dos limites; escreva um número inteiro de { $min } a { $max }
-at-least-min-rows-are-needed-there-are-have = são necessárias ao menos { $min } linhas; há { $have }
+at-least-one-row-is-needed = é necessária ao menos uma linha
+at-least-min-rows-are-needed-so-far-have = são necessárias ao menos { $min } linhas; até agora: { $have }
+row-first-is-called-name-too-and-an-input-refers-to-that-name-give-each-its-own = a linha { $first } também se chama `{ $name }`, e uma entrada se refere a esse nome: dê a cada uma o seu
+there-is-one-row-the-next-is-next = há uma linha; a próxima é { $next }
+did-you-mean-text = seria `{ $text }`?
 the-character-code-cannot-be-typed-here-remove-it = o caractere { $code } não pode ser digitado aqui; remova-o
 this-text-has-have-characters-at-most-most-are-read = este texto tem { $have } caracteres; são lidos no máximo { $most }
 
@@ -88,7 +92,14 @@ there-are-more-faults-these-are-the-first = há mais erros; estes são os primei
 the-heading-gives-unit-for-column-write-a-unit-like-own = o cabeçalho dá { $unit } para { $column }; escreva uma unidade como { $own }
 no-row-of-numbers-follows-the-heading-in-line-line-write-one-row-a-line-columns = nenhuma linha de números segue o cabeçalho na linha { $line }; escreva uma linha de dados por linha: { $columns }
 the-table-is-empty-write-one-row-a-line-columns = a tabela está vazia; escreva uma linha de dados por linha: { $columns }
-there-are-have-numbers-want-are-needed = há { $have } números; são necessários { $want }
+line-line-and-more-more-why = linha { $line } e mais { $more }: { $why }
+there-are-have-columns-set-apart-by-separator-instead-of-want-columns = há { $have } colunas, separadas por { $separator }, em vez de { $want }: { $columns }
+there-is-one-column-instead-of-want-columns-set-them-apart-by-semicolons-tabs-blanks-or-commas = há uma coluna em vez de { $want }: { $columns }; separe-as por ponto e vírgula, tabulações, espaços ou vírgulas
+column-after = { $column }; { $after }
+semicolons = ponto e vírgula
+tabulators = tabulações
+blanks = espaços
+commas = vírgulas
 this-table-has-have-bytes-at-most-most-are-read = esta tabela tem { $have } bytes; são lidos no máximo { $most }
 
 ## Problem files

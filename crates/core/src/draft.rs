@@ -6,7 +6,7 @@
 use dalembert_units::{self as units, Style};
 
 use crate::{
-    Field, FieldError, Limit, Measure, Record, Shape, Text, Value,
+    Field, FieldError, Limit, Measure, Record, Shape, Text, Value, names,
     path::{segments, step, unknown},
     reading, table,
 };
@@ -58,6 +58,7 @@ impl Draft {
             return Err(vec![FieldError::new("", "a group of inputs is needed")]);
         };
         let lists = row_names(&record);
+        errors.extend(names::ambiguous(&lists, &record));
         resolve_record(&mut record, &lists, "", &mut errors);
         if errors.is_empty() { Ok(record) } else { Err(errors) }
     }
@@ -175,8 +176,11 @@ fn written(shape: &Shape, text: &str, path: &str) -> Result<Draft, FieldError> {
 }
 
 fn no_row(path: &str, rows: usize) -> FieldError {
-    let why =
-        Text::new("there are {rows} rows; the next is {next}").with("rows", rows).with("next", rows + 1);
+    let why = match rows {
+        1 => Text::new("there is one row; the next is {next}"),
+        rows => Text::new("there are {rows} rows; the next is {next}").with("rows", rows),
+    };
+    let why = why.with("next", rows + 1);
     FieldError::new(path, why)
 }
 
@@ -219,8 +223,13 @@ fn read(draft: &Draft, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) 
         },
         (Shape::Rows { item, min }, Draft::Rows(drafts)) => {
             if drafts.len() < *min {
-                let why = Text::new("at least {min} rows are needed; there are {have}");
-                errors.push(FieldError::new(path, why.with("min", min).with("have", drafts.len())));
+                let why = match min {
+                    1 => Text::new("at least one row is needed"),
+                    min => Text::new("at least {min} rows are needed; so far: {have}")
+                        .with("min", min)
+                        .with("have", drafts.len()),
+                };
+                errors.push(FieldError::new(path, why));
             }
             let rows = drafts.iter().enumerate();
             Value::Rows(

@@ -165,6 +165,7 @@ fn hint(hint: &Hint) -> Text {
         Hint::Feet(text) => {
             Text::new("the marks ' and \" are minutes and seconds of arc: write `{text}`").with("text", text)
         }
+        Hint::Meant(text) => Text::new("did you mean `{text}`?").with("text", text),
         Hint::Reciprocal(text) => {
             Text::new("write brackets if the divisor is meant to have the unit: `{text}`").with("text", text)
         }

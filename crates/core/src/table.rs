@@ -24,16 +24,25 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
     }
     let mut table = Table { units: columns.iter().map(own_unit).collect(), rows: Vec::new() };
     let mut faults = Vec::new();
+    let mut miscounts: Vec<Miscount> = Vec::new();
     let mut heading = None;
     for (n, line) in text.lines().enumerate() {
         let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
             continue;
         }
-        let cells = cells(line, columns.len());
+        let (cells, separator) = cells(line, columns.len());
         if table.rows.is_empty() && is_heading(&cells) {
             heading = Some(n + 1);
             read_heading(line, &cells, columns, &mut table.units, &mut faults);
+            continue;
+        }
+        if cells.len() != columns.len() {
+            let same = |other: &&mut Miscount| (other.cells, other.separator) == (cells.len(), separator);
+            match miscounts.iter_mut().find(same) {
+                Some(known) => known.more += 1,
+                None => miscounts.push(Miscount { line: n + 1, more: 0, cells: cells.len(), separator }),
+            }
             continue;
         }
         match read_row(&cells, columns, &table.units) {
@@ -47,8 +56,8 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
             return Err(faults);
         }
     }
+    faults.extend(miscounts.iter().take(MOST_FAULTS).map(|miscount| miscount.text(columns)));
     if table.rows.is_empty() && faults.is_empty() {
-        let names = columns.iter().map(|column| column.label).collect::<Vec<_>>().join("; ");
         let why = match heading {
             Some(line) => Text::new(
                 "no row of numbers follows the heading in line {line}; write one row a line: {columns}",
@@ -56,7 +65,7 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
             .with("line", line),
             None => Text::new("the table is empty; write one row a line: {columns}"),
         };
-        faults.push(why.with("columns", names));
+        faults.push(why.with_text("columns", names(columns)));
     }
     if faults.is_empty() { Ok(table) } else { Err(faults) }
 }
@@ -86,12 +95,94 @@ fn own_unit(column: &Field) -> Unit {
     measure(column).map_or(Unit::ONE, |measure| measure.own_unit())
 }
 
-/// The cells of a line. The separator is the first of `;`, tab, blank and `,` that gives as many as there are columns.
-fn cells(line: &str, columns: usize) -> Vec<&str> {
-    let by = |separator: &[char]| -> Vec<&str> { line.split(separator).map(str::trim).collect() };
-    let blank: Vec<&str> = line.split_whitespace().collect();
-    let ways = [by(&[';']), by(&['\t']), blank.clone(), by(&[','])];
-    ways.into_iter().find(|cells| cells.len() == columns).unwrap_or(blank)
+/// What sets columns apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Separator {
+    Semicolon,
+    Tab,
+    Blank,
+    Comma,
+}
+
+impl Separator {
+    fn name(self) -> &'static str {
+        match self {
+            Separator::Semicolon => "semicolons",
+            Separator::Tab => "tabulators",
+            Separator::Blank => "blanks",
+            Separator::Comma => "commas",
+        }
+    }
+
+    fn split(self, line: &str) -> Vec<&str> {
+        match self {
+            Separator::Semicolon => line.split(';').map(str::trim).collect(),
+            Separator::Tab => line.split('\t').map(str::trim).collect(),
+            Separator::Blank => line.split_whitespace().collect(),
+            Separator::Comma => line.split(',').map(str::trim).collect(),
+        }
+    }
+}
+
+/// Lines of one wrong number of columns.
+struct Miscount {
+    /// The first of them.
+    line: usize,
+    /// How many more there are.
+    more: usize,
+    cells: usize,
+    separator: Separator,
+}
+
+impl Miscount {
+    fn text(&self, columns: &'static [Field]) -> Text {
+        let why = match self.cells {
+            1 => Text::new(
+                "there is one column instead of {want}: {columns}; set them apart by semicolons, tabs, blanks or commas",
+            ),
+            _ => {
+                Text::new("there are {have} columns, set apart by {separator}, instead of {want}: {columns}")
+                    .with("have", self.cells)
+                    .with_text("separator", self.separator.name())
+            }
+        };
+        let why = why.with("want", columns.len()).with_text("columns", names(columns));
+        let text = match self.more {
+            0 => Text::new("line {line}: {why}"),
+            more => Text::new("line {line} and {more} more: {why}").with("more", more),
+        };
+        text.with("line", self.line).with_text("why", why)
+    }
+}
+
+/// The names of columns, beside each other.
+fn names(columns: &'static [Field]) -> Text {
+    let (last, others) = match columns {
+        [] => return Text::from(""),
+        [others @ .., last] => (last, others),
+    };
+    others.iter().rev().fold(Text::from(last.label), |after, column| {
+        Text::new("{column}; {after}").with_text("column", column.label).with_text("after", after)
+    })
+}
+
+/// The cells of a line. The separator is the first of `;`, tab, blank and `,` that gives as many as there are columns;
+/// where none does, the one that stands there.
+fn cells(line: &str, columns: usize) -> (Vec<&str>, Separator) {
+    use Separator::{Blank, Comma, Semicolon, Tab};
+    let fits = |separator: &Separator| separator.split(line).len() == columns;
+    let separator = [Semicolon, Tab, Blank, Comma].into_iter().find(fits).unwrap_or_else(|| {
+        // `1, 2, 3` is set apart by commas.
+        let (words, pieces) = (Blank.split(line), Comma.split(line).len());
+        let after_commas = words.iter().rev().skip(1).all(|cell| cell.ends_with(','));
+        match line {
+            _ if line.contains(';') => Semicolon,
+            _ if line.contains('\t') => Tab,
+            _ if pieces > 1 && after_commas => Comma,
+            _ => Blank,
+        }
+    });
+    (separator.split(line), separator)
 }
 
 fn is_heading(cells: &[&str]) -> bool {
@@ -148,10 +239,6 @@ fn bracketed(text: &str) -> Vec<&str> {
 }
 
 fn read_row(cells: &[&str], columns: &'static [Field], found: &[Unit]) -> Result<Vec<f64>, Text> {
-    if cells.len() != columns.len() {
-        let why = Text::new("there are {have} numbers; {want} are needed");
-        return Err(why.with("have", cells.len()).with("want", columns.len()));
-    }
     let cell = |((text, column), unit): ((&&str, &Field), &Unit)| {
         let kind = measure(column).map_or(Kind::Other, |measure| measure.kind());
         units::read_quantity(text, unit, kind).map(|quantity| quantity.si).map_err(|err| reading::text(&err))

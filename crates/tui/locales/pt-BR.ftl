@@ -171,10 +171,13 @@ yes = sim
 no = não
 key-adds-a-row = { $key } acrescenta uma linha
 add-add-copy-duplicate-delete-delete-down-up-move = { $add } acrescenta, { $copy } duplica, { $delete } apaga, { $down } { $up } movem
-key-edits-paste-replaces-file-reads-a-file = { $key } edita; colar substitui; @arquivo lê um arquivo
 key-puts-it-in = { $key } inclui
 key-changes-it = { $key } alterna
 key-opens-the-choices = { $key } abre as opções
+add-add-copy-duplicate-delete-delete-down-up-move-fold-fold = { $add } acrescenta, { $copy } duplica, { $delete } apaga, { $down } { $up } movem, { $fold } dobra
+space-puts-it-in = Espaço inclui
+space-changes-it = Espaço alterna
+enter-opens-the-choices = Enter abre as opções
 a-number-alone-is-in-unit = um número sozinho está em { $unit }
 enter-edits-paste-replaces-file-reads-a-file = Enter edita; colar substitui; @arquivo lê um arquivo
 space-puts-it-in = Espaço inclui
@@ -410,3 +413,35 @@ it-is-open-with-changes-that-are-not-saved = está aberta com alterações não 
 an-exercise-is-done-of-a-case-every-printed-answer-is-ours = um exercício está feito; de um caso: todas as respostas impressas são as nossas
 a-printed-answer-is-disputed-the-sources-say-why = uma resposta impressa é contestada: as fontes dizem por quê
 a-printed-answer-is-not-ours = uma resposta impressa não é a nossa
+
+# Tabelas de números
+close-as-it-was-before = fechar, como era antes
+import-a-file-into-the-table = importar um arquivo para a tabela
+file-of-the-table-csv-txt-uff-unv = Arquivo da tabela (.csv, .txt, .uff, .unv)
+the-table-holds-this-file-already = a tabela já contém este arquivo
+these-inputs-have-no-table-of-numbers = estes dados de entrada não têm tabela de números
+there-are-several-tables-go-to-one-of-them = há várias tabelas: vá até uma delas
+key-edits-paste-replaces-import-imports-a-file = { $key } edita, colar substitui, { $import } importa um arquivo
+one-row-a-line-columns-set-apart-by-semicolons-tabs-blanks-or-commas-a-first-line-such-as-heading-says-in-which-units-name-alone-reads-a-file = Uma linha para cada ponto; colunas separadas por ponto e vírgula, tabulações, espaços ou vírgulas. Uma primeira linha como { $heading } diz em que unidades. @nome sozinho lê um arquivo.
+enter-edits-paste-replaces-imports-a-file = Enter edita, colar substitui, @ importa um arquivo
+one-row-a-line-columns-set-apart-by-semicolons-tabs-blanks-or-commas-a-first-line-such-as-heading = Uma linha para cada ponto; colunas separadas por ponto e vírgula, tabulações, espaços ou vírgulas. Uma primeira linha como { $heading } diz em que unidades. @nome sozinho lê um arquivo.
+file-holds-data-not-a-problem = { $file } contém dados, não um problema
+open-the-analysis-that-takes-them-go-to-its-table-and-import-the-file-there-with-key = Abra a análise que os recebe, vá até a tabela dela e importe o arquivo ali com { $key }.
+the-file-is-empty = o arquivo está vazio
+file-is-too-large-for-a-table-at-most-most-mib-are-read-keep-every-tenth-row-or-the-range-that-matters = { $file } é grande demais para uma tabela: são lidos no máximo { $most } MiB; guarde uma linha em cada dez, ou só o trecho que importa
+one-line = uma linha
+
+# Linhas de listas
+fold-the-row-or-unfold-it = dobrar a linha, ou desdobrá-la
+fold-every-row-of-the-list-or-unfold-them = dobrar todas as linhas da lista, ou desdobrá-las
+there-is-no-row-here-that-can-be-folded = não há aqui uma linha que se possa dobrar
+one-row-is-filled = uma linha foi preenchida
+rows-rows-are-filled = { $rows } linhas foram preenchidas
+the-first-line-is-a-heading-and-is-left-out = a primeira linha é um cabeçalho e ficou de fora
+left-out-beyond-the-last-field-of-a-row-cells = de fora, além do último campo de uma linha: { $cells }
+left-out-lines-at-the-end-lines = de fora, linhas do fim: { $lines }
+text-more = { $text }; { $more }
+
+read-only = só leitura
+number-has-a-decimal-mark-it-is-read-as-echo-write-thousands-without-one = { $number } tem um sinal decimal: é lido como { $echo }; escreva milhares sem sinal
+command-was-not-found-set-visual-or-editor-or-editor-in-the-settings = `{ $command }` não foi encontrado: defina $VISUAL ou $EDITOR, ou `editor` nas configurações

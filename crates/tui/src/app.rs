@@ -466,8 +466,15 @@ impl World {
         let command = editor::command(self.editor.as_deref());
         let ended = self.session.lend(|| editor::run(&command, &path));
         let result = match ended {
-            Ok(true) => files::read(&path).map_err(EditError::File),
-            Ok(false) => Err(EditError::Editor(command)),
+            Ok(editor::Ended::Well) => {
+                // It was no other program.
+                if let Some(watched) = &mut self.watched {
+                    watched.seen();
+                }
+                files::read(&path).map_err(EditError::File)
+            }
+            Ok(editor::Ended::Badly) => Err(EditError::Editor(command)),
+            Ok(editor::Ended::NotFound) => Err(EditError::NoEditor(command)),
             Err(error) => return Msg::Notice(error.to_string()),
         };
         Msg::Edited { file, result }

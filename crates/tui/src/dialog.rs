@@ -110,6 +110,8 @@ pub enum Purpose {
     Title,
     /// The path of the plot or drawing that is seen.
     ExportSeen,
+    /// The path of the file that is read into the table under the cursor.
+    Import,
 }
 
 impl Purpose {
@@ -183,6 +185,11 @@ impl Dialog {
             error: None,
             names: Names::default(),
         }
+    }
+
+    /// A line of text is asked for, and begun with.
+    pub fn prompt_asking(purpose: Purpose, begun: &str) -> Self {
+        Dialog::Prompt { purpose, proposed: false, input: begun.into(), error: None, names: Names::default() }
     }
 
     /// What was typed will not do: it is asked for again, to be put right.

@@ -56,6 +56,9 @@ pub enum FileError {
     /// It holds more than [`LARGEST`].
     #[error("`{}` is larger than {} MiB: it is no problem file, or holds data that belong in a file of their own", shown(.0), LARGEST / (1024 * 1024))]
     TooLarge(PathBuf),
+    /// It is to be read into a table, and holds more than [`LARGEST`].
+    #[error("`{}` is too large for a table: at most {} MiB are read; keep every tenth row, or the range that matters", shown(.0), LARGEST / (1024 * 1024))]
+    TooLargeForTable(PathBuf),
     /// It is not UTF-8.
     #[error("`{}` is not UTF-8 text: byte {byte}, in line {line}, begins no character{}", shown(.path), if *utf16 { ", and the file looks like UTF-16; save it as UTF-8" } else { "; save it as UTF-8" })]
     NotUtf8 {
@@ -132,6 +135,11 @@ impl FileError {
             FileError::TooLarge(path) => Text::new("{file} is larger than {most} MiB: it is no problem file")
                 .with("file", shown(path))
                 .with("most", LARGEST >> 20),
+            FileError::TooLargeForTable(path) => {
+                Text::new("{file} is too large for a table: at most {most} MiB are read; keep every tenth row, or the range that matters")
+                    .with("file", shown(path))
+                    .with("most", LARGEST >> 20)
+            }
             FileError::NotUtf8 { path, byte, line, .. } => {
                 Text::new("{file} is not UTF-8 text: byte {byte}, in line {line}, begins no character")
                     .with("file", shown(path))
@@ -212,11 +220,24 @@ pub fn read(path: &Path) -> Result<Opened, FileError> {
 /// fits the columns, of any other file its text. `measured.uff#2` is the second function of `measured.uff`.
 pub fn read_table(path: &Path, columns: &'static [Field]) -> Result<String, FileError> {
     let (path, which) = numbered(path);
-    let bytes = read_bytes(&path)?;
+    let bytes = read_bytes(&path).map_err(|error| match error {
+        FileError::TooLarge(path) => FileError::TooLargeForTable(path),
+        error => error,
+    })?;
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        return Err(FileError::NoTable { path, why: "the file is empty".into() });
+    }
     if !uff::is_universal(&bytes) {
         return read(&path).map(|opened| opened.text);
     }
     uff::table(&bytes, columns, which).map_err(|err| FileError::NoTable { path, why: err.0 })
+}
+
+/// Whether a file is one of measured data by its name: no problem file, whatever it holds.
+pub fn holds_data(path: &Path) -> bool {
+    const ENDINGS: [&str; 4] = ["csv", "tsv", "uff", "unv"];
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known))
 }
 
 /// A path with the number behind its `#`; a file whose name ends so is itself.

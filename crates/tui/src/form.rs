@@ -1,11 +1,17 @@
 //! The inputs of a problem as a form: a [`Draft`] seen as lines, a cursor, and the changes that keys make.
+// Long because every change of the inputs stands here, with what takes it back.
 
 mod edit;
+mod fold;
 mod lines;
 mod nudge;
+mod paste;
 mod units;
 
-use std::{collections::HashMap, ops::Range};
+use std::{
+    collections::{BTreeSet, HashMap},
+    ops::Range,
+};
 
 use dalembert_core::{Draft, Entry, FieldError, Shape, Value, draft};
 use dalembert_units::{Decimal, Style, write_quantity, write_vector};
@@ -13,6 +19,7 @@ use dalembert_units::{Decimal, Style, write_quantity, write_vector};
 pub use edit::{Edit, Sign};
 pub use lines::{Line, Role, lines};
 pub use nudge::{digit_at, nudged};
+pub use paste::Filled;
 
 use self::units::{in_next_unit, with_unit, written_unit};
 use crate::glyphs::filter_untrusted;
@@ -44,6 +51,8 @@ pub struct Form {
     aim: Option<(String, u32)>,
     /// The alternatives that were left, by path and place, to come back to.
     left: HashMap<(String, usize), Draft>,
+    /// The paths of rows of which the heading alone is shown.
+    folded: BTreeSet<String>,
 }
 
 /// A text in another unit than it was typed in: the quantity is that of the text as it was typed, however often its
@@ -87,12 +96,15 @@ impl Form {
             converted: None,
             aim: None,
             left: HashMap::new(),
+            folded: BTreeSet::new(),
         }
     }
 
-    /// Its lines.
+    /// Its lines, without those of folded rows.
     pub fn lines(&self) -> Vec<Line> {
-        lines(&self.shape, &self.draft)
+        let mut lines = self.all_lines();
+        lines.retain(|line| !self.is_hidden(&line.path));
+        lines
     }
 
     /// The line of the cursor.
@@ -108,6 +120,7 @@ impl Form {
 
     /// The cursor at the line of a path.
     pub fn go_to(&mut self, path: &str) {
+        self.reveal(path);
         if let Some(at) = self.lines().iter().position(|line| line.path == path) {
             self.cursor = at;
         }
@@ -115,6 +128,7 @@ impl Form {
 
     /// The cursor at the line of a path, or of the innermost part of it that has one.
     pub fn go_to_nearest(&mut self, path: &str) {
+        self.reveal(path);
         let lines = self.lines();
         let mut path = path;
         loop {
@@ -137,7 +151,7 @@ impl Form {
             }
             _ => text,
         };
-        self.put(Change::Other, path, Draft::Leaf(text))
+        self.change(Change::Other, |draft, shape| draft.write(shape, path, text).ok())
     }
 
     /// Puts a whole draft in place of this one.
@@ -263,6 +277,8 @@ impl Form {
             path = format!("{}[{}]", row.list, at + 1);
             Some(())
         });
+        let from = row.at.map_or(usize::MAX, |at| at + 1);
+        self.renumber(&row.list, |n| Some(if n >= from { n + 1 } else { n }));
         self.go_to(&path);
         if self.line().is_some_and(|line| matches!(line.role, Role::Group { .. })) {
             self.step(1);
@@ -280,6 +296,7 @@ impl Form {
             rows.insert(at + 1, copy);
             Some(())
         });
+        self.renumber(&list, |n| Some(if n > at { n + 1 } else { n }));
         self.go_to(&format!("{list}[{}]", at + 2));
         done
     }
@@ -299,6 +316,7 @@ impl Form {
             rest = rows.len();
             Some(())
         });
+        self.renumber(&list, |n| if n > at { Some(n - 1) } else { (n != at).then_some(n) });
         self.go_to(&if rest == 0 { list } else { format!("{list}[{}]", at.min(rest - 1) + 1) });
         self.step(0);
         done
@@ -315,6 +333,15 @@ impl Form {
             (to < rows.len()).then(|| rows.swap(at, to))
         });
         if done {
+            self.renumber(&list, |n| {
+                Some(if n == at {
+                    to
+                } else if n == to {
+                    at
+                } else {
+                    n
+                })
+            });
             self.go_to(&format!("{list}[{}]{}", to + 1, rest.unwrap_or_default()));
         }
         done
@@ -410,9 +437,9 @@ impl Form {
         self.edit = None;
         self.last = None;
         let old = std::mem::replace(&mut self.draft, with);
-        let (before, after) = (lines(&self.shape, &old), self.lines());
-        if let Some(at) = before.iter().zip(&after).position(|(before, after)| before != after) {
-            self.cursor = at;
+        let (before, after) = (lines(&self.shape, &old), self.all_lines());
+        if let Some((_, line)) = before.iter().zip(&after).find(|(before, after)| before != after) {
+            self.go_to(&line.path);
         }
         self.step(0);
         old
@@ -438,7 +465,7 @@ pub fn echo(text: &str, shape: &Shape, style: Style) -> Option<String> {
     match (draft::read_leaf(text, shape, "").ok()?, shape) {
         (Value::Quantity(quantity), Shape::Quantity(measure)) => {
             let shown = write_quantity(quantity.si, &measure.own_unit(), style);
-            (squeezed(&shown) != squeezed(text)).then_some(shown)
+            (squeezed(&shown) != squeezed(text) || thousands(text, style).is_some()).then_some(shown)
         }
         (Value::Vector(vector), Shape::Vector(..)) => {
             let shown = write_vector(vector.si, &vector.unit, style);
@@ -446,6 +473,26 @@ pub fn echo(text: &str, shape: &Shape, style: Style) -> Option<String> {
         }
         _ => None,
     }
+}
+
+/// A number of a text that a reader may take for thousands, as `1,500` where a decimal point is usual: one to three digits
+/// that do not begin with 0, the mark that is not the usual one, and three digits. It is read as a decimal mark.
+pub fn thousands(text: &str, style: Style) -> Option<&str> {
+    let mark = match style.decimal {
+        Decimal::Point => ',',
+        Decimal::Comma => '.',
+    };
+    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',');
+    text.split(|c| !is_part(c)).find(|number| {
+        number.split_once(mark).is_some_and(|(head, tail)| {
+            let digits = |part: &str| part.chars().all(|c| c.is_ascii_digit());
+            (1..=3).contains(&head.len())
+                && tail.len() == 3
+                && !head.starts_with('0')
+                && digits(head)
+                && digits(tail)
+        })
+    })
 }
 
 /// The errors of the line of a path.
@@ -533,6 +580,9 @@ mod tests {
             ("40kg", "kg", None),
             ("0,1 kg*m", "kg*m", None),
             ("10 m/s^2", "m/s^2", None),
+            ("1,500 rpm", "rpm", Some("1.5 rpm")),
+            ("1.500 rpm", "rpm", None),
+            ("0,500 m", "m", None),
             ("nothing", "kg", None),
         ] {
             assert_eq!(echo(text, &quantity(unit), Style::default()).as_deref(), echoed, "{text}");

@@ -89,6 +89,14 @@ pub enum Action {
     Nudge(i64),
     /// The same quantity in the next unit.
     NextUnit,
+    /// This row as its heading alone, or with its lines again.
+    FoldRow,
+    /// Every row of the list.
+    FoldRows,
+    /// A file into the table.
+    Import,
+    /// Close, and leave everything as it was.
+    GiveUp,
     /// A row more, below this one.
     AddRow,
     /// A copy of this row.

@@ -136,6 +136,9 @@ pub enum EditError {
     /// The editor could not be run, or said that it failed.
     #[error("`{0}` did not end well: set $VISUAL or $EDITOR, or `editor` in the settings")]
     Editor(String),
+    /// There is no such editor.
+    #[error("`{0}` was not found: set $VISUAL or $EDITOR, or `editor` in the settings")]
+    NoEditor(String),
 }
 
 /// What can happen.

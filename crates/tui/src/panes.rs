@@ -33,10 +33,12 @@ impl Page {
     }
 }
 
-/// The label of the field at a path, in the language: `Radius` for `masses[1].radius`. A component of a vector and a
-/// row keep their own part behind it: `Position x`, `Masses 2`. `None` where the path names no field.
+/// The label of the field at a path, in the language, after the rows that it stands in: `Masses 1, Radius` for
+/// `masses[1].radius`. A component of a vector keeps its own part behind it: `Position x`. `None` where the path names
+/// no field.
 pub fn label_of(shape: &Shape, path: &str, locale: &Locale) -> Option<String> {
     let mut shape = *shape;
+    let mut rows = String::new();
     let mut label: Option<String> = None;
     for part in path.split(['.', '[']) {
         while let Shape::Optional(inner) = shape {
@@ -55,7 +57,12 @@ pub fn label_of(shape: &Shape, path: &str, locale: &Locale) -> Option<String> {
                 shape = Shape::Group(variant.fields);
             }
             Shape::Rows { item, .. } => {
-                label = Some(format!("{} {}", label?, part.strip_suffix(']')?));
+                let row = part.strip_suffix(']')?;
+                rows += &match label.take() {
+                    Some(label) if rows.is_empty() => format!("{label} {row}"),
+                    Some(label) => format!(", {label} {row}"),
+                    None => format!(" {row}"),
+                };
                 shape = *item();
             }
             Shape::Vector(measure, _) => {
@@ -65,5 +72,9 @@ pub fn label_of(shape: &Shape, path: &str, locale: &Locale) -> Option<String> {
             _ => return None,
         }
     }
-    label
+    match (rows.is_empty(), label) {
+        (true, label) => label,
+        (false, None) => Some(rows),
+        (false, Some(label)) => Some(format!("{rows}, {label}")),
+    }
 }

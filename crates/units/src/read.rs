@@ -47,6 +47,7 @@ pub fn read_quantity(text: &str, bare: &Unit, kind: Kind) -> Result<Quantity, Re
     if range.is_empty() {
         return Err(empty(bare));
     }
+    kinds::refuse_feet(text, range.clone(), bare, kind)?;
     let reading = read(text, range.clone(), bare)?;
     kinds::check(&reading, text, range.clone(), bare, kind)?;
     finish(&reading, bare, &text[range.clone()], range)

@@ -57,6 +57,20 @@ pub(crate) fn nearest(text: &str, wanted: Dim) -> Vec<&'static str> {
     found.into_iter().map(|(_, _, _, text)| text).take(3).collect()
 }
 
+/// The unit without a prefix, of a dimension, that `text` becomes by one letter more; `None` where there are several.
+pub(crate) fn with_one_letter_more(text: &str, dim: Dim) -> Option<&'static str> {
+    let longer = text.chars().count() + 1;
+    let mut found = SYMBOLS.iter().filter(|symbol| {
+        matches!(symbol.text, Cow::Borrowed(_))
+            && longer > 2
+            && symbol.scale.dim == dim
+            && symbol.text.chars().count() == longer
+            && is_one_step(text, &symbol.text)
+    });
+    let first = found.next()?;
+    found.next().is_none().then_some(&*first.text)
+}
+
 /// Every symbol, prefixes included, sorted.
 #[cfg(test)]
 pub(crate) fn all() -> &'static [Symbol] {

@@ -21,11 +21,27 @@ pub(super) fn command(set: Option<&str>) -> String {
         .unwrap_or_else(|| USUAL.to_owned())
 }
 
-/// Runs the command on a file and waits; whether it ended well. The command may have words of its own
-/// (`code --wait`), so the shell reads it; the path stays one word whatever is in it.
-pub(super) fn run(command: &str, path: &Path) -> bool {
+/// How a command ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ended {
+    Well,
+    Badly,
+    /// There is no such program.
+    NotFound,
+}
+
+/// Runs the command on a file and waits. The command may have words of its own (`code --wait`), so the shell reads it;
+/// the path stays one word whatever is in it.
+pub(super) fn run(command: &str, path: &Path) -> Ended {
+    /// What a shell answers that finds no such program.
+    const NOT_FOUND: i32 = 127;
     let script = format!("{command} \"$1\"");
-    Command::new("sh").args(["-c", &script, "sh"]).arg(path).status().is_ok_and(|status| status.success())
+    let status = Command::new("sh").args(["-c", &script, "sh"]).arg(path).status();
+    match status.map(|status| (status.success(), status.code())) {
+        Ok((true, _)) => Ended::Well,
+        Ok((_, Some(NOT_FOUND))) => Ended::NotFound,
+        _ => Ended::Badly,
+    }
 }
 
 /// A text as a file that only the person can read; it stays until it is removed.

@@ -49,12 +49,18 @@ impl Form {
 
     /// Takes the text of the edit into the draft: as it is typed, a number alone in the unit that was there.
     pub fn typed(&mut self) {
-        if let Some(edit) = &self.edit
-            && let Ok((place, shape)) = self.draft.at_mut(&self.shape, &edit.path)
-        {
-            let text = edit.input.value().to_owned();
-            *place = Draft::Leaf(with_unit(text, edit.unit.as_ref(), &shape.present()));
+        let Some(edit) = &self.edit else { return };
+        if edit.path.ends_with("].name") {
+            // References follow from what the row was called before, however its new name is typed.
+            self.draft.clone_from(&edit.before);
         }
+        let text = edit.input.value().to_owned();
+        let text = match self.draft.at(&self.shape, &edit.path) {
+            Ok((_, shape)) => with_unit(text, edit.unit.as_ref(), &shape.present()),
+            Err(_) => text,
+        };
+        // What is edited is a leaf of the draft.
+        let _ = self.draft.write(&self.shape, &edit.path, text);
     }
 
     /// Ends the edit and keeps its text.

@@ -140,7 +140,7 @@ fn push(mut line: Line, shape: &Shape, draft: &Draft, lines: &mut Vec<Line>) {
 }
 
 /// The texts of a row, beside each other.
-fn summary(draft: &Draft) -> String {
+pub(super) fn summary(draft: &Draft) -> String {
     fn collect<'d>(draft: &'d Draft, texts: &mut Vec<&'d str>) {
         match draft {
             Draft::Leaf(text) if !text.trim().is_empty() && !text.contains('\n') => texts.push(text.trim()),

@@ -59,6 +59,9 @@ pub(super) const FORM: &[Binding] = &[
     bind(Action::DeleteRow, &[typed('x')], "delete the row, or leave the input out", ""),
     bind(Action::MoveRowUp, &[typed('K')], "move the row up", ""),
     bind(Action::MoveRowDown, &[typed('J')], "move the row down", ""),
+    bind(Action::FoldRow, &[typed('f')], "fold the row, or unfold it", ""),
+    bind(Action::FoldRows, &[typed('F')], "fold every row of the list, or unfold them", ""),
+    bind(Action::Import, &[typed('@')], "import a file into the table", ""),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
     bind(Action::PageUp, PAGE_UP, "page up", ""),
@@ -219,7 +222,10 @@ pub(super) const PROMPT: &[Binding] = &[
 ];
 
 /// Keys of a text of many lines.
-pub(super) const SHEET: &[Binding] = &[bind(Action::Back, ESC, "keep and close", "keep and close")];
+pub(super) const SHEET: &[Binding] = &[
+    bind(Action::Back, ESC, "keep and close", "keep and close"),
+    bind(Action::GiveUp, &[ctrl('g')], "close, as it was before", "as before"),
+];
 
 /// Keys of the help.
 pub(super) const HELP: &[Binding] = &[

@@ -20,7 +20,7 @@ use crate::{
     bench::{Bench, Focus, State, Tab},
     dialog::{Choice, Chosen, Dialog, Purpose, Sheet},
     files::FileError,
-    form::{self, Line, Role, Sign},
+    form::{self, Filled, Line, Role, Sign},
     glyphs::filter_untrusted,
     keys::{Action, Key, Place},
     layout,
@@ -232,7 +232,8 @@ pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent, sign: Option<Sig
         }
         Some(Role::Choice { .. }) => (Text::new("{key} opens the choices"), Action::Enter),
         Some(Role::Table { .. }) => {
-            (Text::new("{key} edits; paste replaces; @file reads a file"), Action::Enter)
+            let text = Text::new("{key} edits, paste replaces, {import} imports a file");
+            (text.with("import", model.key(Place::Form, Action::Import)), Action::Enter)
         }
         Some(Role::Absent) => (Text::new("{key} puts it in"), Action::Toggle),
         Some(Role::Leaf { .. }) => {
@@ -258,10 +259,58 @@ pub(super) fn file_of_table(model: &Model, field: &str, text: &str) -> Option<Ef
 
 /// The file of a table takes the place of its text.
 pub(super) fn table_read(model: &mut Model, field: &str, result: Result<String, FileError>) -> Vec<Effect> {
-    match result {
-        Ok(text) => after(model, |bench| bench.form.set(field, text), ""),
-        Err(err) => {
+    let asked = match &mut model.dialog {
+        Some(Dialog::Prompt { purpose: Purpose::Import, error, .. }) => Some(error),
+        _ => None,
+    };
+    match (result, asked) {
+        (Ok(text), asked) => {
+            if asked.is_some() {
+                model.dialog = None;
+            }
+            after(model, |bench| bench.form.set(field, text), "the table holds this file already")
+        }
+        // The path stays there to be put right.
+        (Err(err), Some(error)) => {
+            *error = Some(err.text());
+            Vec::new()
+        }
+        (Err(err), None) => {
             model.complain(err.text());
+            Vec::new()
+        }
+    }
+}
+
+/// Asks for the file of the table under the cursor, or of the only one there is.
+fn ask_import(model: &mut Model) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let is_table = |line: &Line| matches!(line.role, Role::Table { .. });
+    let tables: Vec<Line> = bench.form.lines().into_iter().filter(is_table).collect();
+    let under_cursor = bench.form.line().filter(is_table);
+    match (under_cursor, tables.as_slice()) {
+        (None, []) => model.say("these inputs have no table of numbers"),
+        (None, [_, _, ..]) => model.say("there are several tables: go to one of them"),
+        (table, all) => {
+            if let Some(line) = table.or(all.first().cloned()) {
+                bench.form.go_to(&line.path);
+            }
+            model.dialog = Some(Dialog::prompt_asking(Purpose::Import, "@"));
+        }
+    }
+    Vec::new()
+}
+
+/// Reads the file that was asked for; the path stays where it is typed until that is done.
+pub(super) fn import(model: &mut Model, typed: &str) -> Vec<Effect> {
+    let named = format!("@{}", typed.trim_start_matches('@').trim());
+    let field = model.bench.as_ref().and_then(|bench| bench.form.line()).map(|line| line.path);
+    model.dialog = Some(Dialog::prompt_asking(Purpose::Import, &named));
+    match field.and_then(|field| file_of_table(model, &field, &named)) {
+        Some(effect) if named.len() > 1 => vec![effect],
+        _ => {
+            model.dialog =
+                Some(Dialog::prompt_again(Purpose::Import, named, "type the name of a file".into()));
             Vec::new()
         }
     }
@@ -279,6 +328,48 @@ pub(super) fn paste(model: &mut Model, text: &str) -> Vec<Effect> {
             sheet.insert(text);
             after(model, |bench| bench.form.set(&path, sheet.text()), "")
         }
+        Some((_, role)) if !matches!(role, Role::Leaf { .. }) || text.trim().contains(['\n', '\r', '\t']) => {
+            match bench.form.fill(text) {
+                Some(filled) => told_filled(model, filled),
+                None => paste_on_field(model, text),
+            }
+        }
+        _ => paste_on_field(model, text),
+    }
+}
+
+/// Says what a pasted block filled, and what of it could not be taken.
+fn told_filled(model: &mut Model, filled: Filled) -> Vec<Effect> {
+    let mut said = vec![match filled.rows {
+        1 => Text::new("one row is filled"),
+        rows => Text::new("{rows} rows are filled").with("rows", rows),
+    }];
+    if filled.heading {
+        said.push("the first line is a heading and is left out".into());
+    }
+    if filled.cells > 0 {
+        said.push(Text::new("left out, beyond the last field of a row: {cells}").with("cells", filled.cells));
+    }
+    if filled.lines > 0 {
+        said.push(Text::new("left out, lines at the end: {lines}").with("lines", filled.lines));
+    }
+    let text = said
+        .into_iter()
+        .reduce(|text, more| Text::new("{text}; {more}").with_text("text", text).with_text("more", more))
+        .unwrap_or_else(|| Text::from(""));
+    let effects = if filled.changed { changed(model) } else { Vec::new() };
+    if filled.cells + filled.lines > 0 {
+        model.complain(text);
+    } else {
+        model.say(text);
+    }
+    effects
+}
+
+/// A text as the one line of the field under the cursor.
+fn paste_on_field(model: &mut Model, text: &str) -> Vec<Effect> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    match bench.form.line().map(|line| (line.path, line.role)) {
         Some((path, Role::Leaf { .. })) => {
             let (line, cut) = form::as_line(text);
             if cut {
@@ -329,6 +420,13 @@ fn form(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::NextUnit => {
             return after(model, |bench| bench.form.next_unit(decimal), "this has no other unit");
         }
+        Action::FoldRow | Action::FoldRows => {
+            let folds = if action == Action::FoldRow { form.fold_row() } else { form.fold_rows() };
+            if !folds {
+                model.say("there is no row here that can be folded");
+            }
+        }
+        Action::Import => return ask_import(model),
         Action::AddRow => return after(model, |bench| bench.form.add_row(), "there is no list here"),
         Action::DuplicateRow => {
             return after(model, |bench| bench.form.duplicate_row(), "there is no row here");
@@ -391,7 +489,12 @@ fn enter(model: &mut Model) -> Vec<Effect> {
             model.dialog = Some(Dialog::Choice { path, options, chosen });
         }
         Role::Rows { .. } => return after(model, |bench| bench.form.add_row(), ""),
-        Role::Group { .. } => bench.form.step(1),
+        Role::Group { .. } => {
+            if bench.form.is_folded(&path) {
+                bench.form.fold_row();
+            }
+            bench.form.step(1);
+        }
     }
     Vec::new()
 }

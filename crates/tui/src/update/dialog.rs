@@ -22,6 +22,10 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
     let longest = view::longest_scroll_of_help(model);
     match (action, &mut model.dialog) {
         (Action::Back, _) => close(model),
+        (Action::GiveUp, _) => {
+            model.dialog = None;
+            Vec::new()
+        }
         (Action::Enter, _) => enter(model),
         (_, Some(Dialog::Help { scroll })) => {
             let last = longest;
@@ -171,6 +175,7 @@ fn enter(model: &mut Model) -> Vec<Effect> {
                     export::write(model, purpose, PathBuf::from(typed), Before::Absent)
                 }
                 Purpose::Open => vec![Effect::Open(PathBuf::from(typed))],
+                Purpose::Import => bench::import(model, typed),
             }
         }
         _ => Vec::new(),

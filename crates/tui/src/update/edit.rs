@@ -35,11 +35,11 @@ pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, 
         Ok(opened) => opened,
         Err(EditError::Editor(command)) => {
             let why = "`{command}` did not end well: set $VISUAL or $EDITOR, or `editor` in the settings";
-            model.complain(Text::new(why).with("command", command));
-            return match edited {
-                Editing::Copy(path) => vec![Effect::Remove(path)],
-                _ => Vec::new(),
-            };
+            return without(model, edited, Text::new(why).with("command", command));
+        }
+        Err(EditError::NoEditor(command)) => {
+            let why = "`{command}` was not found: set $VISUAL or $EDITOR, or `editor` in the settings";
+            return without(model, edited, Text::new(why).with("command", command));
         }
         Err(EditError::File(error)) => {
             model.complain(error.text());
@@ -67,6 +67,15 @@ pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, 
             });
             Vec::new()
         }
+    }
+}
+
+/// Nothing was edited, and why.
+fn without(model: &mut Model, edited: Editing, why: Text) -> Vec<Effect> {
+    model.complain(why);
+    match edited {
+        Editing::Copy(path) => vec![Effect::Remove(path)],
+        _ => Vec::new(),
     }
 }
 

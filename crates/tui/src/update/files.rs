@@ -11,8 +11,9 @@ use super::{judged_later, problems};
 use crate::{
     bench::{Bench, OpenFile},
     dialog::{Answer, Dialog, Purpose},
-    files::{Before, Crashed, FileError, Fingerprint, Opened, shown},
+    files::{Before, Crashed, FileError, Fingerprint, Opened, holds_data, shown},
     glyphs::filter_untrusted,
+    keys::{Action, Place},
     model::{After, Effect, Model},
 };
 
@@ -116,6 +117,16 @@ pub(super) fn saved(
 
 pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, FileError>) -> Vec<Effect> {
     let reloading = model.reloading.take().is_some_and(|reloaded| reloaded == path);
+    let is_there = !matches!(result, Err(FileError::Missing(_) | FileError::Folder(_)));
+    if holds_data(&path) && is_there {
+        let title = Text::new("{file} holds data, not a problem").with("file", shown(&path));
+        let how = Text::new(
+            "Open the analysis that takes them, go to its table, and import the file there with {key}.",
+        )
+        .with("key", model.key(Place::Form, Action::Import));
+        model.dialog = Some(Dialog::Message { title, lines: vec![how.render(&model.locale)] });
+        return super::picker::preview(model);
+    }
     let opened = match result {
         Ok(opened) => opened,
         // A save writes the ending that is not typed.

@@ -32,7 +32,7 @@ const GAP: usize = 2;
 pub(super) fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
     let look = &model.look;
     let mut spans = vec![Span::styled(" dalembert", look.title())];
-    let mut right = String::new();
+    let mut right = if model.readonly { word("read-only", model) } else { String::new() };
     if let Some(bench) = model.shown_bench() {
         let gap = format!(" {} ", look.glyph(Glyph::Closed));
         spans.push(Span::styled(gap.clone(), look.dim()));
@@ -42,7 +42,9 @@ pub(super) fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
             spans.push(Span::styled(gap, look.dim()));
             spans.push(Span::raw(filter_untrusted(&name).into_owned()));
         }
-        right = file_name(model, bench);
+        let file = file_name(model, bench);
+        right += if right.is_empty() || file.is_empty() { "" } else { "  " };
+        right += &file;
     }
     let room = usize::from(area.width);
     let right_room = width(&right).min(room / 2);
@@ -243,21 +245,25 @@ fn about_field(model: &Model, bench: &Bench) -> String {
             parts.extend([label, say(line.field.help), add]);
         }
         Role::Group { .. } if line.number.is_some() => {
-            let keys = Text::new("{add} add, {copy} duplicate, {delete} delete, {down} {up} move")
-                .with("add", key(Action::AddRow))
-                .with("copy", key(Action::DuplicateRow))
-                .with("delete", key(Action::DeleteRow))
-                .with("down", key(Action::MoveRowDown))
-                .with("up", key(Action::MoveRowUp));
+            let keys =
+                Text::new("{add} add, {copy} duplicate, {delete} delete, {down} {up} move, {fold} fold")
+                    .with("add", key(Action::AddRow))
+                    .with("copy", key(Action::DuplicateRow))
+                    .with("delete", key(Action::DeleteRow))
+                    .with("down", key(Action::MoveRowDown))
+                    .with("up", key(Action::MoveRowUp))
+                    .with("fold", key(Action::FoldRow));
             parts.extend([label, keys.render(&model.locale)]);
         }
         Role::Table { .. } => {
+            // What is meant by it stands in full over the table when it is edited.
             parts.extend([
                 label,
-                say(line.field.help),
-                Text::new("{key} edits; paste replaces; @file reads a file")
+                Text::new("{key} edits, paste replaces, {import} imports a file")
                     .with("key", key(Action::Enter))
+                    .with("import", key(Action::Import))
                     .render(&model.locale),
+                say(line.field.help),
             ]);
         }
         Role::Absent => parts.extend([
@@ -267,14 +273,24 @@ fn about_field(model: &Model, bench: &Bench) -> String {
         ]),
         Role::Group { .. } => parts.extend([label, say(line.field.help)]),
         Role::Leaf { shape, text } => {
-            parts.extend(bench.form.unit_of_number(&line).and_then(|unit| number_alone(model, &unit)));
             // A number that is typed alone has a unit in the draft that is not on the screen.
             let typed = bench.form.edit.as_ref().map(|edit| edit.input.value());
             let read = match typed.filter(|typed| typed != text) {
                 Some(_) => Some(text.clone()),
                 None => form::echo(text, shape, model.locale.style),
             };
-            parts.extend(read.map(|read| format!("= {read}")));
+            parts.extend(read.map(|read| {
+                match form::thousands(text, model.locale.style) {
+                    Some(number) => Text::new(
+                        "{number} has a decimal mark: it is read as {echo}; write thousands without one",
+                    )
+                    .with("number", number)
+                    .with("echo", form::echo(text, shape, model.locale.style).unwrap_or(read))
+                    .render(&model.locale),
+                    None => format!("= {read}"),
+                }
+            }));
+            parts.extend(bench.form.unit_of_number(&line).and_then(|unit| number_alone(model, &unit)));
             parts.push(label);
             parts.push(say(line.field.help));
         }

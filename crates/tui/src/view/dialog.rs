@@ -1,6 +1,6 @@
 //! What lies over a screen.
 
-use dalembert_core::Text;
+use dalembert_core::{Field, Measure, Shape, Text, draft};
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -22,6 +22,7 @@ use crate::{
     layout,
     look::Glyph,
     model::{Model, Screen},
+    panes,
 };
 
 /// So many actions are offered at once: few, for the sake of slow lines, and always as many rows.
@@ -38,6 +39,8 @@ const MARKS: [(Glyph, &str); 5] = [
     (Glyph::Unequal, "a printed answer is disputed: the sources say why"),
     (Glyph::Bad, "a printed answer is not ours"),
 ];
+/// A table of so many bytes is read while it is typed.
+const READ_AT_ONCE: usize = 100_000;
 /// The widest box.
 const WIDEST: u16 = 76;
 
@@ -67,6 +70,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
                 Purpose::Export => "Worked solution (.html, .tex, .typ, .md, .txt)",
                 Purpose::ExportSeen => "What is seen (.svg; a plot also .csv)",
                 Purpose::Open => "File to open",
+                Purpose::Import => "File of the table (.csv, .txt, .uff, .unv)",
                 Purpose::Title => "Title of the problem",
             };
             let mut below: Vec<Line<'static>> = error
@@ -419,8 +423,16 @@ fn lay_choice(model: &Model, options: &[Choice], chosen: usize, screen: Rect) ->
 
 fn draw_sheet(model: &Model, sheet: &Sheet, area: Rect, buffer: &mut Buffer) -> Position {
     let look = &model.look;
-    framed(model, &sheet.path, area, buffer);
-    let inner = layout::inside(area);
+    let about = about_table(model, sheet, layout::inside(area));
+    framed(model, &about.title, area, buffer);
+    let mut inner = layout::inside(area);
+    for (lines, at_end) in [(about.head, false), (about.foot, true)] {
+        let rows = (lines.len() as u16).min(inner.height.saturating_sub(1));
+        let y = if at_end { inner.bottom() - rows } else { inner.y };
+        draw_lines(&lines, 0, Rect { y, height: rows, ..inner }, buffer);
+        inner =
+            Rect { y: if at_end { inner.y } else { inner.y + rows }, height: inner.height - rows, ..inner };
+    }
     let height = usize::from(inner.height).max(1);
     let first = sheet.row.saturating_sub(height / 2).min(sheet.lines.len().saturating_sub(height));
     let room = usize::from(inner.width).saturating_sub(1);
@@ -430,6 +442,72 @@ fn draw_sheet(model: &Model, sheet: &Sheet, area: Rect, buffer: &mut Buffer) -> 
     }
     scroll_mark(first, height, sheet.lines.len(), look, area, buffer);
     Position::new(inner.x + sheet.column.min(room) as u16, inner.y + (sheet.row - first) as u16)
+}
+
+/// What is told of a table that is edited.
+#[derive(Default)]
+struct AboutTable {
+    /// Which it is, in words.
+    title: String,
+    /// What it means, how it is written, and its columns with their units.
+    head: Vec<Line<'static>>,
+    /// Why it cannot be read as it stands.
+    foot: Vec<Line<'static>>,
+}
+
+fn about_table(model: &Model, sheet: &Sheet, inside: Rect) -> AboutTable {
+    let Some(bench) = &model.bench else { return AboutTable::default() };
+    let (look, locale, room) = (&model.look, &model.locale, usize::from(inside.width));
+    let whole = bench.entry.shape();
+    let Ok((_, shape)) = bench.form.draft.at(&whole, &sheet.path) else { return AboutTable::default() };
+    let columns = shape.present().fields(None);
+    let with_units = |column: &Field| {
+        let label = Text::from(column.label).render(locale);
+        match column.shape.present() {
+            Shape::Quantity(measure) => format!("{label} [{}]", unit_of(&measure, look.ascii)),
+            _ => label,
+        }
+    };
+    let heading = columns.iter().map(|column| match column.shape.present() {
+        Shape::Quantity(measure) => format!("[{}]", unit_of(&measure, true)),
+        _ => "[1]".to_owned(),
+    });
+    let how = Text::new(
+        "One row a line; columns set apart by semicolons, tabs, blanks or commas. A first line such as {heading} says in which units. @name alone reads a file.",
+    )
+    .with("heading", heading.collect::<Vec<_>>().join("; "));
+    let help =
+        bench.form.lines().into_iter().find(|line| line.path == sheet.path).map(|line| line.field.help);
+    let mut told = [Text::from(help.unwrap_or_default()), how]
+        .iter()
+        .filter(|text| !text.is_empty())
+        .flat_map(|text| wrapped(&text.render(locale), room))
+        .collect::<Vec<_>>();
+    let names = wrapped(&columns.iter().map(with_units).collect::<Vec<_>>().join("; "), room);
+    // Half of the screen at least is the table's own.
+    told = shortened(told, (usize::from(inside.height) / 2).saturating_sub(names.len()), room, look);
+    let mut head: Vec<Line<'static>> = told.into_iter().map(|text| Line::styled(text, look.dim())).collect();
+    head.extend(names.into_iter().map(|text| Line::styled(text, look.title())));
+    let text = sheet.text();
+    // A table that takes long to read is read when it is kept.
+    let is_read = text.len() <= READ_AT_ONCE && !text.trim().is_empty();
+    let faults =
+        if is_read { draft::read_leaf(&text, &shape, "").err().unwrap_or_default() } else { Vec::new() };
+    let foot = faults.first().map_or_else(Vec::new, |fault| {
+        shortened(wrapped(&filter_untrusted(&fault.why.render(locale)), room), 2, room, look)
+    });
+    AboutTable {
+        title: panes::label_of(&whole, &sheet.path, locale).unwrap_or_else(|| sheet.path.clone()),
+        head,
+        foot: foot.into_iter().map(|text| Line::styled(text, look.error())).collect(),
+    }
+}
+
+/// The unit of a column; that of a pure number is 1.
+fn unit_of(measure: &Measure, ascii: bool) -> String {
+    let unit = measure.own_unit();
+    let text = if ascii { unit.ascii() } else { unit.pretty() };
+    if text.is_empty() { "1".to_owned() } else { text }
 }
 
 fn option(model: &Model, name: &str, chosen: bool, room: usize) -> Line<'static> {

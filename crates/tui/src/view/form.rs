@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use dalembert_core::{Shape, Text, Value, draft};
+use dalembert_core::{FieldError, Shape, Text, Value, draft, is_within};
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -176,8 +176,11 @@ fn draw_line(
 ) -> (Shown<'static>, Option<usize>) {
     let look = &model.look;
     let focused = under_cursor && bench.focus == Focus::Form;
-    let wrong = errors_of(bench.wrong(), &line.path).next().is_some();
-    let needed = errors_of(bench.needed(), &line.path).next().is_some();
+    let folded = bench.form.is_folded(&line.path);
+    let of_line =
+        |error: &FieldError| error.path == line.path || (folded && is_within(&error.path, &line.path));
+    let wrong = bench.wrong().any(of_line);
+    let needed = bench.needed().any(of_line);
     let pointer = match (under_cursor, wrong) {
         (true, _) => Span::styled(format!("{} ", look.glyph(Glyph::Pointer)), look.border(focused)),
         (false, true) => Span::styled(format!("{} ", look.glyph(Glyph::Bad)), look.error()),
@@ -238,6 +241,12 @@ fn draw_line(
             let value = fit(&value, room.saturating_sub(left + 3), look);
             shown.push_span(Span::styled(value, picked));
             shown.push_span(Span::styled(format!(" {open}"), look.dim()));
+            if folded {
+                let summary = filter_untrusted(&bench.form.summary(&line.path)).into_owned();
+                let left = (room + POINTER).saturating_sub(shown.width() + 2);
+                let summary = format!(" {} {}", look.glyph(Glyph::Closed), summary);
+                shown.push_span(Span::styled(fit(&summary, left, look), look.dim()));
+            }
         }
         Role::Table { lines } => {
             shown.push_span(padded(
@@ -246,11 +255,16 @@ fn draw_line(
                 look,
             ));
             shown.push_span(" ");
-            let count = Text::new("{count} lines").with("count", lines).render(&model.locale);
+            let count = match lines {
+                1 => Text::from("one line"),
+                lines => Text::new("{count} lines").with("count", lines),
+            };
+            let count = count.render(&model.locale);
             shown.push_span(Span::styled(fit(&count, columns.value.saturating_sub(2), look), picked));
             shown.push_span(Span::styled(format!(" {open}"), look.dim()));
         }
         Role::Group { summary } => {
+            let name = if folded { format!("{name} {}", look.glyph(Glyph::Closed)) } else { name };
             let name = fit(&name, room, look);
             let left = room.saturating_sub(width(&name) + 2);
             shown.push_span(Span::styled(name, look.title().patch(picked)));

@@ -253,6 +253,8 @@ pub enum Hint {
     Feet(String),
     /// The reciprocal has the right dimension.
     Reciprocal(String),
+    /// A letter was left out of a unit of the right kind, as in `dg` for `deg`: the number with that unit.
+    Meant(String),
 }
 
 impl fmt::Display for Hint {
@@ -275,6 +277,7 @@ impl fmt::Display for Hint {
             Hint::Reciprocal(text) => {
                 write!(f, "write brackets if the divisor is meant to have the unit: `{text}`")
             }
+            Hint::Meant(text) => write!(f, "did you mean `{text}`?"),
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::{Amount, Hint, ReadError, Reading, WrongKind, si};
-use crate::{Dim, Kind, Sense, Style, Unit, write_number};
+use crate::{Dim, Kind, Sense, Style, Unit, table, write_number};
 
 pub(super) fn check(
     reading: &Reading,
@@ -37,6 +37,34 @@ pub(super) fn check(
         bare: bare.clone(),
         span,
     })))
+}
+
+/// Feet and inches, `3'6"`, where a length is asked for: the marks are those of angles, so they are refused with what to
+/// write. The two numbers as they were typed, where a text is these.
+pub(super) fn refuse_feet(text: &str, span: Range<usize>, bare: &Unit, kind: Kind) -> Result<(), ReadError> {
+    let typed = &text[span.clone()];
+    let Some((feet, inches)) = feet_and_inches(typed).filter(|_| wanted(bare, kind) == Dim::LENGTH) else {
+        return Ok(());
+    };
+    Err(ReadError::WrongKind(Box::new(WrongKind {
+        hint: Some(Hint::Feet(format!("{feet} ft + {inches} in"))),
+        text: typed.to_owned(),
+        unit: super::unit("'")?,
+        kind,
+        bare: bare.clone(),
+        span,
+    })))
+}
+
+fn feet_and_inches(text: &str) -> Option<(&str, &str)> {
+    let (feet, rest) = text.split_once(['\'', '′'])?;
+    let inches = rest.trim().strip_suffix(['"', '″'])?;
+    let is_number = |text: &str| {
+        let digit = text.starts_with(|c: char| c.is_ascii_digit());
+        digit && text.chars().all(|c| c.is_ascii_digit() || matches!(c, '.' | ',' | '/' | ' '))
+    };
+    let (feet, inches) = (feet.trim(), inches.trim());
+    (is_number(feet) && is_number(inches)).then_some((feet, inches))
 }
 
 /// The dimension asked for.
@@ -96,6 +124,9 @@ fn hint(amount: Amount, unit: &Unit, dim: Dim, kind: Kind, text: &str) -> Option
     if dim == Dim::LENGTH && matches!(symbol, "'" | "′" | "\"" | "″") {
         let name = if matches!(symbol, "'" | "′") { "ft" } else { "in" };
         return Some(Hint::Feet(format!("{number} {name}")));
+    }
+    if let Some(meant) = table::with_one_letter_more(symbol, dim) {
+        return Some(Hint::Meant(format!("{number} {meant}")));
     }
     // `1/0.5 s` is half of what 1/(0.5 s) would be.
     let (above, below) = text.split_once('/')?;

@@ -643,3 +643,21 @@ fn both_ways_read_the_same() {
         assert_eq!(slow.unit.unwrap().dim, quick.unit.dim, "`{text}`");
     }
 }
+
+#[test]
+fn feet_and_inches_and_a_letter_left_out_are_refused_with_what_to_write() {
+    let (metre, radian) = (unit("m").unwrap(), unit("rad").unwrap());
+    for (typed, written) in
+        [("3'6\"", "3 ft + 6 in"), ("3' 6.5\"", "3 ft + 6.5 in"), ("5′ 11 1/2″", "5 ft + 11 1/2 in")]
+    {
+        let error = read_quantity(typed, &metre, Kind::Length).unwrap_err().to_string();
+        assert!(error.ends_with(&format!("write `{written}`")), "{typed}: {error}");
+        assert!(read_quantity(written, &metre, Kind::Length).is_ok(), "{written}");
+    }
+    let length = read_quantity("3 ft + 6 in", &metre, Kind::Length).unwrap();
+    assert!((length.si - 3.5 * 0.3048).abs() < 1e-15);
+    let error = read_quantity("7 dg", &radian, Kind::Angle).unwrap_err().to_string();
+    assert!(error.ends_with("did you mean `7 deg`?"), "{error}");
+    let error = read_quantity("3 kg", &metre, Kind::Length).unwrap_err().to_string();
+    assert!(!error.contains("did you mean"), "{error}");
+}

@@ -1,0 +1,99 @@
+//! Names of rows: those that others refer to by them, and references that follow a name.
+
+use crate::{
+    Draft, FieldError, Record, Shape, Text, Value,
+    path::{Segment, segments},
+};
+
+/// Rows of the same name where an input refers to one of them by it.
+pub(crate) fn ambiguous(lists: &[(&'static str, Vec<String>)], record: &Record) -> Vec<FieldError> {
+    let mut errors = Vec::new();
+    for (list, names) in lists {
+        for (row, name) in names.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
+            let Some(first) = names[..row].iter().position(|earlier| earlier == name) else { continue };
+            let mut is_used = false;
+            record.leaves(&mut |_, field, value| {
+                is_used |= refers_to(&field.shape) == Some(list)
+                    && matches!(value, Value::Reference { name: used, .. } if used == name);
+            });
+            if is_used {
+                let why = Text::new(
+                    "row {first} is called `{name}` too, and an input refers to that name: give each its own",
+                );
+                let why = why.with("first", first + 1).with("name", name);
+                errors.push(FieldError::new(format!("{list}[{}].name", row + 1), why));
+            }
+        }
+    }
+    errors
+}
+
+/// The list that a reference names a row of.
+fn refers_to(shape: &Shape) -> Option<&'static str> {
+    match shape.present() {
+        Shape::Reference(list) => Some(list),
+        Shape::Rows { item, .. } => refers_to(item()),
+        _ => None,
+    }
+}
+
+impl Draft {
+    /// Writes the text of a leaf. Where it is the name of a row that others refer to, they follow: to the new name, or to
+    /// the number of the row where it has none any more. `shape` is that of the whole problem.
+    pub fn write(&mut self, shape: &Shape, path: &str, text: String) -> Result<(), FieldError> {
+        if let Some((list, row)) = named_row(path)
+            && let Some(old) = self.name_that_is_one_row_s_alone(shape, &list, path)
+        {
+            let new = match text.trim() {
+                "" => (row + 1).to_string(),
+                name => name.to_owned(),
+            };
+            follow(self, shape, &list, &old, &new);
+        }
+        *self.at_mut(shape, path)?.0 = Draft::Leaf(text);
+        Ok(())
+    }
+
+    fn name_that_is_one_row_s_alone(&self, shape: &Shape, list: &str, path: &str) -> Option<String> {
+        let (Draft::Leaf(name), _) = self.at(shape, path).ok()? else { return None };
+        let (Draft::Rows(rows), _) = self.at(shape, list).ok()? else { return None };
+        let same = (1..=rows.len())
+            .filter_map(|row| self.at(shape, &format!("{list}[{row}].name")).ok())
+            .filter(|(other, _)| matches!(other, Draft::Leaf(other) if other.trim() == name.trim()));
+        (!name.trim().is_empty() && same.count() == 1).then(|| name.trim().to_owned())
+    }
+}
+
+/// The top-level list and the place of the row whose name stands at a path.
+fn named_row(path: &str) -> Option<(String, usize)> {
+    match segments(path).ok()?.as_slice() {
+        [Segment::Name(list), Segment::Row(row), Segment::Name(name)] if name == "name" => {
+            Some((list.clone(), *row))
+        }
+        _ => None,
+    }
+}
+
+fn follow(draft: &mut Draft, shape: &Shape, list: &str, old: &str, new: &str) {
+    match (shape.present(), draft) {
+        (Shape::Reference(of), Draft::Leaf(text)) if of == list && text.trim() == old => {
+            new.clone_into(text);
+        }
+        (Shape::Group(fields), Draft::Group(drafts)) => {
+            for (field, draft) in fields().iter().zip(drafts) {
+                follow(draft, &field.shape, list, old, new);
+            }
+        }
+        (Shape::OneOf(variants), Draft::OneOf(chosen, inner)) => {
+            if let Some(variant) = variants().get(*chosen) {
+                follow(inner, &Shape::Group(variant.fields), list, old, new);
+            }
+        }
+        (Shape::Rows { item, .. }, Draft::Rows(rows)) => {
+            for row in rows {
+                follow(row, item(), list, old, new);
+            }
+        }
+        _ => {}
+    }
+}

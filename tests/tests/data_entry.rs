@@ -1,0 +1,297 @@
+//! Data that come in many numbers: tables of measurements, and rows of a list.
+
+use std::{fs, path::Path};
+
+use dalembert_core::{Draft, cases};
+use dalembert_tests::person::Person;
+
+const RESPONSE: &str = "vibration/frequency-response-identification";
+const PARTS: &str = "measurement.complex.response.accelerance-parts.points";
+
+/// A person before the form of a case whose name holds these words, on the line of a path.
+fn before(mut person: Person, words: &str, path: &str) -> Person {
+    let bench = person.model.bench.as_mut().expect("a problem is open");
+    let cases = cases::cases(bench.entry).expect("the cases can be read");
+    let case = cases.into_iter().find(|case| case.name.contains(words)).expect("there is such a case");
+    bench.form.replace(case.draft);
+    bench.form.go_to(path);
+    person
+}
+
+/// The text of a field.
+fn text(person: &Person, path: &str) -> String {
+    let bench = person.model.bench.as_ref().expect("a problem is open");
+    match bench.form.draft.at(&bench.entry.shape(), path) {
+        Ok((Draft::Leaf(text), _)) => text.clone(),
+        other => panic!("{path}: {other:?}"),
+    }
+}
+
+/// The screen with its words apart by single blanks, so that sentences are found across lines.
+fn words(person: &mut Person) -> String {
+    let screen = person.sees().replace(['│', '┃'], " ");
+    screen.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn write(folder: &Path, name: &str, text: &str) -> String {
+    let path = folder.join(name);
+    fs::write(&path, text).expect("written");
+    path.display().to_string()
+}
+
+#[test]
+fn the_editor_of_a_table_tells_its_columns_and_is_left_without_keeping() {
+    let mut person = before(Person::at(80, 24).opens(RESPONSE), "accelerance", PARTS);
+    let kept = text(&person, PARTS);
+    person.types("<enter>");
+    let seen = words(&mut person);
+    for told in [
+        "Frequency [Hz]; Real part [1/kg]; Imaginary part [1/kg]",
+        "One row a line",
+        "@name alone reads a file",
+        "Ctrl-G",
+    ] {
+        assert!(seen.contains(told), "`{told}`: {}", person.sees());
+    }
+    assert!(!seen.contains(PARTS), "the title is in words: {}", person.sees());
+    person.types("1; 2<enter>");
+    let seen = words(&mut person);
+    assert!(
+        seen.contains(
+            "there are 2 columns, set apart by semicolons, instead of 3: Frequency; Real part; Imaginary part"
+        ),
+        "{}",
+        person.sees()
+    );
+    person.types("<c-g>");
+    assert_eq!(text(&person, PARTS), kept);
+    assert!(person.model.dialog.is_none());
+    person.types("<enter>1; 2<enter><esc>");
+    assert_ne!(text(&person, PARTS), kept);
+    person.types("z");
+    assert_eq!(text(&person, PARTS), kept);
+
+    let mut person = before(Person::in_portuguese(80, 24).opens(RESPONSE), "accelerance", PARTS);
+    person.types("<enter>1; 2<enter>");
+    let seen = words(&mut person);
+    for told in [
+        "Frequência [Hz]; parte real [1/kg]",
+        "separadas por ponto e vírgula, em vez de 3",
+        "Uma linha para cada ponto",
+    ] {
+        assert!(seen.contains(told), "`{told}`: {}", person.sees());
+    }
+}
+
+#[test]
+fn a_file_is_imported_by_a_key_and_by_its_name_in_the_palette() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let data = "[Hz]; [(m/s^2)/N]; [(m/s^2)/N]\n10; 0.5; 0.1\n12; 1.5; 2.5\n14; -2; 1.5\n";
+    let path = write(folder.path(), "measured.csv", data);
+    let mut person = before(Person::at(80, 24).opens(RESPONSE), "accelerance", PARTS);
+    let kept = text(&person, PARTS);
+    assert!(person.sees().contains("@ imports a file"), "{}", person.sees());
+    // A path that leads nowhere stays there to be put right.
+    person.types("@nowhere.csv<enter>");
+    assert!(words(&mut person).contains("there is no file nowhere.csv"), "{}", person.sees());
+    assert_eq!(text(&person, PARTS), kept);
+    person.types(&"<bs>".repeat("nowhere.csv".len())).types(&path).types("<enter>");
+    assert_eq!(text(&person, PARTS), data);
+    assert!(person.model.dialog.is_none(), "{}", person.sees());
+    person.types("z");
+    assert_eq!(text(&person, PARTS), kept);
+    // From anywhere in the problem, where there is one table alone.
+    person.types("<home>:import a file<enter>").types(&path).types("<enter>");
+    assert_eq!(text(&person, PARTS), data);
+    // Not a problem file: what to do with it is said.
+    person.types("o").types(&path).types("<enter>");
+    let seen = words(&mut person);
+    assert!(seen.contains("measured.csv holds data, not a problem"), "{}", person.sees());
+    assert!(seen.contains("import the file there with @"), "{}", person.sees());
+}
+
+#[test]
+fn broken_data_files_are_told_by_what_is_in_them() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let two = write(folder.path(), "two.csv", &"1.5,2.5\n".repeat(40));
+    let five = write(folder.path(), "five.csv", "1,2,3,4,5\n");
+    let one = write(folder.path(), "one.txt", "1\n2\n");
+    let empty = write(folder.path(), "empty.csv", "\n");
+    let mut person = before(Person::at(60, 30).opens(RESPONSE), "accelerance", PARTS);
+    for (path, told) in [
+        (&two, "line 1 and 39 more: there are 2 columns, set apart by commas, instead of 3: Frequency; Real"),
+        (&five, "line 1: there are 5 columns, set apart by commas, instead of 3"),
+        (&one, "line 1 and 1 more: there is one column instead of 3: Frequency;"),
+    ] {
+        person.pastes(&format!("@{path}"));
+        assert!(words(&mut person).contains(told), "{told}: {}", person.sees());
+    }
+    let kept = text(&person, PARTS);
+    person.pastes(&format!("@{empty}"));
+    assert!(words(&mut person).contains("empty.csv: the file is empty"), "{}", person.sees());
+    let large = folder.path().join("large.csv");
+    fs::File::create(&large).and_then(|file| file.set_len(100 << 20)).expect("a hole of 100 MiB");
+    person.pastes(&format!("@{}", large.display()));
+    let seen = words(&mut person);
+    assert!(seen.contains("is too large for a table: at most 16 MiB"), "{}", person.sees());
+    assert_eq!(text(&person, PARTS), kept);
+}
+
+const ROTOR: &str = "vibration/rotor-dynamics";
+
+/// A person before the first case of an analysis, on the line of a path.
+fn on(mut person: Person, path: &str) -> Person {
+    person.model.bench.as_mut().expect("a problem is open").form.go_to(path);
+    person
+}
+
+fn rows(person: &Person, path: &str) -> usize {
+    let bench = person.model.bench.as_ref().expect("a problem is open");
+    match bench.form.draft.at(&bench.entry.shape(), path) {
+        Ok((Draft::Rows(rows), _)) => rows.len(),
+        other => panic!("{path}: {other:?}"),
+    }
+}
+
+#[test]
+fn a_pasted_table_fills_rows() {
+    let mut person = on(Person::at(100, 30).opens(ROTOR), "segments");
+    let before = rows(&person, "segments");
+    let kept = person.model.bench.as_ref().map(|bench| bench.form.draft.clone());
+    person.pastes("L\tD\r\n0.2 m\t40 mm\r\n0.3 m\t50 mm\r\n0.4 m\t60 mm\r\n");
+    assert_eq!(rows(&person, "segments"), before.max(3));
+    for (row, (length, outer)) in
+        [("0.2 m", "40 mm"), ("0.3 m", "50 mm"), ("0.4 m", "60 mm")].into_iter().enumerate()
+    {
+        assert_eq!(text(&person, &format!("segments[{}].length", row + 1)), length);
+        assert_eq!(text(&person, &format!("segments[{}].outer", row + 1)), outer);
+    }
+    let seen = words(&mut person);
+    assert!(
+        seen.contains("3 rows are filled; the first line is a heading and is left out"),
+        "{}",
+        person.sees()
+    );
+    person.types("z");
+    assert_eq!(person.model.bench.as_ref().map(|bench| bench.form.draft.clone()), kept, "one undo");
+    // From a cell it goes down and to the right; what has no field is told.
+    person.model.bench.as_mut().expect("a problem is open").form.go_to("segments[1].outer");
+    let length = text(&person, "segments[1].length");
+    person.pastes("41 mm\t\t5 mm\t9\n42 mm");
+    assert_eq!(text(&person, "segments[1].length"), length);
+    assert_eq!(text(&person, "segments[1].outer"), "41 mm");
+    assert_eq!(text(&person, "segments[1].inner"), "5 mm");
+    assert_eq!(text(&person, "segments[2].outer"), "42 mm");
+    assert!(words(&mut person).contains("left out, beyond the last field of a row: 1"), "{}", person.sees());
+    // One cell for one field is what it was.
+    person.pastes("43 mm\n");
+    assert_eq!(text(&person, "segments[1].outer"), "43 mm");
+    let mut person = on(Person::in_portuguese(100, 30).opens(ROTOR), "segments");
+    person.pastes("0,2 m\t40 mm");
+    assert!(words(&mut person).contains("uma linha foi preenchida"), "{}", person.sees());
+}
+
+#[test]
+fn rows_are_folded_one_by_one_and_all_together() {
+    let mut person = on(Person::at(80, 40).opens(ROTOR), "segments");
+    person.pastes("0.2 m\t40 mm\n0.3 m\t50 mm\n0.4 m\t60 mm");
+    let lines = |person: &Person| person.model.bench.as_ref().expect("a problem is open").form.lines().len();
+    let path = |person: &Person| {
+        person
+            .model
+            .bench
+            .as_ref()
+            .and_then(|bench| bench.form.line())
+            .map(|line| line.path)
+            .unwrap_or_default()
+    };
+    let all = lines(&person);
+    person.model.bench.as_mut().expect("a problem is open").form.go_to("segments[2].outer");
+    person.types("f");
+    assert_eq!(path(&person), "segments[2]");
+    let folded = lines(&person);
+    assert!(folded < all, "{}", person.sees());
+    assert!(person.sees().contains("2 ▸  0.3 m · 50 mm"), "{}", person.sees());
+    // It stays folded where it goes, and is gone into by Enter.
+    person.types("K");
+    assert_eq!((path(&person), lines(&person)), ("segments[1]".to_owned(), folded));
+    assert!(person.sees().contains("1 ▸  0.3 m · 50 mm"), "{}", person.sees());
+    person.types("<enter>");
+    assert_eq!((path(&person), lines(&person)), ("segments[1].length".to_owned(), all));
+    person.types("F");
+    assert_eq!(path(&person), "segments[1]");
+    let count = rows(&person, "segments");
+    assert_eq!(lines(&person), all - count * (all - folded));
+    // What is wrong in a folded row marks its heading, and a change that is taken back is seen.
+    person.model.bench.as_mut().expect("a problem is open").form.go_to("segments[2].length");
+    person.types("<del>7 kg<enter>F<down>");
+    let heading = person.sees().lines().find(|line| line.contains("7 kg · 40 mm")).map(str::to_owned);
+    assert!(heading.is_some_and(|line| line.contains("✗")), "{}", person.sees());
+    person.types("F");
+    assert_eq!(lines(&person), all);
+    person.types("Fz");
+    assert_eq!(path(&person), "segments[2].length");
+    person.types("?");
+    for _ in 0..4 {
+        if person.sees().contains("fold every row of the list") {
+            return;
+        }
+        person.types("<pgdn>");
+    }
+    panic!("the help tells the keys:\n{}", person.sees());
+}
+
+const NETWORK: &str = "vibration/spring-network";
+
+#[test]
+fn errors_name_their_row_and_names_are_one_row_s_alone() {
+    let mut person = on(Person::at(60, 30).opens(NETWORK), "nodes[2].mass");
+    person.types("<del>3 m<enter><tab>");
+    let seen = words(&mut person);
+    assert!(seen.contains("Nodes 2, Mass:"), "{}", person.sees());
+    let mut person = on(Person::at(60, 30).opens(NETWORK), "nodes[1].name");
+    let (first, second) = (text(&person, "nodes[1].name"), text(&person, "nodes[2].name"));
+    assert_eq!(text(&person, "loaded"), first, "the case loads its first node by its name");
+    // References follow, through names that others have on the way, and are taken back with the name.
+    person.types("<del>").types(&second);
+    assert!(words(&mut person).contains("is called"), "{}", person.sees());
+    person.types(" too<enter>");
+    let name = format!("{second} too");
+    assert_eq!(text(&person, "nodes[1].name"), name);
+    assert_eq!(text(&person, "loaded"), name);
+    assert_eq!(text(&person, "elements[1].from"), name);
+    assert_eq!(text(&person, "elements[1].to"), second);
+    assert!(person.model.bench.as_ref().is_some_and(|bench| bench.errors.is_empty()), "{}", person.sees());
+    person.types("z");
+    assert_eq!((text(&person, "nodes[1].name"), text(&person, "loaded")), (first.clone(), first.clone()));
+    // Without a name its number is left.
+    person.types("<del><enter>");
+    assert_eq!(text(&person, "loaded"), "1");
+    person.types("z<del>").types(&second).types("<enter><tab>");
+    let seen = words(&mut person);
+    assert!(seen.contains(&format!("Nodes 2, Name: row 1 is called `{second}` too")), "{}", person.sees());
+}
+
+#[test]
+fn a_read_only_start_and_doubtful_thousands_are_told() {
+    let mut person = on(Person::at(80, 24).opens("vibration/rotating-unbalance"), "speed");
+    assert!(!person.sees().contains("read-only"));
+    person.model.readonly = true;
+    assert!(
+        person.sees().lines().next().is_some_and(|title| title.contains("read-only")),
+        "{}",
+        person.sees()
+    );
+    person.types("<del>1,500 rpm<enter>");
+    assert!(
+        person.sees().contains("1,500 has a decimal mark: it is read as 157.08 mrad/s")
+            || person.sees().contains("1,500 has a decimal mark: it is read as 0.15708 rad/s"),
+        "{}",
+        person.sees()
+    );
+    person.types("<del>1.500 rpm<enter>");
+    assert!(!person.sees().contains("has a decimal mark"), "{}", person.sees());
+    let mut person = on(Person::in_portuguese(80, 24).opens("vibration/rotating-unbalance"), "speed");
+    person.types("<del>1.500 rpm<enter>");
+    assert!(person.sees().contains("1.500 tem um sinal decimal"), "{}", person.sees());
+}
