@@ -119,6 +119,22 @@ fn tolerances_add_up_at_worst_and_in_squares() {
     );
 }
 
+/// Near the peak of a resonance too, what all do together is no less than what each does alone.
+#[test]
+fn the_worst_of_all_tolerances_holds_that_of_each() {
+    let fan = fan();
+    for answer in ["amplitude", "frequency_ratio", "phase", "damping_ratio"] {
+        let found =
+            sensitivity::sensitivity(fan.entry, &fan.record, answer, (&[], 3.0), &Stop::new()).unwrap();
+        let [least, most] = found.spread.worst;
+        let ends = found.influences.iter().flat_map(|one| one.at_tolerance).filter(|end| end.is_finite());
+        for end in ends.chain([found.value]) {
+            assert!((least..=most).contains(&end), "{answer}: {end} in {least} to {most}");
+        }
+        assert!(least < found.value && found.value < most, "{answer}");
+    }
+}
+
 #[test]
 fn a_value_that_is_found_gives_the_wanted_answer() {
     let fan = fan();

@@ -45,8 +45,7 @@ pub struct Influence {
 /// What the tolerances of all inputs do to an answer, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// The least and the greatest answer with every input at that end of its tolerance which alone lowers the answer
-    /// most, or raises it. Where there is no answer so, the sum of what each does alone.
+    /// The least and the greatest answer that ends of tolerances give together.
     pub worst: [f64; 2],
     /// To either side, where they are independent of each other: `√(Σ Δ²)`.
     pub likely: f64,
@@ -99,19 +98,27 @@ pub(crate) fn tolerance(input: &Input, given: &[(String, f64)], usual: f64) -> f
         .map_or_else(|| usual * input.step(), |(_, width)| *width)
 }
 
+/// The ends that raise or lower the answer most are put together one by one, the most influential first: exact where the
+/// answer runs to one side with each input, and near a peak no end is taken that leads back down.
 fn together(again: &mut Again, value: f64, all: &[Influence], stop: &Stop) -> Result<Spread, Refusal> {
-    let mut corner = |sign: f64| -> Result<f64, Refusal> {
-        let end = |one: &Influence| {
-            let [less, more] =
-                one.at_tolerance.map(|end| if end.is_nan() { f64::NEG_INFINITY } else { sign * end });
-            one.input.si + if less > more { -one.tolerance } else { one.tolerance }
-        };
-        let ends: Vec<(usize, f64)> = all.iter().map(end).enumerate().collect();
-        let found = again.with(&ends, stop)?[0];
-        let sum: f64 = all.iter().map(|one| one.within_tolerance(value)).sum();
-        Ok(if found.is_nan() { value + sign * sum } else { found })
+    let mut order: Vec<usize> = (0..all.len()).collect();
+    order.sort_by(|a, b| all[*b].within_tolerance(value).total_cmp(&all[*a].within_tolerance(value)));
+    let mut farthest = |sign: f64| -> Result<f64, Refusal> {
+        let (mut best, mut point) = (value, Vec::new());
+        for at in &order {
+            let one = &all[*at];
+            for end in [one.input.si - one.tolerance, one.input.si + one.tolerance] {
+                let tried: Vec<(usize, f64)> =
+                    point.iter().copied().filter(|(known, _)| known != at).chain([(*at, end)]).collect();
+                let found = again.with(&tried, stop)?[0];
+                if sign * (found - best) > 0.0 {
+                    (best, point) = (found, tried);
+                }
+            }
+        }
+        Ok(best)
     };
-    let worst = [corner(-1.0)?, corner(1.0)?];
+    let worst = [farthest(-1.0)?, farthest(1.0)?];
     let squares: f64 = all.iter().map(|one| one.within_tolerance(value).powi(2)).sum();
     Ok(Spread { worst, likely: squares.sqrt() })
 }

@@ -54,12 +54,12 @@ pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: 
     let label = label.min((cells * 2 / 5).min(room.saturating_sub(BAR)).max(8));
     let bar = room.saturating_sub(label);
     let columns = Columns { label, bar, cells };
-    let heading = format!(
-        "  {}  {:>CHANGE$}  {}",
-        padded("", columns.label + columns.bar),
-        Text::new("for +1 % or 1°").render(locale),
-        Text::new("± tol.").render(locale)
-    );
+    // What is changed by degrees is told from what is changed by shares.
+    let step =
+        if sorted.iter().any(|one| one.input.step_text() != "1 %") { "for +1 % or +1°" } else { "for +1 %" };
+    let left = columns.label + columns.bar + CHANGE + 4;
+    let heading =
+        format!("{:>left$}  {}", Text::new(step).render(locale), Text::new("± tol.").render(locale));
     page.lines.push(Line::styled(look.shortened(&plus_minus(&heading, look), cells), look.dim()));
     let most =
         sorted.iter().map(|one| one.change(found.value).abs()).filter(|x| x.is_finite()).fold(0.0, f64::max);
