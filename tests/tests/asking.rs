@@ -361,3 +361,17 @@ fn a_display_is_read_as_it_is_written() {
         assert_eq!(Display::of(text).to_string(), text);
     }
 }
+
+/// The last answer stands at the edge of the pane: what is said of it is scrolled to.
+#[test]
+fn the_verdict_on_the_last_answer_is_seen() {
+    let mut person = Person::at(80, 24).opens(FAN);
+    person.types("]]]]<tab>");
+    for _ in 0..30 {
+        person.types("7<enter><down>");
+    }
+    let screen = person.types("1<enter>").sees();
+    let (_, after) = screen.split_once("✗ ").expect("an answer is wrong");
+    let last = after.rsplit('✗').next().unwrap_or_default();
+    assert!(last.contains("not right") || last.contains("·"), "{screen}");
+}

@@ -136,6 +136,36 @@ fn the_worst_of_all_tolerances_holds_that_of_each() {
 }
 
 #[test]
+fn an_answer_that_does_not_change_is_said_to_be_so() {
+    let fan = fan();
+    let plan = Plan::Find {
+        input: "mass".into(),
+        range: [20.0, 60.0],
+        answer: "stiffness".into(),
+        wanted: 451_388.9,
+    };
+    let found = study::study(fan.entry, &fan.record, &plan, &Stop::new()).unwrap();
+    let said: Vec<String> = found.says.iter().map(dalembert_core::Text::english).collect();
+    assert_eq!(said, ["Stiffness of the support does not change with Mass of the machine"]);
+    assert!(found.numbers.is_empty());
+}
+
+/// The input that the answer runs over is not offered for a family of curves.
+#[test]
+fn a_family_is_of_another_input() {
+    let mut person = Person::at(120, 36).opens(FAN);
+    person.types("]]]]]]<tab>").types(&"<down>".repeat(7));
+    let offered: Vec<String> = (0..12)
+        .map(|_| {
+            let screen = person.types("<enter>").sees();
+            screen.lines().find(|line| line.contains("A curve for each")).unwrap_or_default().to_owned()
+        })
+        .collect();
+    assert!(offered.iter().any(|line| line.contains("Unbalance")), "{offered:#?}");
+    assert!(!offered.iter().any(|line| line.contains("Mass of the machine ▾")), "{offered:#?}");
+}
+
+#[test]
 fn a_value_that_is_found_gives_the_wanted_answer() {
     let fan = fan();
     let wanted = 0.01;

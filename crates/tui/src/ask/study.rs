@@ -169,7 +169,8 @@ impl Study {
         let input = own.or_else(|| place(&self.begins)).unwrap_or(0);
         let path = inputs.get(input).map_or("", |input| &input.path);
         let (answers, answer) = chosen(solution, self.answer.as_deref(), path);
-        let family = self.family.as_deref().and_then(place);
+        // A curve for each value of the input that the answer runs over is none.
+        let family = self.family.as_deref().and_then(place).filter(|at| *at != input);
         Subject { inputs, input, answers, answer, family }
     }
 
@@ -192,8 +193,10 @@ impl Study {
                 self.typed.retain(|(cell, _)| *cell != Cell::Wanted);
             }
             Cell::Family => {
-                let at = of.family.map_or(0, |at| at + 1);
-                self.family = turned(at, by, of.inputs.len() + 1).checked_sub(1).and_then(path);
+                let others: Vec<usize> = (0..of.inputs.len()).filter(|at| *at != of.input).collect();
+                let at = others.iter().position(|at| Some(*at) == of.family).map_or(0, |at| at + 1);
+                let to = turned(at, by, others.len() + 1).checked_sub(1);
+                self.family = to.and_then(|to| path(others[to]));
                 self.typed.retain(|(cell, _)| *cell != Cell::Values);
             }
             Cell::Spread => self.log = !self.log,

@@ -156,6 +156,11 @@ pub(super) fn take(model: &mut Model, outcome: Outcome) {
             }
         }
     }
+    // What is said of a wrong answer is read to its end.
+    if (tab, bench.tab) == (Tab::Check, Tab::Check) {
+        let cursor = bench.ask.check.cursor;
+        bring_in(model, cursor);
+    }
 }
 
 /// The inputs are others: what was found for them counts no more.
