@@ -54,7 +54,9 @@ fn the_list_filtered() {
 fn the_filter_looks_in_titles_keywords_sources_and_cases() {
     for (filter, title) in [
         ("rotunb", "Rotating unbalance"),
-        ("ventilador", "Rotating unbalance"),
+        ("ventilador viga", "Rotating unbalance"),
+        ("balancear ventilador", "Field balancing"),
+        ("fan balancing", "Field balancing"),
         ("fan on a", "Rotating unbalance"),
         ("vibration/rotating-u", "Rotating unbalance"),
     ] {

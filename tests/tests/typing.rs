@@ -61,11 +61,11 @@ fn a_number_alone_keeps_the_unit_of_its_field() {
     }
     let mut person = fan();
     let screen = person.types("<end>12").sees();
-    assert!(screen.contains("a number alone: rpm · = 12 rpm"), "{screen}");
+    assert!(screen.contains("= 12 rpm · a number alone: rpm"), "{screen}");
     assert!(person.types("<esc>").pastes("1200").sees().contains("1200 rpm"));
     let mut person = Person::in_portuguese(100, 30).opens(FAN);
     let screen = person.types("<end>12").sees();
-    assert!(screen.contains("um número sozinho: rpm · = 12 rpm"), "{screen}");
+    assert!(screen.contains("= 12 rpm · um número sozinho: rpm"), "{screen}");
 }
 
 #[test]

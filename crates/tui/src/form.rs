@@ -581,8 +581,8 @@ mod tests {
             ("0,1 kg*m", "kg*m", None),
             ("10 m/s^2", "m/s^2", None),
             ("1,500 rpm", "rpm", Some("1.5 rpm")),
-            ("1.500 rpm", "rpm", None),
-            ("0,500 m", "m", None),
+            ("1.500 rpm", "rpm", Some("1.5 rpm")),
+            ("0,500 m", "m", Some("0.5 m")),
             ("nothing", "kg", None),
         ] {
             assert_eq!(echo(text, &quantity(unit), Style::default()).as_deref(), echoed, "{text}");

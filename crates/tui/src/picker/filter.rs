@@ -88,10 +88,11 @@ impl Index {
         let whole = of_analysis.iter().all(|score| *score > 0);
         let mut best = whole.then(|| (of_analysis.iter().sum::<u32>() + bonus, None));
         for (n, case) in self.cases.iter().enumerate() {
-            let scores = words
-                .iter()
-                .zip(&of_analysis)
-                .map(|(word, score)| (WEIGHT.1 * place(case, word)).max(*score));
+            let scores = words.iter().zip(&of_analysis).map(|(word, score)| {
+                // Of two analyses with such a case, the one whose own words speak of it comes first.
+                let of_case = WEIGHT.1 * place(case, word);
+                of_case.max(*score) + u32::from(of_case > *score && *score > 0)
+            });
             let total = scores.reduce(|sum, score| if sum == 0 || score == 0 { 0 } else { sum + score });
             let Some(total) = total.filter(|total| *total > 0) else { continue };
             let total = total + together(case, WEIGHT.1).max(bonus);
