@@ -175,7 +175,8 @@ const SIGNS: &[(&str, &str)] = &[
     ("ªº", ""),
 ];
 
-fn among(pairs: &str, character: char) -> Option<char> {
+/// The character that stands behind another one in a text of such pairs.
+pub fn among(pairs: &str, character: char) -> Option<char> {
     let mut pairs = pairs.chars();
     while let (Some(like), Some(plain)) = (pairs.next(), pairs.next()) {
         if like == character {

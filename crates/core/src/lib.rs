@@ -7,7 +7,7 @@
 extern crate self as dalembert_core;
 
 mod analysis;
-mod ascii;
+pub mod ascii;
 pub mod cases;
 pub mod check;
 pub mod draft;

@@ -128,6 +128,16 @@ impl<'a> Sheet<'a> {
         }
     }
 
+    fn give_number(&self, name: Name, label: &'static str, id: Id) {
+        let Some(unit) = self.named(name, id) else { return };
+        let (value, noise) = (self.node(id).0, ROUNDING * self.solution.borrow().trace.node(id).scale);
+        self.give(Answer::new(name, label, AnswerValue::Number(value, id), unit, noise));
+    }
+
+    fn give(&self, answer: Answer) {
+        self.solution.borrow_mut().answers.push(answer);
+    }
+
     fn hold(&self, what: Text, difference: f64, scale: f64) {
         let residual = if difference == 0.0 { 0.0 } else { difference / scale };
         let passed = residual <= AGREEMENT;
@@ -214,50 +224,20 @@ impl<'s> Worksheet for &'s Sheet<'s> {
     }
 
     fn answer(self, name: impl Into<Name>, label: &'static str, value: Term<'s>) {
-        let (name, id) = (name.into(), value.on(self));
-        let Some(unit) = self.named(name, id) else { return };
-        let value = AnswerValue::Number(self.node(id).0, id);
-        let noise = ROUNDING * self.solution.borrow().trace.node(id).scale;
-        self.solution.borrow_mut().answers.push(Answer {
-            name,
-            label,
-            whose: String::new(),
-            value,
-            unit,
-            noise,
-            digits: None,
-        });
+        let id = value.on(self);
+        self.give_number(name.into(), label, id);
     }
 
     fn answer_vector(self, name: impl Into<Name>, label: &'static str, value: Vect<'s>) {
-        let (name, id) = (name.into(), value.on(self));
-        let Some(unit) = self.named(name, id) else { return };
-        let value = AnswerValue::Number(self.node(id).0, id);
-        let noise = ROUNDING * self.solution.borrow().trace.node(id).scale;
-        self.solution.borrow_mut().answers.push(Answer {
-            name,
-            label,
-            whose: String::new(),
-            value,
-            unit,
-            noise,
-            digits: None,
-        });
+        let id = value.on(self);
+        self.give_number(name.into(), label, id);
     }
 
     fn answer_list(self, name: impl Into<Name>, label: &'static str, unit: &'static str, numbers: &[f64]) {
         let (name, unit) = (name.into(), self.unit(unit));
         let largest = numbers.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
         let value = AnswerValue::List(numbers.to_vec());
-        self.solution.borrow_mut().answers.push(Answer {
-            name,
-            label,
-            whose: String::new(),
-            value,
-            unit,
-            noise: ROUNDING * largest,
-            digits: None,
-        });
+        self.give(Answer::new(name, label, value, unit, ROUNDING * largest));
     }
 
     fn answer_set(
@@ -270,15 +250,7 @@ impl<'s> Worksheet for &'s Sheet<'s> {
     ) {
         let (name, unit) = (name.into(), self.unit(unit));
         let value = AnswerValue::Set(set.clone(), limits);
-        self.solution.borrow_mut().answers.push(Answer {
-            name,
-            label,
-            whose: String::new(),
-            value,
-            unit,
-            noise: 0.0,
-            digits: None,
-        });
+        self.give(Answer::new(name, label, value, unit, 0.0));
     }
 
     fn whose(self, name: impl Into<Name>, whose: &str) {

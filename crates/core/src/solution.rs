@@ -132,6 +132,11 @@ impl Solution {
 }
 
 impl Answer {
+    /// An answer in the unit and with the digits of the analysis.
+    pub(crate) fn new(name: Name, label: &'static str, value: AnswerValue, unit: Unit, noise: f64) -> Self {
+        Self { name, label, whose: String::new(), value, unit, noise, digits: None }
+    }
+
     /// The answer as a number in SI, where it is one.
     pub fn si(&self) -> Option<f64> {
         match self.value {

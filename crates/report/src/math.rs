@@ -2,7 +2,7 @@
 //!
 //! Nothing is refused: what the notation does not know is kept as it stands.
 
-use dalembert_core::printer::WrittenStep;
+use dalembert_core::{ascii::among, printer::WrittenStep};
 
 /// A formula or a part of one.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,16 +70,6 @@ pub(crate) fn lowered(character: char) -> Option<char> {
 /// The plain character that a lowered one stands for.
 pub(crate) fn raised(character: char) -> Option<char> {
     among(SUBSCRIPTS, character)
-}
-
-fn among(pairs: &str, character: char) -> Option<char> {
-    let mut pairs = pairs.chars();
-    while let (Some(like), Some(plain)) = (pairs.next(), pairs.next()) {
-        if like == character {
-            return Some(plain);
-        }
-    }
-    None
 }
 
 /// A part, or the sign that parts what stands over from what stands under it.
