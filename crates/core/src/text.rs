@@ -59,8 +59,9 @@ pub struct Messages {
 
 inventory::collect!(Messages);
 
-/// A line of a translation file, and the message that it holds once somebody has asked for it.
-type Line = (&'static str, OnceLock<FluentBundle<FluentResource>>);
+/// A line of a translation file, and the message that it holds once somebody has asked for it: behind a pointer, or the
+/// table of all lines would take megabytes of memory that nobody looks at.
+type Line = (&'static str, OnceLock<Box<FluentBundle<FluentResource>>>);
 
 /// Registers the translations of a crate: `messages!("../locales/pt-BR.ftl");`
 #[macro_export]
@@ -280,7 +281,7 @@ fn bundle(key: &str) -> Option<&'static FluentBundle<FluentResource>> {
         // A faulty line serves nobody; it fails a test.
         let (Ok(resource) | Err((resource, _))) = FluentResource::try_new((*line).to_owned());
         bundle.add_resource_overriding(resource);
-        bundle
+        Box::new(bundle)
     }))
 }
 
