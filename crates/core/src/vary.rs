@@ -112,10 +112,10 @@ impl Input {
         read.map(|read| read.si).map_err(|error| reading::text(&error))
     }
 
-    /// The small change that inputs are compared by, in SI: 1 % of its value, or a degree where it is an angle, whose
-    /// size says nothing: it depends on where the angle is counted from.
+    /// The small change that inputs are compared by, in SI: 1 % of its value, which keeps the sign of the value, or a
+    /// degree where it is an angle, whose size says nothing: it depends on where the angle is counted from.
     pub fn step(&self) -> f64 {
-        if self.is_angle() { 1f64.to_radians() } else { PERCENT * self.si.abs() }
+        if self.is_angle() { 1f64.to_radians() } else { PERCENT * self.si }
     }
 
     /// [`step`](Self::step) as it is written.

@@ -230,10 +230,10 @@ impl Worksheet for &Plain<'_> {
     #[inline]
     fn answer_list(self, _: impl Into<Name>, _: &'static str, _: &'static str, _: &[f64]) {}
     #[inline]
-    fn whose(self, _: impl Into<Name>, _: &str) {}
-
     fn answer_set(self, _: impl Into<Name>, _: &'static str, _: &'static str, _: &IntervalSet, _: Vec<Text>) {
     }
+    #[inline]
+    fn whose(self, _: impl Into<Name>, _: &str) {}
     #[inline]
     fn show(self, _: impl FnOnce() -> Exhibit) {}
     #[inline]
