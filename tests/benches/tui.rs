@@ -36,9 +36,8 @@ fn main() {
 fn start() {
     for (rows, columns) in [(24, 80), (50, 200)] {
         let times = (0..ROUNDS / 2).map(|_| {
-            let start = Instant::now();
             let pty = open(None, |launch| launch.size(rows, columns));
-            frame_after(&pty, 0, start).0
+            frame_after(&pty, 0, pty.started()).0
         });
         row(&format!("start to first frame, {columns}×{rows}"), &figures(times.collect()), "≤ 20 ms");
     }
@@ -268,7 +267,8 @@ fn frame_after(pty: &Pty, count: usize, start: Instant) -> (Duration, usize) {
             let length = at + END.len();
             return (came(pty, count + length, start), length);
         }
-        thread::sleep(Duration::from_micros(200));
+        // What is read has its time: to look often would only take the processor from the program.
+        thread::sleep(Duration::from_millis(2));
     }
 }
 

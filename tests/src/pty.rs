@@ -158,6 +158,7 @@ pub struct Pty {
     /// The program's side, to read its modes and to wake the reader.
     line: File,
     before: Before,
+    started: Instant,
     home: tempfile::TempDir,
 }
 
@@ -234,6 +235,7 @@ impl Pty {
             let seen = seen.clone();
             move || seen.read_from(source)
         });
+        let started = Instant::now();
         let child = pair.slave.spawn_command(command).expect("the program starts");
         let mut pty = Self {
             writer: Some(pair.master.take_writer().expect("a writer")),
@@ -243,6 +245,7 @@ impl Pty {
             seen,
             line,
             before: Before { termios, modes: Vec::new() },
+            started,
             home,
         };
         if matches!(launch.front, Front::Shell) {
@@ -253,6 +256,11 @@ impl Pty {
             pty.types("$PROGRAM<enter>");
         }
         pty
+    }
+
+    /// When the program, or the shell before it, was started.
+    pub fn started(&self) -> Instant {
+        self.started
     }
 
     /// Types text; names in angle brackets are keys: `<enter> <tab> <s-tab> <esc> <space> <bs> <del> <ins> <up>
