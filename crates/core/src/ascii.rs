@@ -17,17 +17,17 @@ pub fn ascii(text: &str) -> String {
             }
             out.push(character);
             before = Run::None;
-        } else if let Some(index) = among(INDICES, character) {
+        } else if let Some(plain) = index(character) {
             if before != Run::Index {
                 out.push('_');
             }
-            out.push(index);
+            out.push(plain);
             before = Run::Index;
-        } else if let Some(power) = among(POWERS, character) {
+        } else if let Some(plain) = power(character) {
             if before != Run::Power {
                 out.push('^');
             }
-            out.push(power);
+            out.push(plain);
             before = Run::Power;
         } else if let Some((_, word)) = WORDS.iter().find(|(like, _)| *like == character) {
             if out.ends_with(|last: char| last.is_ascii_alphanumeric()) {
@@ -175,8 +175,18 @@ const SIGNS: &[(&str, &str)] = &[
     ("ªº", ""),
 ];
 
+/// The plain character that a lowered one stands for: `₂` is `2`.
+pub fn index(character: char) -> Option<char> {
+    among(INDICES, character)
+}
+
+/// The plain character that a raised one stands for: `²` is `2`.
+pub fn power(character: char) -> Option<char> {
+    among(POWERS, character)
+}
+
 /// The character that stands behind another one in a text of such pairs.
-pub fn among(pairs: &str, character: char) -> Option<char> {
+fn among(pairs: &str, character: char) -> Option<char> {
     let mut pairs = pairs.chars();
     while let (Some(like), Some(plain)) = (pairs.next(), pairs.next()) {
         if like == character {

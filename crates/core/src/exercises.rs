@@ -9,6 +9,8 @@
 //! case = "Francis turbine"
 //! ```
 
+use std::collections::BTreeMap;
+
 use toml_edit::{Document, Item, Key, Table};
 
 use crate::{
@@ -105,6 +107,8 @@ pub fn read(text: &str) -> Result<Exercises, Vec<FileError>> {
 /// The analyses and cases of a list that there are not.
 pub fn unknown(text: &str) -> Vec<FileError> {
     let Ok(document) = file::document(text) else { return Vec::new() };
+    // Exercises of one analysis follow one another, and its cases are many.
+    let mut names: BTreeMap<&str, Vec<String>> = BTreeMap::new();
     let mut errors = Vec::new();
     for exercise in tables(&document) {
         let word = |key: &str| Some((exercise.get(key)?.as_str()?, exercise.get(key)?.span()));
@@ -114,9 +118,11 @@ pub fn unknown(text: &str) -> Vec<FileError> {
             continue;
         };
         let Some((name, span)) = word("case").filter(|(name, _)| !name.is_empty()) else { continue };
-        let cases = cases::cases(entry).unwrap_or_default();
-        if cases.iter().all(|case| case.name != name) {
-            let why = match nearest(name, cases.iter().map(|case| case.name.as_str())) {
+        let names = names.entry(id).or_insert_with(|| {
+            cases::cases(entry).unwrap_or_default().into_iter().map(|case| case.name).collect()
+        });
+        if names.iter().all(|known| known != name) {
+            let why = match nearest(name, names.iter().map(String::as_str)) {
                 Some(near) => {
                     Text::new("{analysis} has no case `{name}`; did you mean `{near}`?").with("near", near)
                 }

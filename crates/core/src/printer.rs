@@ -30,6 +30,22 @@ pub struct WrittenStep {
     pub terms: Vec<(String, String)>,
 }
 
+impl WrittenStep {
+    /// The step with every text of it changed.
+    #[must_use]
+    pub fn map(&self, change: &impl Fn(&str) -> String) -> Self {
+        Self {
+            symbol: change(&self.symbol),
+            formula: change(&self.formula),
+            substitution: change(&self.substitution),
+            result: change(&self.result),
+            why: change(&self.why),
+            source: change(&self.source),
+            terms: self.terms.iter().map(|(term, value)| (change(term), change(value))).collect(),
+        }
+    }
+}
+
 /// The longest sum that is written out.
 const LONGEST_SUM: usize = 4;
 

@@ -5,8 +5,8 @@ use std::{
     io::{self, IsTerminal, Write},
 };
 
-use dalembert_core::{Language, Locale};
-use dalembert_report::{Document, ascii, text};
+use dalembert_core::{Language, Locale, ascii};
+use dalembert_report::{Document, text};
 use dalembert_tui::glyphs::{Capabilities, Colors, Environment, Glyphs, filter_untrusted};
 
 use crate::failure::Failure;

@@ -96,18 +96,7 @@ impl Block {
                     })
                     .collect(),
             ),
-            Block::Step(number, step) => Block::Step(
-                number,
-                WrittenStep {
-                    symbol: change(&step.symbol),
-                    formula: change(&step.formula),
-                    substitution: change(&step.substitution),
-                    result: change(&step.result),
-                    why: change(&step.why),
-                    source: change(&step.source),
-                    terms: step.terms.iter().map(|(term, value)| (change(term), change(value))).collect(),
-                },
-            ),
+            Block::Step(number, step) => Block::Step(number, step.map(change)),
             Block::Table(table) => Block::Table(Table {
                 title: change(&table.title),
                 columns: all(table.columns),

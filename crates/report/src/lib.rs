@@ -22,8 +22,6 @@ mod worked;
 mod wrap;
 mod xml;
 
-pub use dalembert_core::ascii;
-
 pub use crate::{
     csv::{csv, csv_tables, plot_csv},
     document::{Block, Document, Line, Table},

@@ -2,7 +2,7 @@
 //!
 //! Nothing is refused: what the notation does not know is kept as it stands.
 
-use dalembert_core::{ascii::among, printer::WrittenStep};
+use dalembert_core::{ascii, printer::WrittenStep};
 
 /// A formula or a part of one.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,17 +59,20 @@ pub(crate) fn sides(step: &WrittenStep) -> Vec<Math> {
 /// Functions that are written upright.
 const FUNCTIONS: [&str; 10] =
     ["sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp", "ln", "atan2", "abs"];
-const SUPERSCRIPTS: &str = "⁰0¹1²2³3⁴4⁵5⁶6⁷7⁸8⁹9⁺+⁻−ⁿnᵏkⁱiᵀT";
-const SUBSCRIPTS: &str = "₀0₁1₂2₃3₄4₅5₆6₇7₈8₉9₊+₋−₌=₍(₎)ₐaₑeₕhᵢiⱼjₖkₗlₘmₙnₒoₚpᵣrₛsₜtᵤuᵥvₓx";
 
 /// The plain character that a raised one stands for.
 pub(crate) fn lowered(character: char) -> Option<char> {
-    among(SUPERSCRIPTS, character)
+    ascii::power(character).map(minus)
 }
 
 /// The plain character that a lowered one stands for.
 pub(crate) fn raised(character: char) -> Option<char> {
-    among(SUBSCRIPTS, character)
+    ascii::index(character).map(minus)
+}
+
+/// The minus of mathematics for that of the keyboard.
+fn minus(character: char) -> char {
+    if character == '-' { '−' } else { character }
 }
 
 /// A part, or the sign that parts what stands over from what stands under it.

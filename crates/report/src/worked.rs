@@ -191,8 +191,5 @@ fn plotted(plot: &Plot, locale: &Locale) -> Vec<Block> {
 }
 
 fn pretty(unit: &str, locale: &Locale) -> String {
-    units::unit(unit).map_or_else(
-        |_| unit.to_owned(),
-        |unit| if locale.style.ascii { unit.ascii() } else { unit.pretty() },
-    )
+    units::unit(unit).map_or_else(|_| unit.to_owned(), |unit| unit.shown(locale.style.ascii))
 }

@@ -455,14 +455,14 @@ impl World {
 
     /// Lets the person edit a file, and reads it.
     fn edit(&mut self, file: Editing) -> Msg {
-        let (file, path) = match file {
-            Editing::Text(text) => match editor::copy(&text) {
-                Ok(path) => (Editing::Copy(path.clone()), path),
+        let path = match &file {
+            Editing::Text(text) => match editor::copy(text) {
+                Ok(path) => path,
                 Err(error) => return Msg::Trouble(error),
             },
-            Editing::Copy(path) => (Editing::Copy(path.clone()), path),
-            Editing::Own(path) => (Editing::Own(path.clone()), path),
+            Editing::Copy(path) | Editing::Own(path) => path.clone(),
         };
+        let file = if let Editing::Text(_) = file { Editing::Copy(path.clone()) } else { file };
         let command = editor::command(self.editor.as_deref());
         let ended = self.session.lend(|| editor::run(&command, &path));
         let result = match ended {

@@ -178,29 +178,21 @@ impl Dialog {
 
     /// A line of text is asked for; a proposal gives way to what is typed.
     pub fn prompt(purpose: Purpose, proposal: String) -> Self {
-        Dialog::Prompt {
-            purpose,
-            proposed: !proposal.is_empty(),
-            input: proposal.into(),
-            error: None,
-            names: Names::default(),
-        }
+        Self::prompt_with(purpose, !proposal.is_empty(), proposal, None)
     }
 
     /// A line of text is asked for, and begun with.
     pub fn prompt_asking(purpose: Purpose, begun: &str) -> Self {
-        Dialog::Prompt { purpose, proposed: false, input: begun.into(), error: None, names: Names::default() }
+        Self::prompt_with(purpose, false, begun.to_owned(), None)
     }
 
     /// What was typed will not do: it is asked for again, to be put right.
     pub fn prompt_again(purpose: Purpose, typed: String, error: Text) -> Self {
-        Dialog::Prompt {
-            purpose,
-            proposed: false,
-            input: typed.into(),
-            error: Some(error),
-            names: Names::default(),
-        }
+        Self::prompt_with(purpose, false, typed, Some(error))
+    }
+
+    fn prompt_with(purpose: Purpose, proposed: bool, text: String, error: Option<Text>) -> Self {
+        Dialog::Prompt { purpose, input: text.into(), proposed, error, names: Names::default() }
     }
 
     /// An empty palette.

@@ -13,7 +13,7 @@ use std::{
     ops::Range,
 };
 
-use dalembert_core::{Draft, Entry, FieldError, Shape, Value, draft};
+use dalembert_core::{Draft, Entry, FieldError, Shape, Value, ascii, draft};
 use dalembert_units::{Decimal, Style, write_quantity, write_vector};
 
 pub use edit::{Edit, Sign};
@@ -505,17 +505,13 @@ pub fn errors_of<'e>(
 
 /// A text as it compares: however it is spaced, and whichever way powers and products are written.
 fn squeezed(text: &str) -> String {
-    const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
     text.chars()
         .filter(|character| !character.is_whitespace() && *character != '^')
-        .map(|character| match SUPERSCRIPTS.chars().position(|other| other == character) {
-            Some(digit) => char::from(b'0' + digit as u8),
-            None => match character {
-                '·' | '×' => '*',
-                '−' | '⁻' => '-',
-                ',' => '.',
-                other => other,
-            },
+        .map(|character| match character {
+            '·' | '×' => '*',
+            '−' => '-',
+            ',' => '.',
+            other => ascii::power(other).unwrap_or(other),
         })
         .collect()
 }

@@ -69,6 +69,11 @@ impl Fault {
     pub fn text(&self) -> Text {
         Text::new("line {line}: {why}").with("line", self.line).with_text("why", self.why.clone())
     }
+
+    /// The sentence, with its file as it is shown.
+    pub fn text_in(&self, file: impl std::fmt::Display) -> Text {
+        Text::new("in {file}, {why}").with("file", file).with_text("why", self.text())
+    }
 }
 
 /// The settings at the top of the file, in its order.

@@ -120,6 +120,11 @@ impl Unit {
         write::unit_text(self, true)
     }
 
+    /// As [`ascii`](Self::ascii) or as [`pretty`](Self::pretty).
+    pub fn shown(&self, ascii: bool) -> String {
+        write::unit_text(self, ascii)
+    }
+
     fn new(scale: Scale, text: Cow<'static, str>) -> Unit {
         let scale = scale.settled();
         let Scale { mantissa, ten, dim, sense } = scale;

@@ -37,9 +37,7 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
     );
     for (path, faults) in files::sets_path().map_or_else(Vec::new, |folder| files::sets(&folder).1) {
         lines.extend(faults.iter().map(|fault| {
-            let said =
-                Text::new("in {file}, {why}").with("file", path.display()).with_text("why", fault.text());
-            line("not taken of the exercises", said.render(&console.locale))
+            line("not taken of the exercises", fault.text_in(path.display()).render(&console.locale))
         }));
     }
     let program = vec![

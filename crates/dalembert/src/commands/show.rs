@@ -197,7 +197,7 @@ impl Lister<'_> {
 /// `kg, above 0`
 fn quantity(measure: &Measure, locale: &Locale) -> String {
     let own = measure.own_unit();
-    let unit = if locale.style.ascii { own.ascii() } else { own.pretty() };
+    let unit = own.shown(locale.style.ascii);
     let unit = if unit.is_empty() { Text::from("a number").render(locale) } else { unit };
     let limit = |words: &'static str, limit: f64| {
         let limit = units::write_number(limit, locale.style);

@@ -279,7 +279,7 @@ impl<'a> Ruler<'a> {
     pub fn title(&self, ten: i32, locale: &Locale) -> String {
         let label = self.axis.label.render(locale);
         let unit = &self.unit;
-        let unit = if locale.style.ascii { unit.ascii() } else { unit.pretty() };
+        let unit = unit.shown(locale.style.ascii);
         if self.decibels.is_some() {
             let of = Text::new("dB over 1 {unit}").with("unit", &unit).render(locale);
             return format!("{label} [{}]", if unit.is_empty() { "dB" } else { &of });

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::ask::turned;
+
 /// The names in the folder that is typed.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
@@ -52,17 +54,10 @@ impl Names {
     pub fn next(&mut self, typed: &str, forward: bool) -> Option<String> {
         let (found, at) = self.matching(typed);
         let last = found.len().checked_sub(1)?;
-        let to = match (at, forward) {
-            (None, true) => 0,
-            (None, false) => last,
-            (Some(at), true) => {
-                if at < last {
-                    at + 1
-                } else {
-                    0
-                }
-            }
-            (Some(at), false) => at.checked_sub(1).unwrap_or(last),
+        let to = match at {
+            Some(at) => turned(at, if forward { 1 } else { -1 }, found.len()),
+            None if forward => 0,
+            None => last,
         };
         let (folder, _) = split(typed);
         let text = format!("{folder}{}", found[to]);

@@ -50,10 +50,8 @@ impl Form {
     /// Takes the text of the edit into the draft: as it is typed, a number alone in the unit that was there.
     pub fn typed(&mut self) {
         let Some(edit) = &self.edit else { return };
-        if edit.path.ends_with("].name") {
-            // References follow from what the row was called before, however its new name is typed.
-            self.draft.clone_from(&edit.before);
-        }
+        // From how it was before: what follows a name follows from what the row was called then.
+        self.draft.clone_from(&edit.before);
         let text = edit.input.value().to_owned();
         let text = match self.draft.at(&self.shape, &edit.path) {
             Ok((_, shape)) => with_unit(text, edit.unit.as_ref(), &shape.present()),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use dalembert_core::Draft;
+use dalembert_core::{Draft, is_within};
 
 use super::{
     Form, Line, Role,
@@ -105,5 +105,5 @@ fn rows_around(path: &str) -> impl Iterator<Item = &str> {
 
 /// Whether a row has lines below its heading.
 fn has_lines(all: &[Line], row: &str) -> bool {
-    all.iter().any(|line| line.path.strip_prefix(row).is_some_and(|rest| rest.starts_with(['.', '['])))
+    all.iter().any(|line| line.path != row && is_within(&line.path, row))
 }

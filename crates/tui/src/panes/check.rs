@@ -83,7 +83,7 @@ impl One<'_> {
         match self.edit {
             Some(input) => line.extend(typed_in(input, columns.cell)),
             None if self.text.is_empty() => {
-                let unit = if look.ascii { self.answer.unit.ascii() } else { self.answer.unit.pretty() };
+                let unit = self.answer.unit.shown(look.ascii);
                 let hint = if unit.is_empty() { look.glyph(Glyph::Ellipsis).to_owned() } else { unit };
                 let hint = padded(&look.shortened(&hint, columns.cell), columns.cell);
                 let style = if self.focused { look.focus() } else { look.dim() };

@@ -74,7 +74,7 @@ impl Written {
         let aligned = |(text, is_number): &(String, bool)| is_number.then(|| Aligned::of(text));
         let numbers: Vec<Option<Aligned>> = rows.iter().map(aligned).collect();
         let number_widths = widths(numbers.iter().flatten());
-        let shown = if look.ascii { unit.ascii() } else { unit.pretty() };
+        let shown = unit.shown(look.ascii);
         let shown = if shown.is_empty() { shown } else { format!("[{shown}]") };
         let heading = column.heading.render(locale);
         let texts = rows.iter().filter(|(_, is_number)| !is_number).map(|(text, _)| text.width());

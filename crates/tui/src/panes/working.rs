@@ -49,7 +49,7 @@ pub fn read(
             page.lines.push(Line::default());
         }
         page.starts.push(page.lines.len());
-        let mut written = plain(printer::step(solution, step, locale), look);
+        let mut written = plain(&printer::step(solution, step, locale), look);
         if n == revealed {
             written = WrittenStep {
                 symbol: written.symbol,
@@ -125,17 +125,8 @@ fn made_of(
 }
 
 /// A step in what the terminal can show.
-fn plain(step: WrittenStep, look: &Look) -> WrittenStep {
-    let plain = |text: String| look.words(&text).into_owned();
-    WrittenStep {
-        symbol: plain(step.symbol),
-        formula: plain(step.formula),
-        substitution: plain(step.substitution),
-        result: plain(step.result),
-        why: plain(step.why),
-        source: plain(step.source),
-        terms: step.terms.into_iter().map(|(term, value)| (plain(term), plain(value))).collect(),
-    }
+fn plain(step: &WrittenStep, look: &Look) -> WrittenStep {
+    step.map(&|text| look.words(text).into_owned())
 }
 
 /// For whom it is written, and where.

@@ -24,11 +24,8 @@ pub(super) fn faulty(model: &mut Model, files: &[(PathBuf, Vec<Fault>)]) {
     let seen = if model.dialog.is_some() { 1 } else { MOST_FAULTS };
     let more = (all.len() > seen)
         .then(|| Text::new("and {more} more: `dalembert info` lists all").with("more", all.len() - seen));
-    let said = |path: &Path, fault: &Fault| {
-        Text::new("in {file}, {why}").with("file", shown(path)).with_text("why", fault.text())
-    };
     if model.dialog.is_some() {
-        let first = said(path, first);
+        let first = first.text_in(shown(path));
         model.complain(match more {
             Some(more) => Text::new("{why}; {more}").with_text("why", first).with_text("more", more),
             None => first,
@@ -43,7 +40,7 @@ pub(super) fn faulty(model: &mut Model, files: &[(PathBuf, Vec<Fault>)]) {
     };
     let lines = all.iter().take(MOST_FAULTS).map(|(path, fault)| {
         let name = Path::new(path.file_name().unwrap_or(path.as_os_str()));
-        if one_file { fault.text() } else { said(name, fault) }
+        if one_file { fault.text() } else { fault.text_in(shown(name)) }
     });
     let line = |text: Text| filter_untrusted(&text.render(&model.locale)).into_owned();
     let lines = lines.chain(more).map(line).collect();

@@ -273,23 +273,21 @@ fn about_field(model: &Model, bench: &Bench) -> String {
         ]),
         Role::Group { .. } => parts.extend([label, say(line.field.help)]),
         Role::Leaf { shape, text } => {
+            let echo = form::echo(text, shape, model.locale.style);
+            let thousands = form::thousands(text, model.locale.style);
             // A number that is typed alone has a unit in the draft that is not on the screen.
-            let typed = bench.form.edit.as_ref().map(|edit| edit.input.value());
-            let read = match typed.filter(|typed| typed != text) {
-                Some(_) => Some(text.clone()),
-                None => form::echo(text, shape, model.locale.style),
-            };
-            parts.extend(read.map(|read| {
-                match form::thousands(text, model.locale.style) {
-                    Some(number) => Text::new(
+            let typed = bench.form.edit.as_ref().is_some_and(|edit| edit.input.value() != text);
+            parts.extend(match thousands {
+                Some(number) => Some(
+                    Text::new(
                         "{number} has a decimal mark: it is read as {echo}; write thousands without one",
                     )
                     .with("number", number)
-                    .with("echo", form::echo(text, shape, model.locale.style).unwrap_or(read))
+                    .with("echo", echo.as_ref().unwrap_or(text))
                     .render(&model.locale),
-                    None => format!("= {read}"),
-                }
-            }));
+                ),
+                None => if typed { Some(text) } else { echo.as_ref() }.map(|read| format!("= {read}")),
+            });
             parts.extend(bench.form.unit_of_number(&line).and_then(|unit| number_alone(model, &unit)));
             parts.push(label);
             parts.push(say(line.field.help));
@@ -301,7 +299,7 @@ fn about_field(model: &Model, bench: &Bench) -> String {
 
 /// In which unit a number is taken that is typed without one. It comes first: the end of a line may be cut.
 fn number_alone(model: &Model, unit: &Unit) -> Option<String> {
-    let unit = if model.look.ascii { unit.ascii() } else { unit.pretty() };
+    let unit = unit.shown(model.look.ascii);
     let said = Text::new("a number alone: {unit}").with("unit", &unit);
     (!unit.is_empty()).then(|| said.render(&model.locale))
 }

@@ -506,7 +506,7 @@ fn about_table(model: &Model, sheet: &Sheet, inside: Rect) -> AboutTable {
 /// The unit of a column; that of a pure number is 1.
 fn unit_of(measure: &Measure, ascii: bool) -> String {
     let unit = measure.own_unit();
-    let text = if ascii { unit.ascii() } else { unit.pretty() };
+    let text = unit.shown(ascii);
     if text.is_empty() { "1".to_owned() } else { text }
 }
 
