@@ -250,7 +250,13 @@ impl Real for Lanes {
     }
     #[inline(always)]
     fn sum(terms: impl IntoIterator<Item = Self>) -> Self {
-        terms.into_iter().reduce(Add::add).unwrap_or(Self::from(0.0))
+        // A loop: what `reduce` calls is not always inlined.
+        let mut terms = terms.into_iter();
+        let Some(mut sum) = terms.next() else { return Self::from(0.0) };
+        for term in terms {
+            sum = sum + term;
+        }
+        sum
     }
 }
 

@@ -220,7 +220,7 @@ impl System {
     ) -> S {
         let Mechanism { bodies, loads, gravity: [gx, gy], .. } = &self.mechanism;
         for (force, body) in forces.iter_mut().zip(bodies) {
-            *force = [body.mass * gx, body.mass * gy, 0.0].map(S::from);
+            *force = [S::from(body.mass * gx), S::from(body.mass * gy), S::from(0.0)];
         }
         let mut power = S::from(0.0);
         let mut apply = |body: usize, part: [S; 3], stored: bool| {
@@ -235,7 +235,10 @@ impl System {
         for load in loads {
             match load {
                 Load::Force { at, force, turns_with } => {
-                    let turned = turns_with.map_or(force.map(S::from), |body| poses[body].turned(*force));
+                    let turned = match *turns_with {
+                        Some(body) => poses[body].turned(*force),
+                        None => [S::from(force[0]), S::from(force[1])],
+                    };
                     if let Some(body) = at.on {
                         apply(body, wrench(&poses[body], at.at, turned), turns_with.is_none());
                     }
@@ -246,7 +249,8 @@ impl System {
                     let strength = effort.at(slope.value, rate);
                     for (frame, part) in measure.bodies().into_iter().zip([slope.from, slope.to]) {
                         if let Some(body) = frame {
-                            apply(body, part.map(|x| x * strength), effort.is_stored());
+                            let [x, y, moment] = part;
+                            apply(body, [x * strength, y * strength, moment * strength], effort.is_stored());
                         }
                     }
                 }

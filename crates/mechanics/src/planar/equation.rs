@@ -168,10 +168,13 @@ impl Joint {
             [[1.0, 0.0], [0.0, 1.0]]
                 .map(|direction| Equation::of(Measure::Component { direction, from: a, to: b }, Some(0.0)))
         };
+        // A direction of the ground does not turn.
+        let along = |direction: [f64; 2], from: Point, to: Point| match from.on {
+            Some(_) => Measure::Along { direction, from, to },
+            None => Measure::Component { direction, from, to },
+        };
         let left_of = |guide: Point, direction: f64, point: Point, offset: f64| {
-            let across =
-                Measure::Along { direction: [-direction.sin(), direction.cos()], from: guide, to: point };
-            Equation::of(across, Some(offset))
+            Equation::of(along([-direction.sin(), direction.cos()], guide, point), Some(offset))
         };
         let angle = |of: Frame, against: Frame| Measure::Angle { of, against };
         match self {
@@ -193,8 +196,7 @@ impl Joint {
                 vec![Equation::weighted([(of_a, angle(a, carrier)), (of_b, angle(b, carrier))], None)]
             }
             &Joint::Rack { guide, direction, centre, radius } => {
-                let along =
-                    Measure::Along { direction: [direction.cos(), direction.sin()], from: guide, to: centre };
+                let along = along([direction.cos(), direction.sin()], guide, centre);
                 vec![Equation::weighted([(1.0, along), (radius, angle(centre.on, guide.on))], None)]
             }
             Joint::Cord { runs, drums } => {

@@ -148,14 +148,14 @@ impl<'a> Machine<'a> {
             0.5 * (masses[0] * (v[0] * v[0] + v[1] * v[1]) + masses[2] * turn * turn)
         };
         let kinetic = self.masses.chunks_exact(3).zip(&self.velocities).map(of_body).sum();
-        [kinetic, self.system.stored(&self.work.poses[..self.forces.len()])]
+        [kinetic, self.system.stored(&self.work.poses)]
     }
 
     /// The value of a measure and its rate, in a state that need not be settled.
     pub(super) fn measured(&mut self, measure: &super::Measure, time: f64, state: &[f64]) -> [f64; 2] {
         let mut rates = vec![0.0; state.len()];
         self.rates(time, state, &mut rates);
-        let poses = &self.work.poses[..self.forces.len()];
+        let poses = &self.work.poses;
         let slope = super::system::slope(measure, poses);
         [slope.value, super::system::project(measure, &slope, &self.velocities)]
     }

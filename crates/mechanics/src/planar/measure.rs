@@ -159,16 +159,16 @@ impl Measure {
                 to: [zero, zero, S::from(1.0)],
             },
             Measure::Component { direction, from, to } => {
-                let u = direction.map(S::from);
+                let u = [S::from(direction[0]), S::from(direction[1])];
                 let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
                 let d = between(from_pose, a, to_pose, b);
-                Slope { value: dot(u, d), from: along(u, a).map(|x| -x), to: along(u, b) }
+                Slope { value: dot(u, d), from: opposite(along(u, a)), to: along(u, b) }
             }
             Measure::Along { direction, from, to } => {
                 let u = from_pose.turned(direction);
                 let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
                 let d = between(from_pose, a, to_pose, b);
-                let [fx, fy, moment] = along(u, a).map(|x| -x);
+                let [fx, fy, moment] = opposite(along(u, a));
                 let turning = u[0] * d[1] - u[1] * d[0];
                 Slope { value: dot(u, d), from: [fx, fy, moment + turning], to: along(u, b) }
             }
@@ -176,8 +176,8 @@ impl Measure {
                 let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
                 let d = between(from_pose, a, to_pose, b);
                 let length = (d[0].powi(2) + d[1].powi(2)).sqrt();
-                let u = d.map(|x| x / length);
-                Slope { value: length, from: along(u, a).map(|x| -x), to: along(u, b) }
+                let u = [d[0] / length, d[1] / length];
+                Slope { value: length, from: opposite(along(u, a)), to: along(u, b) }
             }
         }
     }
@@ -203,7 +203,7 @@ impl Measure {
             Measure::Angle { .. } => S::from(0.0),
             Measure::Component { direction, from, to } => {
                 let (_, _, inward) = points(from, to);
-                dot(direction.map(S::from), inward)
+                dot([S::from(direction[0]), S::from(direction[1])], inward)
             }
             Measure::Along { direction, from, to } => {
                 let u = from_pose.turned(direction);
@@ -216,12 +216,17 @@ impl Measure {
                 let (a, b, inward) = points(from, to);
                 let (d, v) = (between(from_pose, a, to_pose, b), relative(a, b));
                 let length = (d[0].powi(2) + d[1].powi(2)).sqrt();
-                let u = d.map(|x| x / length);
+                let u = [d[0] / length, d[1] / length];
                 let across = u[0] * v[1] - u[1] * v[0];
                 dot(u, inward) + across.powi(2) / length
             }
         }
     }
+}
+
+#[inline(always)]
+fn opposite<S: Real>([x, y, moment]: [S; 3]) -> [S; 3] {
+    [-x, -y, -moment]
 }
 
 /// From A to B.

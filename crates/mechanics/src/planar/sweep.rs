@@ -5,9 +5,10 @@
 //! machine. Where the plan does not lead on, near a dead centre or a limit, or does not serve, with friction or
 //! redundant joints, the general way takes over; the results are the same.
 
+mod past;
 mod station;
 
-use self::station::{Station, Way};
+use self::station::{CLOSED, PASSED, Station, Way};
 use super::{
     Load, PlanarError, State, System,
     plan::{Layout, Order, Work},
@@ -26,11 +27,8 @@ pub struct Swept {
     bodies: usize,
     /// How many equations there are.
     equations: usize,
-    positions: Vec<[f64; 3]>,
-    velocities: Vec<[f64; 3]>,
-    accelerations: Vec<[f64; 3]>,
-    multipliers: Vec<f64>,
-    efforts: Vec<f64>,
+    /// For each value: positions, velocities, and accelerations of all bodies, the multipliers, and the effort.
+    records: Vec<f64>,
     reached: usize,
 }
 
@@ -109,47 +107,57 @@ impl Swept {
 
     /// The positions of all bodies at a value.
     pub fn positions(&self, n: usize) -> &[[f64; 3]] {
-        &self.positions[n * self.bodies..(n + 1) * self.bodies]
+        self.triples(n, 0)
     }
 
     /// Positions, velocities and accelerations at a value.
     pub fn state(&self, n: usize) -> State {
-        let of = |columns: &[[f64; 3]]| columns[n * self.bodies..(n + 1) * self.bodies].to_vec();
-        State {
-            positions: of(&self.positions),
-            velocities: of(&self.velocities),
-            accelerations: of(&self.accelerations),
-        }
+        let [positions, velocities, accelerations] = [0, 1, 2].map(|which| self.triples(n, which).to_vec());
+        State { positions, velocities, accelerations }
     }
 
     /// The multiplier of each equation at a value, in the order of [`System::equations`], by Newton and Euler.
     pub fn multipliers(&self, n: usize) -> &[f64] {
-        &self.multipliers[n * self.equations..(n + 1) * self.equations]
+        &self.record(n)[9 * self.bodies..][..self.equations]
     }
 
     /// The effort of the driver that is swept, by virtual power.
     pub fn effort(&self, n: usize) -> f64 {
-        self.efforts[n]
+        self.record(n)[9 * self.bodies + self.equations]
+    }
+
+    /// How many numbers a record has.
+    fn length(bodies: usize, equations: usize) -> usize {
+        9 * bodies + equations + 1
+    }
+
+    fn record(&self, n: usize) -> &[f64] {
+        let length = Self::length(self.bodies, self.equations);
+        &self.records[n * length..][..length]
+    }
+
+    fn record_mut(&mut self, n: usize) -> &mut [f64] {
+        let length = Self::length(self.bodies, self.equations);
+        &mut self.records[n * length..][..length]
+    }
+
+    /// The positions (0), velocities (1) or accelerations (2) at a value.
+    fn triples(&self, n: usize, which: usize) -> &[[f64; 3]] {
+        &self.record(n).as_chunks().0[which * self.bodies..][..self.bodies]
     }
 
     fn make_room(&mut self, system: &System, count: usize) {
         (self.bodies, self.equations) = (system.mechanism.bodies.len(), system.equations.len());
-        for of_bodies in [&mut self.positions, &mut self.velocities, &mut self.accelerations] {
-            of_bodies.resize(count * self.bodies, [0.0; 3]);
-        }
-        self.multipliers.resize(count * self.equations, 0.0);
-        self.efforts.resize(count, 0.0);
+        self.records.resize(count * Self::length(self.bodies, self.equations), 0.0);
         self.reached = 0;
     }
 
     fn put(&mut self, state: &State, multipliers: &[f64], effort: f64) {
-        let n = self.reached;
-        let bodies = n * self.bodies..(n + 1) * self.bodies;
-        self.positions[bodies.clone()].copy_from_slice(&state.positions);
-        self.velocities[bodies.clone()].copy_from_slice(&state.velocities);
-        self.accelerations[bodies].copy_from_slice(&state.accelerations);
-        self.multipliers[n * self.equations..(n + 1) * self.equations].copy_from_slice(multipliers);
-        self.efforts[n] = effort;
+        let of_bodies = [&state.positions, &state.velocities, &state.accelerations];
+        let numbers = of_bodies.into_iter().flatten().flatten().chain(multipliers).chain([&effort]);
+        for (place, number) in self.record_mut(self.reached).iter_mut().zip(numbers) {
+            *place = *number;
+        }
         self.reached += 1;
     }
 }
@@ -201,7 +209,7 @@ impl Plan {
             let first = |lane: usize| (lane * part).min(values.len() - 1);
             let mut anchors = vec![[0.0; WIDTH]; start.len()];
             let reached = (0..WIDTH).all(|lane| {
-                let reached = one.reach(&way, values[first(lane)]);
+                let reached = one.reach(&way, values[first(lane)], PASSED);
                 for (anchor, kept) in anchors.iter_mut().zip(&one.kept) {
                     anchor[lane] = *kept;
                 }
@@ -213,9 +221,9 @@ impl Plan {
             let swept_all = reached
                 && many.begin(&way, value(0), |number, lane| anchors[number][lane])
                 && steps.all(|step| {
-                    let good = many.reach(&way, value(step)) && many.load(&way);
+                    let good = many.reach(&way, value(step), CLOSED) && many.load(&way);
                     if good {
-                        many.store(&way, swept, |lane| at(lane, step));
+                        many.store(swept, |lane| at(lane, step));
                     }
                     good
                 });
@@ -225,10 +233,10 @@ impl Plan {
             one.begin(&way, from, |number, _| start[number]);
         }
         for (n, value) in values.iter().enumerate() {
-            if !(one.reach(&way, *value) && one.load(&way)) {
+            if !(one.reach(&way, *value, CLOSED) && one.load(&way)) {
                 return n;
             }
-            one.store(&way, swept, |_| n);
+            one.store(swept, |_| n);
         }
         values.len()
     }

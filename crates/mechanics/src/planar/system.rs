@@ -454,26 +454,28 @@ impl System {
     }
 }
 
+/// The poses of the bodies and, last, of the ground.
 pub(super) fn poses(positions: &[[f64; 3]]) -> Vec<Pose<f64>> {
-    positions.iter().map(|&position| Pose::new(position)).collect()
+    positions.iter().map(|&position| Pose::new(position)).chain([Pose::ground()]).collect()
 }
 
+/// The poses of the bodies that a measure is taken from and to.
 #[inline(always)]
-fn pose<S: Real>(frame: Frame, poses: &[Pose<S>]) -> Pose<S> {
-    frame.map_or_else(Pose::ground, |body| poses[body])
+pub(super) fn pair<'a, S>(measure: &Measure, poses: &'a [Pose<S>]) -> [&'a Pose<S>; 2] {
+    let ground = poses.len() - 1;
+    let [from, to] = measure.bodies();
+    [&poses[from.unwrap_or(ground)], &poses[to.unwrap_or(ground)]]
 }
 
 #[inline(always)]
 pub(super) fn slope<S: Real>(measure: &Measure, poses: &[Pose<S>]) -> Slope<S> {
-    let [from, to] = measure.bodies().map(|frame| pose(frame, poses));
-    measure.slope([&from, &to])
+    measure.slope(pair(measure, poses))
 }
 
 pub(super) fn bias(measure: &Measure, poses: &[Pose<f64>], velocities: &[[f64; 3]]) -> f64 {
-    let [from, to] = measure.bodies().map(|frame| pose(frame, poses));
     let [from_velocity, to_velocity] =
         measure.bodies().map(|frame| frame.map_or([0.0; 3], |body| velocities[body]));
-    measure.bias([&from, &to], [from_velocity, to_velocity])
+    measure.bias(pair(measure, poses), [from_velocity, to_velocity])
 }
 
 /// The velocity of a measure.

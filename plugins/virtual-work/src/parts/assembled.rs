@@ -198,13 +198,17 @@ pub(crate) fn carried(
     let mut carried = [None; 3];
     let largest = multipliers.iter().fold(0.0f64, |most, x| most.max(x.abs()));
     for (equation, described) in system.equations().iter().enumerate() {
-        if rows.get(system.owner(equation)) != Some(&row) {
+        let joint = system.owner(equation);
+        if rows.get(joint) != Some(&row) {
             continue;
         }
+        let meets = matches!(
+            system.mechanism().joints.get(joint),
+            Some(planar::Joint::Pin { .. } | planar::Joint::Weld { .. })
+        );
         let place = match described.terms[0].measure {
-            Measure::Component { direction: [x, _], .. } => usize::from(x == 0.0),
             Measure::Angle { .. } => 2,
-            Measure::Along { .. } | Measure::Distance { .. } => 0,
+            _ => usize::from(meets && carried[0].is_some()),
         };
         let effort = multipliers[equation];
         carried[place].get_or_insert(if effort.abs() > rounding * largest { effort } else { 0.0 });

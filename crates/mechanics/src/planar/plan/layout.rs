@@ -4,7 +4,10 @@
 
 use std::collections::VecDeque;
 
-use super::super::{Equation, Frame, Measure, Point, Pose, System, Term};
+use super::super::{
+    Equation, Frame, Measure, Point, Pose, System, Term,
+    system::{pair, project, slope},
+};
 use crate::{
     Real,
     lanes::{Lanes, Numbers, WIDTH, widest},
@@ -24,6 +27,8 @@ pub(in super::super) struct Layout {
     pub(super) explicit: Vec<(usize, usize, f64)>,
     /// The other rows.
     pub(super) loops: Vec<usize>,
+    /// The largest slope of each of them that never changes; zero where all do.
+    constant: Vec<f64>,
     /// The columns that are not explicit.
     pub(in super::super) kept: Vec<usize>,
     /// The bodies whose angle is kept, and its number among the kept coordinates.
@@ -57,8 +62,8 @@ pub(in super::super) struct Work<S = f64> {
 enum Kernel {
     /// `B − A = 0` in both directions: row of the first, and the places of the slopes by θ_A and θ_B of each.
     Pin { row: usize, points: [Point; 2], bodies: [usize; 2], places: [[usize; 2]; 2], is_loop: bool },
-    /// Anything.
-    General { row: usize, terms: Vec<(Term, [[usize; 3]; 2])> },
+    /// Anything; its slopes may be constant.
+    General { row: usize, terms: Vec<(Term, [[usize; 3]; 2])>, is_constant: bool, is_loop: bool },
 }
 
 #[derive(Debug, Clone)]
@@ -106,7 +111,9 @@ impl Layout {
                         let of = |frame| [0, 1, 2].map(|part| place(row, frame, part));
                         (term.clone(), term.measure.bodies().map(of))
                     };
-                    Kernel::General { row, terms: system.equations[row].terms.iter().map(of_term).collect() }
+                    let terms = system.equations[row].terms.iter().map(of_term).collect();
+                    let is_constant = shapes[row].iter().all(|(_, slope)| slope.is_some());
+                    Kernel::General { row, terms, is_constant, is_loop: true }
                 }
             };
             kernel_of[row] = kernels.len();
@@ -138,16 +145,35 @@ impl Layout {
             }
         }
         for kernel in &mut kernels {
-            if let Kernel::Pin { row, is_loop: of_loop, .. } = kernel {
-                *of_loop = is_loop[*row] || is_loop[*row + 1];
+            match kernel {
+                Kernel::Pin { row, is_loop: of_loop, .. } => *of_loop = is_loop[*row] || is_loop[*row + 1],
+                Kernel::General { row, is_loop: of_loop, .. } => *of_loop = is_loop[*row],
             }
         }
-        let loops = (0..rows.len()).filter(|&row| is_loop[row]).collect();
+        let loops: Vec<usize> = (0..rows.len()).filter(|&row| is_loop[row]).collect();
+        let constant = |row: &usize| {
+            let slopes = shapes[*row].iter().filter_map(|(_, slope)| *slope);
+            slopes.fold(0.0f64, |most, slope| most.max(slope.abs()))
+        };
+        let constant = loops.iter().map(constant).collect();
         let numbered = || kept.iter().copied().enumerate();
         let turning =
             numbered().filter(|(_, column)| column % 3 == 2).map(|(n, column)| (column / 3, n)).collect();
         let moving = numbered().filter(|(_, column)| column % 3 < 2).collect();
-        Self { rows, places, explicit, loops, kept, turning, moving, kernels, settings, bodies, length }
+        Self {
+            rows,
+            places,
+            explicit,
+            loops,
+            constant,
+            kept,
+            turning,
+            moving,
+            kernels,
+            settings,
+            bodies,
+            length,
+        }
     }
 
     /// Room for the numbers of a position.
@@ -195,7 +221,7 @@ impl Layout {
                     }
                 }
                 Setting::General { kernel, column, slope } => {
-                    let Kernel::General { row, terms } = &self.kernels[kernel] else { continue };
+                    let Kernel::General { row, terms, .. } = &self.kernels[kernel] else { continue };
                     self.put(column, S::from(0.0), work);
                     let left = S::sum(terms.iter().map(|(term, _)| value(term, &work.poses)));
                     self.put(column, (work.sums[*row] - left) / slope, work);
@@ -249,13 +275,15 @@ impl Layout {
                     work.slopes[y[0]] = -ax * per_length;
                     work.slopes[y[1]] = bx * per_length;
                 }
-                Kernel::General { row, terms } => {
+                // What gives a coordinate holds, and its slopes are what they were.
+                Kernel::General { is_constant: true, is_loop: false, .. } => {}
+                Kernel::General { row, terms, .. } => {
                     for place in terms.iter().flat_map(|(_, places)| places.iter().flatten()) {
                         work.slopes[*place] = S::from(0.0);
                     }
                     let mut left = S::from(0.0);
                     for (term, places) in terms {
-                        let slope = self.slope(&term.measure, &work.poses);
+                        let slope = slope(&term.measure, &work.poses);
                         let (value, rate) = match &term.profile {
                             Some(profile) => (
                                 slope.value.each(|x| profile.at(x)[0]),
@@ -290,16 +318,16 @@ impl Layout {
                     out[*row] = bx * wb - ax * wa;
                     out[row + 1] = by * wb - ay * wa;
                 }
-                Kernel::General { row, terms } => {
+                Kernel::General { row, is_constant: true, .. } => out[*row] = S::from(0.0),
+                Kernel::General { row, terms, .. } => {
                     let of_term = |(term, _): &(Term, _)| {
-                        let poses = self.pair(&term.measure, &work.poses);
-                        let frames = term.measure.bodies().map(|frame| frame.unwrap_or(self.bodies));
-                        let pair = frames.map(|body| velocities[body]);
-                        let bias = term.measure.bias(poses, pair);
+                        let poses = pair(&term.measure, &work.poses);
+                        let [from, to] = term.measure.bodies();
+                        let velocity = |frame: Frame| velocities[frame.unwrap_or(self.bodies)];
+                        let bias = term.measure.bias(poses, [velocity(from), velocity(to)]);
                         let Some(profile) = &term.profile else { return bias * term.weight };
                         let slope = term.measure.slope(poses);
-                        let dot = |a: [S; 3], b: [S; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-                        let rate = dot(slope.from, pair[0]) + dot(slope.to, pair[1]);
+                        let rate = project(&term.measure, &slope, velocities);
                         let [first, second] = [1, 2].map(|n: usize| slope.value.each(|x| profile.at(x)[n]));
                         (first * bias + second * rate * rate) * term.weight
                     };
@@ -314,18 +342,25 @@ impl Layout {
         &self.loops
     }
 
-    /// The largest gap of the equations that are not explicit, each in parts of its largest slope; not a number where
-    /// a gap is not.
+    /// The largest gap of the equations that are not explicit, each in parts of its largest slope, of those that never
+    /// change where there are such; not a number where a gap is not.
     #[inline(always)]
     pub(in super::super) fn open<S: Numbers>(&self, work: &Work<S>) -> S {
-        let zero = S::from(0.0);
-        self.loops.iter().fold(zero, |open, &row| {
-            let places = self.rows[row].iter();
-            let most = places.fold(zero, |most, (_, place)| most.with(work.slopes[*place].abs(), f64::max));
-            let part = |gap: f64, most: f64| if most > 0.0 || gap.is_nan() { gap / most } else { 0.0 };
-            let gap = work.gaps[row].abs().with(most, part);
-            open.with(gap, |open, gap| if gap > open || gap.is_nan() { gap } else { open })
-        })
+        let mut open = S::from(0.0);
+        for (&row, &constant) in self.loops.iter().zip(&self.constant) {
+            let mut gap = work.gaps[row].abs();
+            if constant > 0.0 {
+                gap = gap * (1.0 / constant);
+            } else {
+                let mut most = S::from(0.0);
+                for (_, place) in &self.rows[row] {
+                    most = most.with(work.slopes[*place].abs(), f64::max);
+                }
+                gap = gap.with(most, |gap, most| if most > 0.0 || gap.is_nan() { gap / most } else { 0.0 });
+            }
+            open = open.with(gap, |open, gap| if gap > open || gap.is_nan() { gap } else { open });
+        }
+        open
     }
 
     #[inline(always)]
@@ -337,22 +372,11 @@ impl Layout {
             _ => *pose = Pose::new([pose.x, pose.y, value / self.length]),
         }
     }
-
-    #[inline(always)]
-    fn pair<'a, S>(&self, measure: &Measure, poses: &'a [Pose<S>]) -> [&'a Pose<S>; 2] {
-        measure.bodies().map(|frame| &poses[frame.unwrap_or(self.bodies)])
-    }
-
-    #[inline(always)]
-    fn slope<S: Numbers>(&self, measure: &Measure, poses: &[Pose<S>]) -> super::super::Slope<S> {
-        measure.slope(self.pair(measure, poses))
-    }
 }
 
 #[inline(always)]
 fn value<S: Numbers>(term: &Term, poses: &[Pose<S>]) -> S {
-    let pair = term.measure.bodies().map(|frame| &poses[frame.unwrap_or(poses.len() - 1)]);
-    let value = term.measure.slope(pair).value;
+    let value = slope(&term.measure, poses).value;
     term.profile.as_ref().map_or(value, |profile| value.each(|x| profile.at(x)[0])) * term.weight
 }
 

@@ -273,8 +273,11 @@ impl<S: Numbers> Order<S> {
     #[inline(always)]
     fn follow(&self, pivot: &Pivot, start: S, x: &[S]) -> S {
         let [from, to] = pivot.others;
-        let others = self.ratios[from..to].iter().zip(&self.others[from..to]);
-        others.fold(start, |sum, (ratio, (_, column))| sum + *ratio * x[*column as usize])
+        let mut sum = start;
+        for (ratio, (_, column)) in self.ratios[from..to].iter().zip(&self.others[from..to]) {
+            sum = sum + *ratio * x[*column as usize];
+        }
+        sum
     }
 
     #[inline(always)]

@@ -3,11 +3,11 @@
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
 use super::super::{
-    Pose, System,
+    System,
     follow::{JUMP, SMOOTH, STEP},
     plan::{Core, Layout, Order, Work},
 };
-use super::Swept;
+use super::{Swept, past::Past};
 use crate::lanes::{Numbers, widest};
 
 /// The smallest step, in parts of the way between two positions.
@@ -15,8 +15,10 @@ const SMALLEST: f64 = 1e-3;
 /// Rounds of Newton's method for a step.
 const ROUNDS: usize = 8;
 /// Joints are closed to this part of the size of the mechanism, or at least to the second.
-const CLOSED: f64 = 4.0 * f64::EPSILON;
+pub(super) const CLOSED: f64 = 4.0 * f64::EPSILON;
 const ALMOST: f64 = 1e-13;
+/// … and to this part where the way only leads past.
+pub(super) const PASSED: f64 = 1e-5;
 /// A position whose equations are nearer to singular than this is left to the general way.
 const SINGULAR: f64 = 1e-9;
 
@@ -43,11 +45,10 @@ pub(super) struct Station<S> {
     pub(super) kept: Vec<S>,
     /// … and those from which a step began.
     before: Vec<S>,
-    /// How the scaled coordinates change with the value of the driver: first and second derivative, and of the kept
-    /// ones the third about.
+    /// How the scaled coordinates change with the value of the driver: first and second derivative.
     first: Vec<S>,
     second: Vec<S>,
-    third: Vec<S>,
+    past: Past<S>,
     /// The largest first derivative.
     fast: S,
     /// The last diagonal of the factored matrix: its sign tells the branch.
@@ -60,6 +61,8 @@ pub(super) struct Station<S> {
     balance: Vec<S>,
     multipliers: Vec<S>,
     effort: S,
+    /// What is kept of the position, as in [`Swept`].
+    record: Vec<S>,
 }
 
 impl<S: Numbers> Station<S> {
@@ -76,7 +79,7 @@ impl<S: Numbers> Station<S> {
             before: vec![zero; kept],
             first: vec![zero; columns],
             second: vec![zero; columns],
-            third: vec![zero; kept],
+            past: Past::new(kept),
             fast: zero,
             side: zero,
             right: vec![zero; rows],
@@ -87,32 +90,41 @@ impl<S: Numbers> Station<S> {
             balance: vec![zero; columns],
             multipliers: vec![zero; rows],
             effort: zero,
+            record: vec![zero; Swept::length(bodies, rows)],
         }
     }
 
-    /// Stands in closed positions, given by each kept coordinate in each lane.
+    /// Stands in positions that are closed, or almost, given by each kept coordinate in each lane.
     pub(super) fn begin(&mut self, way: &Way, value: S, kept: impl Fn(usize, usize) -> f64) -> bool {
         for (number, place) in self.kept.iter_mut().enumerate() {
             *place = S::of(|lane| kept(number, lane));
         }
         self.value = value;
         self.work.sums[way.row] = value;
-        self.third.fill(S::from(0.0));
-        let Some(_) = self.close(way) else { return false };
+        self.past.forget();
+        // What is almost closed is closed nearby, or it is on another branch.
+        let Some(moved) = self.close(way, CLOSED) else { return false };
+        if largest(moved) > SMOOTH * way.system.length {
+            return false;
+        }
         self.side = self.core.determinant()[0];
         self.derive(way);
         true
     }
 
-    /// Moves the driver to a value, in steps so short that the path of every body can be followed.
-    pub(super) fn reach(&mut self, way: &Way, value: S) -> bool {
+    /// Moves the driver to a value, in steps so short that the path of every body can be followed, with the joints
+    /// closed to a part of the size of the mechanism.
+    pub(super) fn reach(&mut self, way: &Way, value: S, closed: f64) -> bool {
         let (from, whole) = (self.value, value - self.value);
+        if largest(whole.abs()) == 0.0 {
+            return true;
+        }
         let mut step = (STEP * way.system.length / largest(whole.abs() * self.fast)).min(1.0);
         let mut done = 0.0;
         while done < 1.0 {
             let end = if step >= 1.0 - done { 1.0 } else { done + step };
             let target = if end >= 1.0 { value } else { from + whole * end };
-            if self.step(way, target) {
+            if self.step(way, target, closed) {
                 done = end;
                 step *= 2.0;
             } else {
@@ -125,17 +137,12 @@ impl<S: Numbers> Station<S> {
         true
     }
 
-    fn step(&mut self, way: &Way, value: S) -> bool {
+    fn step(&mut self, way: &Way, value: S, closed: f64) -> bool {
         let h = value - self.value;
-        let from = self.value;
         self.before.copy_from_slice(&self.kept);
-        for (number, &column) in way.layout.kept.iter().enumerate() {
-            let cubic = self.second[column] + self.third[number] * h / 3.0;
-            let change = (self.first[column] + cubic * h / 2.0) * h;
-            self.kept[number] = self.kept[number] + change;
-        }
+        self.predict(way, h);
         self.work.sums[way.row] = value;
-        let stays = match self.close(way) {
+        let stays = match self.close(way, closed) {
             Some(moved) => {
                 let [side, apart] = self.core.determinant();
                 let (allowed, rounding) = (h.abs() * self.fast, CLOSED * way.system.length);
@@ -157,29 +164,37 @@ impl<S: Numbers> Station<S> {
             return false;
         }
         self.value = value;
-        for (number, &column) in way.layout.kept.iter().enumerate() {
-            self.third[number] = self.second[column];
-        }
+        let derivatives = way.layout.kept.iter().map(|&column| [self.first[column], self.second[column]]);
+        self.past.push(h, derivatives);
         self.derive(way);
-        for (number, &column) in way.layout.kept.iter().enumerate() {
-            let change = self.second[column] - self.third[number];
-            self.third[number] =
-                change.with(value - from, |change, h| if h == 0.0 { 0.0 } else { change / h });
-        }
         true
+    }
+
+    fn predict(&mut self, way: &Way, h: S) {
+        widest_of::<S, _>(
+            #[inline(always)]
+            || {
+                let weights = self.past.weights(h);
+                for (number, &column) in way.layout.kept.iter().enumerate() {
+                    let derivatives = [self.first[column], self.second[column]];
+                    let change = self.past.change(number, derivatives, &weights);
+                    self.kept[number] = self.kept[number] + change;
+                }
+            },
+        );
     }
 
     /// Newton's method on the kept coordinates; leaves the factored equations of the closed position, and gives how
     /// far it moved them.
-    fn close(&mut self, way: &Way) -> Option<S> {
+    fn close(&mut self, way: &Way, closed: f64) -> Option<S> {
         widest_of::<S, _>(
             #[inline(always)]
-            || self.closed(way),
+            || self.closed(way, closed),
         )
     }
 
     #[inline(always)]
-    fn closed(&mut self, way: &Way) -> Option<S> {
+    fn closed(&mut self, way: &Way, closed: f64) -> Option<S> {
         let length = way.system.length;
         let mut moved = S::from(0.0);
         let mut last = f64::INFINITY;
@@ -197,7 +212,7 @@ impl<S: Numbers> Station<S> {
                 }
             }
             self.core.factor();
-            if open <= CLOSED || stays {
+            if open <= closed || stays {
                 return Some(moved);
             }
             last = open;
@@ -232,7 +247,10 @@ impl<S: Numbers> Station<S> {
         self.right.fill(S::from(0.0));
         self.right[way.row] = S::from(1.0);
         solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.first);
-        self.fast = self.first.iter().fold(S::from(0.0), |most, x| most.with(x.abs(), larger));
+        self.fast = S::from(0.0);
+        for first in &self.first {
+            self.fast = self.fast.with(first.abs(), larger);
+        }
         way.system.unscale(&self.first, &mut self.velocities);
         way.layout.bend(&self.work, &self.velocities, &mut self.right);
         solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.second);
@@ -261,8 +279,8 @@ impl<S: Numbers> Station<S> {
                 *a = *second * (rate * rate) + *first * acceleration;
             }
             system.unscale(&self.first, &mut self.velocities);
-            for velocity in &mut self.velocities {
-                *velocity = velocity.map(|x| x * rate);
+            for velocity in self.velocities.as_flattened_mut() {
+                *velocity = *velocity * rate;
             }
         } else {
             let begin = row - driver;
@@ -299,30 +317,39 @@ impl<S: Numbers> Station<S> {
             self.multipliers[row] = *inner;
         }
         self.order.complete_transposed(&mut self.multipliers);
-        let sum = self.multipliers.iter().fold(self.effort, |sum, x| sum + *x);
+        self.note(per_length);
+        let mut sum = S::from(0.0);
+        for number in &self.record {
+            sum = sum + *number;
+        }
         (0..S::COUNT).all(|lane| sum.lane(lane).is_finite())
     }
 
-    pub(super) fn store(&self, way: &Way, swept: &mut Swept, at: impl Fn(usize) -> usize) {
-        let per_length = 1.0 / way.system.length;
+    /// Writes the record of the position, in the order of [`Swept`].
+    #[inline(always)]
+    fn note(&mut self, per_length: f64) {
+        let bodies = self.forces.len();
+        let (positions, rest) = self.record.split_at_mut(3 * bodies);
+        for (place, pose) in positions.chunks_exact_mut(3).zip(&self.work.poses) {
+            place.copy_from_slice(&[pose.x, pose.y, pose.angle]);
+        }
+        let (velocities, rest) = rest.split_at_mut(3 * bodies);
+        velocities.copy_from_slice(self.velocities[..bodies].as_flattened());
+        let (accelerations, rest) = rest.split_at_mut(3 * bodies);
+        for (place, scaled) in accelerations.chunks_exact_mut(3).zip(self.accelerations.chunks_exact(3)) {
+            place.copy_from_slice(&[scaled[0], scaled[1], scaled[2] * per_length]);
+        }
+        let (multipliers, effort) = rest.split_at_mut(self.multipliers.len());
+        multipliers.copy_from_slice(&self.multipliers);
+        effort.fill(self.effort);
+    }
+
+    /// Writes the position of each lane into a place among those that were swept.
+    pub(super) fn store(&self, swept: &mut Swept, at: impl Fn(usize) -> usize) {
         for lane in 0..S::COUNT {
-            let n = at(lane);
-            let bodies = n * swept.bodies..(n + 1) * swept.bodies;
-            let of_pose = |pose: &Pose<S>| [pose.x.lane(lane), pose.y.lane(lane), pose.angle.lane(lane)];
-            for (out, pose) in swept.positions[bodies.clone()].iter_mut().zip(&self.work.poses) {
-                *out = of_pose(pose);
+            for (place, number) in swept.record_mut(at(lane)).iter_mut().zip(&self.record) {
+                *place = number.lane(lane);
             }
-            for (out, v) in swept.velocities[bodies.clone()].iter_mut().zip(&self.velocities) {
-                *out = [v[0].lane(lane), v[1].lane(lane), v[2].lane(lane)];
-            }
-            for (out, a) in swept.accelerations[bodies].iter_mut().zip(self.accelerations.chunks_exact(3)) {
-                *out = [a[0].lane(lane), a[1].lane(lane), a[2].lane(lane) * per_length];
-            }
-            let rows = n * swept.equations..(n + 1) * swept.equations;
-            for (out, multiplier) in swept.multipliers[rows].iter_mut().zip(&self.multipliers) {
-                *out = multiplier.lane(lane);
-            }
-            swept.efforts[n] = self.effort.lane(lane);
         }
     }
 }
