@@ -13,7 +13,7 @@ use std::{
 
 use dalembert as _;
 use dalembert_core::{
-    DrawnShape, Exhibit, Field, Shape, Stop, Text,
+    DrawnShape, Exhibit, Field, Locale, Shape, Stop, Text,
     cases::{self, Case, Hold},
     exhibit::Cell,
     registry, text,
@@ -63,6 +63,31 @@ fn every_sentence_has_its_portuguese() {
         .map(|(sentence, of)| format!("[{of}] {} = {sentence}", text::key(sentence)))
         .collect();
     assert!(missing.is_empty(), "{} sentences have no Portuguese:\n{}", missing.len(), missing.join("\n"));
+}
+
+/// A label is a line of its own: it begins as a sentence does, in both languages.
+#[test]
+fn labels_begin_with_capitals_in_both_languages() {
+    let mut labels = Sentences::default();
+    for entry in registry() {
+        labels.fields(entry.about.id, entry.fields(), &mut BTreeSet::new());
+        for case in cases::cases(entry).unwrap() {
+            let Ok(record) = case.record(entry) else { continue };
+            let Ok(solution) = entry.solve(&record, &Stop::new()) else { continue };
+            solution.answers.iter().for_each(|answer| labels.add(entry.about.id, answer.label));
+        }
+    }
+    let capital = |text: &str| text.starts_with(char::is_uppercase);
+    let portuguese = Locale::portuguese();
+    let wrong: Vec<String> = labels
+        .0
+        .iter()
+        .filter(|(label, _)| capital(label))
+        .map(|(label, of)| (label, of, Text::new(label.clone()).render(&portuguese)))
+        .filter(|(.., translated)| translated.starts_with(char::is_lowercase))
+        .map(|(label, of, translated)| format!("[{of}] {} = {translated}", text::key(label)))
+        .collect();
+    assert!(wrong.is_empty(), "{} labels:\n{}", wrong.len(), wrong.join("\n"));
 }
 
 /// What people read of a case.

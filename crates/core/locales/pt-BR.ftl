@@ -262,3 +262,4 @@ key-is-neither-analysis-nor-case = `{ $key }` não é `analysis` nem `case`
 analysis-has-no-case-name-did-you-mean-near = { $analysis } não tem o caso `{ $name }`; seria `{ $near }`?
 analysis-has-no-case-name-dalembert-show-analysis-lists-them = { $analysis } não tem o caso `{ $name }`; `dalembert show { $analysis }` os lista
 answer-does-not-change-with-input = { $answer } não muda com { $input }
+the-heading-gives-unit-for-column-which-has-no-unit = o cabeçalho dá { $unit } para { $column }, que não tem unidade

@@ -54,6 +54,25 @@ impl Draft {
         Ok(())
     }
 
+    /// Gives a copy of a row a name that none of the rows has: that of `rocker` is called `rocker 2`. Rows without a
+    /// name have none to give. `shape` is that of a row.
+    pub fn rename_among(&mut self, rows: &[Draft], shape: &Shape) {
+        let name_of = |row: &Draft| match row.at(shape, "name") {
+            Ok((Draft::Leaf(name), _)) if !name.trim().is_empty() => Some(name.trim().to_owned()),
+            _ => None,
+        };
+        let Some(name) = name_of(self) else { return };
+        let taken: Vec<String> = rows.iter().filter_map(name_of).collect();
+        let stem = match name.rsplit_once(' ') {
+            Some((stem, number)) if number.parse::<u32>().is_ok() => stem,
+            _ => &name,
+        };
+        let free = (2..taken.len() + 3).map(|n| format!("{stem} {n}")).find(|name| !taken.contains(name));
+        if let (Some(free), Ok((place, _))) = (free, self.at_mut(shape, "name")) {
+            *place = Draft::Leaf(free);
+        }
+    }
+
     fn name_that_is_one_row_s_alone(&self, shape: &Shape, list: &str, path: &str) -> Option<String> {
         let (Draft::Leaf(name), _) = self.at(shape, path).ok()? else { return None };
         let (Draft::Rows(rows), _) = self.at(shape, list).ok()? else { return None };

@@ -215,7 +215,13 @@ impl<'a> Curve<'a> {
                 }
             };
             if says.is_empty() {
-                says = self.gaps(&places, &values, stop);
+                says = self.gaps(&again, other, &places, &values, stop);
+                if other.is_some() {
+                    let of_curve = |why| {
+                        Text::new("{curve}: {why}").with_text("curve", label.clone()).with_text("why", why)
+                    };
+                    says = says.into_iter().map(of_curve).collect();
+                }
             }
             series.push(Series::line(label, places.iter().copied().zip(values).collect()));
         }
@@ -279,7 +285,7 @@ impl<'a> Curve<'a> {
                 None => Text::new("there is no answer anywhere in the range"),
             });
         }
-        says.extend(self.gaps(&places, &values, stop));
+        says.extend(self.gaps(&again, None, &places, &values, stop));
         let points = places.iter().copied().zip(values).collect();
         let mut plot = self.plot(vec![Series::line(self.answer.title(), points)]).level("wanted", wanted);
         plot.x.scale = scale;
@@ -297,8 +303,19 @@ impl<'a> Curve<'a> {
         Plot::new(title, x, Axis::linear(self.answer.title(), fixed(&self.answer.unit)), series)
     }
 
-    /// Where there is no answer, and why.
-    fn gaps(&self, places: &[f64], values: &[f64], stop: &Stop) -> Vec<Text> {
+    /// Where there is no answer, with another input changed too, and why.
+    fn gaps(
+        &self,
+        again: &Again,
+        other: Option<(usize, f64)>,
+        places: &[f64],
+        values: &[f64],
+        stop: &Stop,
+    ) -> Vec<Text> {
+        let changed = other.and_then(|(at, si)| vary::changed(self.record, &again.inputs[at].path, si));
+        let record = changed.as_ref().unwrap_or(self.record);
+        // A value that the other input cannot have leaves no answer anywhere.
+        let outside = other.is_some_and(|(at, si)| !again.inputs[at].permits(si));
         let mut gaps: Vec<(usize, usize)> = Vec::new();
         for at in (0..values.len()).filter(|at| values[*at].is_nan()) {
             match gaps.last_mut() {
@@ -308,13 +325,11 @@ impl<'a> Curve<'a> {
         }
         let unit = fixed(&self.input().unit);
         let told = gaps.into_iter().take(MOST_GAPS).map(|(first, last)| {
-            let why = vary::why_not(
-                self.entry,
-                self.record,
-                self.input(),
-                places[usize::midpoint(first, last)],
-                stop,
-            );
+            let (input, si) = match other.filter(|_| outside) {
+                Some((at, si)) => (&again.inputs[at], si),
+                None => (self.input(), places[usize::midpoint(first, last)]),
+            };
+            let why = vary::why_not(self.entry, record, input, si, stop);
             Text::new("no answer from {from} to {to}: {why}")
                 .with_quantity("from", places[first], unit)
                 .with_quantity("to", places[last], unit)

@@ -4,6 +4,8 @@
 //! heading and may name the units: `f [Hz]; X [mm]`. Lines that begin with `#` are skipped. The text of a universal
 //! file is read too: the first of its functions that fits the columns.
 
+use std::borrow::Cow;
+
 use dalembert_units::{self as units, Kind, Style, Unit};
 
 use crate::{Field, Shape, Text, reading, record::Table, uff};
@@ -26,12 +28,13 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
     let mut faults = Vec::new();
     let mut miscounts: Vec<Miscount> = Vec::new();
     let mut heading = None;
+    let mut settled = None;
     for (n, line) in text.lines().enumerate() {
         let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
             continue;
         }
-        let (cells, separator) = cells(line, columns.len());
+        let (cells, separator) = cells(line, columns.len(), settled);
         if table.rows.is_empty() && is_heading(&cells) {
             heading = Some(n + 1);
             read_heading(line, &cells, columns, &mut table.units, &mut faults);
@@ -46,7 +49,10 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
             continue;
         }
         match read_row(&cells, columns, &table.units) {
-            Ok(row) => table.rows.push(row),
+            Ok(row) => {
+                table.rows.push(row);
+                settled = Some(separator);
+            }
             Err(why) => {
                 faults.push(Text::new("line {line}: {why}").with("line", n + 1).with_text("why", why));
             }
@@ -114,14 +120,37 @@ impl Separator {
         }
     }
 
-    fn split(self, line: &str) -> Vec<&str> {
+    /// The cells of a line, without the quotation marks that programs write round a decimal comma.
+    fn split(self, line: &str) -> Vec<Cow<'_, str>> {
+        let between = |separator: char| {
+            if line.contains('"') {
+                quoted(line, separator)
+            } else {
+                line.split(separator).map(|cell| Cow::from(cell.trim())).collect()
+            }
+        };
         match self {
-            Separator::Semicolon => line.split(';').map(str::trim).collect(),
-            Separator::Tab => line.split('\t').map(str::trim).collect(),
-            Separator::Blank => line.split_whitespace().collect(),
-            Separator::Comma => line.split(',').map(str::trim).collect(),
+            Separator::Semicolon => between(';'),
+            Separator::Tab => between('\t'),
+            Separator::Blank => line.split_whitespace().map(Cow::from).collect(),
+            Separator::Comma => between(','),
         }
     }
+}
+
+/// The cells of a line in which quotation marks may hold a separator.
+fn quoted(line: &str, separator: char) -> Vec<Cow<'_, str>> {
+    let mut cells = vec![String::new()];
+    let mut inside = false;
+    for character in line.chars() {
+        match cells.last_mut() {
+            _ if character == '"' => inside = !inside,
+            _ if character == separator && !inside => cells.push(String::new()),
+            Some(cell) => cell.push(character),
+            None => {}
+        }
+    }
+    cells.into_iter().map(|cell| Cow::from(cell.trim().to_owned())).collect()
 }
 
 /// Lines of one wrong number of columns.
@@ -166,10 +195,18 @@ fn names(columns: &'static [Field]) -> Text {
     })
 }
 
-/// The cells of a line. The separator is the first of `;`, tab, blank and `,` that gives as many as there are columns;
-/// where none does, the one that stands there.
-fn cells(line: &str, columns: usize) -> (Vec<&str>, Separator) {
+/// The cells of a line. The separator is that of the rows before where it stands in the line, or else the first of `;`,
+/// tab, blank and `,` that gives as many as there are columns; where none does, the one that stands there.
+fn cells(line: &str, columns: usize, settled: Option<Separator>) -> (Vec<Cow<'_, str>>, Separator) {
     use Separator::{Blank, Comma, Semicolon, Tab};
+    if let Some(separator) = settled
+        && separator != Blank
+    {
+        let cells = separator.split(line);
+        if cells.len() > 1 {
+            return (cells, separator);
+        }
+    }
     let fits = |separator: &Separator| separator.split(line).len() == columns;
     let separator = [Semicolon, Tab, Blank, Comma].into_iter().find(fits).unwrap_or_else(|| {
         // `1, 2, 3` is set apart by commas.
@@ -185,7 +222,7 @@ fn cells(line: &str, columns: usize) -> (Vec<&str>, Separator) {
     (separator.split(line), separator)
 }
 
-fn is_heading(cells: &[&str]) -> bool {
+fn is_heading(cells: &[Cow<'_, str>]) -> bool {
     cells
         .iter()
         .all(|cell| !cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | '−')))
@@ -194,7 +231,7 @@ fn is_heading(cells: &[&str]) -> bool {
 /// The units in brackets of a heading: each of its own cell, where there are as many cells as columns.
 fn read_heading(
     line: &str,
-    cells: &[&str],
+    cells: &[Cow<'_, str>],
     columns: &'static [Field],
     found: &mut [Unit],
     faults: &mut Vec<Text>,
@@ -210,8 +247,14 @@ fn read_heading(
         match units::unit(text) {
             Ok(unit) if unit.dim.agrees(own.dim) => *place = unit,
             Ok(_) => {
-                let why = Text::new("the heading gives {unit} for {column}; write a unit like {own}");
-                faults.push(why.with("unit", text).with("column", column.label).with("own", own.pretty()));
+                let why = match own.pretty() {
+                    own if own.is_empty() => {
+                        Text::new("the heading gives {unit} for {column}, which has no unit")
+                    }
+                    own => Text::new("the heading gives {unit} for {column}; write a unit like {own}")
+                        .with("own", own),
+                };
+                faults.push(why.with("unit", text).with_text("column", column.label));
             }
             Err(err) => faults.push(reading::text(&err)),
         }
@@ -238,8 +281,8 @@ fn bracketed(text: &str) -> Vec<&str> {
     found
 }
 
-fn read_row(cells: &[&str], columns: &'static [Field], found: &[Unit]) -> Result<Vec<f64>, Text> {
-    let cell = |((text, column), unit): ((&&str, &Field), &Unit)| {
+fn read_row(cells: &[Cow<'_, str>], columns: &'static [Field], found: &[Unit]) -> Result<Vec<f64>, Text> {
+    let cell = |((text, column), unit): ((&Cow<'_, str>, &Field), &Unit)| {
         let kind = measure(column).map_or(Kind::Other, |measure| measure.kind());
         units::read_quantity(text, unit, kind).map(|quantity| quantity.si).map_err(|err| reading::text(&err))
     };

@@ -119,7 +119,9 @@ impl Text {
             self.args.iter().map(|(name, arg)| (*name, arg.render(locale))).collect();
         let translated = match locale.language {
             Language::English => None,
-            Language::Portuguese => portuguese(&self.template, &args),
+            // Sentences that differ by their first letter alone have one translation.
+            Language::Portuguese => portuguese(&self.template, &args)
+                .map(|text| if self.template.starts_with(char::is_uppercase) { capital(text) } else { text }),
         };
         let text = translated.unwrap_or_else(|| {
             args.iter().fold(self.template.to_string(), |text, (name, value)| {
@@ -224,6 +226,13 @@ pub fn key(template: &str) -> String {
         key += &word.to_ascii_lowercase();
     }
     key
+}
+
+fn capital(text: String) -> String {
+    match text.chars().next().filter(|first| first.is_lowercase()) {
+        Some(first) => first.to_uppercase().chain(text.chars().skip(1)).collect(),
+        None => text,
+    }
 }
 
 /// Whether the sentence has a translation.

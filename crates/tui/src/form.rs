@@ -17,7 +17,7 @@ use dalembert_core::{Draft, Entry, FieldError, Shape, Value, ascii, draft};
 use dalembert_units::{Decimal, Style, write_quantity, write_vector};
 
 pub use edit::{Edit, Sign};
-pub use lines::{Line, Role, lines};
+pub use lines::{BETWEEN, Line, Role, lines};
 pub use nudge::{digit_at, nudged};
 pub use paste::Filled;
 
@@ -291,8 +291,11 @@ impl Form {
         let Some((list, at)) = self.row().and_then(|row| Some((row.list, row.at?))) else { return false };
         self.left.clear();
         let done = self.change(Change::Other, |draft, shape| {
-            let (rows, _) = rows_mut(draft, shape, &list)?;
-            let copy = rows.get(at)?.clone();
+            let (rows, list) = rows_mut(draft, shape, &list)?;
+            let mut copy = rows.get(at)?.clone();
+            if let Shape::Rows { item, .. } = list {
+                copy.rename_among(rows, item());
+            }
             rows.insert(at + 1, copy);
             Some(())
         });
@@ -326,11 +329,14 @@ impl Form {
     pub fn move_row(&mut self, by: isize) -> bool {
         let Some((list, at)) = self.row().and_then(|row| Some((row.list, row.at?))) else { return false };
         let Some(to) = at.checked_add_signed(by) else { return false };
+        let mut done = false;
         let rest = self.line().map(|line| line.path[format!("{list}[{}]", at + 1).len()..].to_owned());
         self.left.clear();
-        let done = self.change(Change::Other, |draft, shape| {
+        // Rows that are alike change places too.
+        self.change(Change::Other, |draft, shape| {
             let (rows, _) = rows_mut(draft, shape, &list)?;
-            (to < rows.len()).then(|| rows.swap(at, to))
+            done = to < rows.len();
+            done.then(|| rows.swap(at, to))
         });
         if done {
             self.renumber(&list, |n| {

@@ -16,7 +16,7 @@ use crate::{
     keys::{Action, KeyMap, Place},
     look::Look,
     panes::sources::Judged,
-    picker::{Contents, Listing, Picker},
+    picker::{Contents, Heading, Leaf, Listing, Picker, Row},
     plot::Marker,
     remembered::{Change, Remembered},
     settings::{Fault as SettingFault, Settings},
@@ -387,6 +387,16 @@ impl Model {
     /// The problem, while it is on the screen.
     pub fn shown_bench(&self) -> Option<&Bench> {
         self.bench.as_ref().filter(|_| self.screen == Screen::Bench)
+    }
+
+    /// The exercise of a list that the pointer is on: where it stands, and its case.
+    pub fn chosen_exercise(&self) -> Option<(Leaf, usize)> {
+        match self.picker.chosen(self.contents()) {
+            Some(Row::Leaf(leaf @ Leaf { under: Some(Heading::Set(_)), case: Some(case), .. })) => {
+                Some((leaf, case))
+            }
+            _ => None,
+        }
     }
 
     /// What the list is made of.

@@ -361,7 +361,13 @@ fn name(answer: &Answer) -> String {
     answer.name.to_string()
 }
 
-/// An input that is so large a share of what it is; of one that is zero, off by that share of its unit.
+/// An input that is so large a share of what it is; of one that is zero, off by that share of its unit to both sides, or
+/// from zero on where it cannot be negative.
 fn part(input: &Input, share: f64) -> f64 {
-    if input.si == 0.0 { (share - 1.0) * input.unit.factor } else { share * input.si }
+    if input.si != 0.0 {
+        return share * input.si;
+    }
+    let least = (RANGE[0] - 1.0) * input.unit.factor;
+    let zero = if input.permits(least) { 1.0 } else { RANGE[0] };
+    (share - zero) * input.unit.factor
 }

@@ -139,6 +139,9 @@ fn push(mut line: Line, shape: &Shape, draft: &Draft, lines: &mut Vec<Line>) {
     }
 }
 
+/// What stands between the texts of a row.
+pub const BETWEEN: &str = " · ";
+
 /// The texts of a row, beside each other.
 pub(super) fn summary(draft: &Draft) -> String {
     fn collect<'d>(draft: &'d Draft, texts: &mut Vec<&'d str>) {
@@ -151,5 +154,5 @@ pub(super) fn summary(draft: &Draft) -> String {
     }
     let mut texts = Vec::new();
     collect(draft, &mut texts);
-    texts.join(" · ")
+    texts.join(BETWEEN)
 }

@@ -297,16 +297,17 @@ fn curves(axes: &Axes, marker: Marker, look: &Look, locale: &Locale) -> Vec<Samp
         .collect()
 }
 
-/// What the shades mean that there are.
+/// What the shades mean that there are: bands of one name by that name, others by being permitted or forbidden.
 fn shades(axes: &Axes, look: &Look, locale: &Locale) -> Vec<Sample> {
-    [(true, "permitted"), (false, "forbidden")]
-        .into_iter()
-        .filter(|(permitted, _)| axes.plot.bands.iter().any(|band| band.permitted == *permitted))
-        .map(|(permitted, words)| {
-            let (shade, style) = shade(permitted, look);
-            (shade.to_string(), Text::new(words).render(locale), style)
-        })
-        .collect()
+    let meaning = |(permitted, words): (bool, &'static str)| {
+        let mut names =
+            axes.plot.bands.iter().filter(|band| band.permitted == permitted).map(|band| &band.label);
+        let first = names.next()?;
+        let words = if names.all(|name| name == first) { first.clone() } else { Text::new(words) };
+        let (shade, style) = shade(permitted, look);
+        Some((shade.to_string(), words.render(locale), style))
+    };
+    [(true, "permitted"), (false, "forbidden")].into_iter().filter_map(meaning).collect()
 }
 
 /// Parts side by side, in no more than `most` lines; the last says with an ellipsis that there are more.

@@ -81,6 +81,13 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
             working::back(model);
             Vec::new()
         }
+        // From an input that a symbol of the working led to.
+        Action::Back
+            if place == Place::Form && bench.tab == Tab::Working && bench.reading.symbol.is_some() =>
+        {
+            bench.focus = Focus::Pane;
+            Vec::new()
+        }
         Action::Expand => {
             bench.expanded = !bench.expanded;
             Vec::new()
@@ -725,7 +732,8 @@ fn copy(model: &mut Model) -> Vec<Effect> {
         }
     };
     if text.trim().is_empty() {
-        model.say("there is no text to copy here");
+        let said = Text::new("there is no text to copy here; {key} exports the plot or drawing that is seen");
+        model.say(said.with("key", model.key(Place::Plot, Action::ExportSeen)));
         return Vec::new();
     }
     model.say("copied");

@@ -195,8 +195,7 @@ fn pin(model: &mut Model) -> Vec<Effect> {
 
 /// Marks the chosen exercise as done, or as not done.
 fn mark(model: &mut Model) -> Vec<Effect> {
-    let row = model.picker.chosen(model.contents());
-    let Some(Row::Leaf(leaf @ Leaf { under: Some(Heading::Set(_)), case: Some(case), .. })) = row else {
+    let Some((leaf, case)) = model.chosen_exercise() else {
         let said = Text::new("{key} marks an exercise of a list as done");
         model.say(said.with("key", model.key(Place::Picker, Action::Toggle)));
         return Vec::new();

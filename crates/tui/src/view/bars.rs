@@ -167,10 +167,18 @@ fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
     let cells = |hint: &Hint| width(&hint.keys) + 1 + width(&hint.name);
     let has_film = film(model).is_some();
     let in_tab = |tab: Tab| model.shown_bench().is_some_and(|bench| bench.tab == tab);
+    let is_picture = in_tab(Tab::Plot) || in_tab(Tab::Drawing);
+    let on_choice = model
+        .shown_bench()
+        .is_some_and(|bench| matches!(bench.cell(), Some(CellOf::Study(cell)) if cell.is_choice()));
     let serves = |bound: &&Bound| match bound.binding.action {
         Action::Play | Action::PreviousFrame => has_film,
         Action::Toggle if place == Place::Cells => in_tab(Tab::Check),
         Action::Left if place == Place::Cells => !in_tab(Tab::Check),
+        Action::Enter if place == Place::Cells => !on_choice,
+        Action::Toggle if place == Place::Picker => model.chosen_exercise().is_some(),
+        Action::ExportSeen => is_picture,
+        Action::Copy | Action::Export => !is_picture,
         Action::Left if place == Place::Drawing => {
             let sketch = model.shown_bench().and_then(|bench| bench.sketch());
             matches!(sketch, Some(Exhibit::Scene(_)))

@@ -17,7 +17,7 @@ use super::{
 };
 use crate::{
     bench::{Bench, Focus},
-    form::{self, Line, Role, errors_of},
+    form::{self, BETWEEN, Line, Role, errors_of},
     glyphs::filter_untrusted,
     layout,
     look::{Glyph, Look},
@@ -30,6 +30,10 @@ const SHORT_ERROR: usize = 2;
 const LONG_ERROR: usize = 6;
 /// Cells that a value has at least.
 const LEAST_VALUE: usize = 12;
+/// So many of the values have room in their column; longer ones begin before it.
+const USUAL: (usize, usize) = (3, 4);
+/// Cells that a label keeps at least where its value needs the room.
+const LEAST_LABEL: usize = 10;
 /// Cells before every line, for the pointer.
 const POINTER: usize = 2;
 
@@ -48,6 +52,14 @@ struct Columns {
     label: usize,
     symbol: usize,
     value: usize,
+}
+
+impl Columns {
+    /// The same for a line whose value is so wide.
+    fn with_room_for(&self, value: usize) -> Self {
+        let from_label = value.saturating_sub(self.value).min(self.label.saturating_sub(LEAST_LABEL));
+        Self { label: self.label - from_label, symbol: self.symbol, value: self.value + from_label }
+    }
 }
 
 /// Draws the form; answers where the cursor of an edit stands.
@@ -144,13 +156,23 @@ fn columns(model: &Model, lines: &[Line], room: usize) -> Columns {
     let symbol = leaves().map(|line| width(&look.words(line.field.symbol))).max().unwrap_or(0).min(most);
     let symbol = if room < 30 { 0 } else { symbol };
     let gaps = 1 + usize::from(symbol > 0);
-    let value = lines
+    let mut values: Vec<usize> = lines
         .iter()
-        .filter_map(|line| if let Role::Leaf { text, .. } = &line.role { Some(width(text)) } else { None });
-    // Values come first, within reason; what is left goes to the labels, and what they leave to echoes.
-    let value = value.max().unwrap_or(0).clamp(LEAST_VALUE, (room / 2).max(LEAST_VALUE));
+        .filter_map(|line| if let Role::Leaf { text, .. } = &line.role { Some(width(text)) } else { None })
+        .collect();
+    values.sort_unstable();
+    // Values come first, within reason; what is left goes to the labels, and what they leave to echoes. A few long values
+    // make no column: they take what they need from their own labels.
+    let value = values.get(values.len() * USUAL.0 / USUAL.1).or(values.last()).copied().unwrap_or(0);
+    let value = value.clamp(LEAST_VALUE, (room / 2).max(LEAST_VALUE));
     let label = label.min(room.saturating_sub(symbol + gaps + value));
     Columns { label, symbol, value: room.saturating_sub(label + symbol + gaps) }
+}
+
+/// The texts of a row, set apart by what the terminal can show: a dot would be a product in ASCII.
+fn side_by_side(summary: &str, look: &Look) -> String {
+    let between = if look.ascii { " | " } else { BETWEEN };
+    filter_untrusted(summary).replace(BETWEEN, between)
 }
 
 fn indent(line: &Line) -> usize {
@@ -194,6 +216,7 @@ fn draw_line(
     let open = look.glyph(Glyph::Open);
     match &line.role {
         Role::Leaf { shape, text } => {
+            let columns = &columns.with_room_for(width(text));
             shown.push_span(Span::styled(
                 padded(&fit_label(&name, columns.label, look), columns.label, look),
                 if focused { look.title() } else { Style::new() },
@@ -242,7 +265,7 @@ fn draw_line(
             shown.push_span(Span::styled(value, picked));
             shown.push_span(Span::styled(format!(" {open}"), look.dim()));
             if folded {
-                let summary = filter_untrusted(&bench.form.summary(&line.path)).into_owned();
+                let summary = side_by_side(&bench.form.summary(&line.path), look);
                 let left = (room + POINTER).saturating_sub(shown.width() + 2);
                 let summary = format!(" {} {}", look.glyph(Glyph::Closed), summary);
                 shown.push_span(Span::styled(fit(&summary, left, look), look.dim()));
@@ -268,7 +291,7 @@ fn draw_line(
             let name = fit(&name, room, look);
             let left = room.saturating_sub(width(&name) + 2);
             shown.push_span(Span::styled(name, look.title().patch(picked)));
-            let summary = filter_untrusted(summary).into_owned();
+            let summary = side_by_side(summary, look);
             shown.push_span(Span::styled(format!("  {}", fit(&summary, left, look)), look.dim()));
         }
         Role::Rows { count } => {

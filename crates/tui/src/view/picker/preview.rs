@@ -1,7 +1,7 @@
 //! What is to be known of the chosen row: of an analysis its purpose, what goes in and comes out, its cases with their
 //! verdicts, and its drawing; of a heading what stands under it.
 
-use std::borrow::Cow;
+use std::{borrow::Cow, collections::BTreeSet};
 
 use dalembert_core::{Drawing, Text, cases::Outcome};
 use ratatui::{
@@ -111,9 +111,9 @@ fn of_heading(model: &Model, heading: Heading, area: Rect, buffer: &mut Buffer) 
 
 fn of_leaf(model: &Model, leaf: Leaf, listing: &Listing, area: Rect, buffer: &mut Buffer) {
     let look = &model.look;
-    let about = listing.entry.about;
     let focused = model.picker.case.is_some();
-    let name = fit(about.id, usize::from(area.width).saturating_sub(6), look);
+    let room = usize::from(area.width).saturating_sub(6);
+    let name = fit(&listing.title(&model.locale), room, look);
     boxed(&Line::styled(format!(" {name} "), look.border(focused)), focused, look, area, buffer);
     let sheet = sheet(model, leaf, listing, layout::inside(area));
     draw_lines(&sheet.page.lines, sheet.first, sheet.text, buffer);
@@ -155,12 +155,16 @@ fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Sh
     let lines = &mut page.lines;
     let summary = Text::from(about.summary).render(&model.locale);
     lines.extend(wrapped(&summary, room).into_iter().map(Line::from));
+    lines.push(Line::styled(fit(about.id, room, &model.look), model.look.dim()));
     let fields = listing.entry.fields().iter().map(|field| field.label);
     let fields: Vec<String> = fields.map(|label| lower(&word(label, model))).collect();
     listed(model, "In", &fields, room, lines);
     let answers = solution.iter().flat_map(|solution| &solution.answers);
-    let answers: Vec<String> =
+    // One of several is named once.
+    let mut answers: Vec<String> =
         answers.map(|answer| lower(&Text::from(answer.label).render(&model.locale))).collect();
+    let mut named = BTreeSet::new();
+    answers.retain(|answer| named.insert(answer.clone()));
     listed(model, "Out", &answers, room, lines);
     lines.push(Line::default());
     let chosen = model.picker.case.or(leaf.case);
