@@ -1,5 +1,6 @@
 //! A plane mechanism of any shape, described by its parts: how it moves, what drives it, and what its joints carry.
 
+mod centres;
 mod pictures;
 mod virtual_power;
 
@@ -85,7 +86,7 @@ impl Analysis for Mechanism {
         topic: "Any mechanism",
         summary: "Motion, driving efforts by virtual power, and reactions of a plane mechanism of any shape: bodies, joints, drivers and loads.",
         keywords: "mecanismo plano barras manivela articulação virtual power potência virtual newton euler multibody linkage joints reactions \
-                   six-bar gears cord slot spring geral build your own",
+                   six-bar gears cord slot spring geral build your own centro instantâneo instant centre kennedy",
         sources: &[&RIUL, &NIKRAVESH, &HAUG],
         cases: include_str!("../cases/mechanism.toml"),
     };

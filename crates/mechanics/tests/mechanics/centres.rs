@@ -100,9 +100,8 @@ fn a_joint_pulls_its_two_parts_with_opposite_forces_and_the_ground_takes_what_is
     for mechanism in [mechanism, disc] {
         let (system, state) = moving(&mechanism, &[[0.0, 0.0, angle], [0.2, 0.04, -0.4], [0.3, 0.0, 0.0]]);
         let dynamics = found(system.dynamics(&state));
-        let on = |part: Frame, owner: usize| {
-            system.force_on(part, owner, &state.positions, &dynamics.multipliers)
-        };
+        let on =
+            |part: Frame, owner: usize| system.force_on(part, owner, &state.positions, &dynamics.multipliers);
         let mut ground = spring_on_the_wall(&system, &state);
         for owner in 0..mechanism.joints.len() + mechanism.drivers.len() {
             let parts = system.joined(owner);

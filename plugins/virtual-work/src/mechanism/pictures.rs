@@ -12,10 +12,14 @@ use crate::parts::{Driven, drawing::place, verbatim};
 impl Solved<'_> {
     /// Everything there is to look at.
     pub(super) fn show<W: Worksheet>(&self, problem: &Mechanism, samples: &[Sample], sheet: W) {
-        if !self.parts.drivers.is_empty() {
+        let is_driven = !self.parts.drivers.is_empty();
+        if is_driven {
             sheet.show(|| Exhibit::Table(self.table_of_works()));
         }
         sheet.show(|| Exhibit::Table(self.table_of_reactions()));
+        if is_driven {
+            sheet.show(|| Exhibit::Table(self.table_of_centres()));
+        }
         if samples.len() > 1 {
             for (driver, drive) in self.parts.drivers.iter().enumerate() {
                 let (unit, label) = match drive.what {
