@@ -665,6 +665,9 @@ here = aqui
 virtual-power-of-the-loads = Potência virtual das cargas
 for-a-unit-velocity-of-the-first-driver = Para velocidade unitária do primeiro acionamento
 what-each-joint-exerts-on-its-second-point = O que cada junta exerce sobre o seu segundo ponto
+what-each-joint-exerts-on-each-body-in-the-axes-of-the-body = O que cada junta exerce sobre cada corpo, nos eixos do corpo
+along-its-x-axis = No seu eixo x
+across-along-its-y-axis = Transversal, no seu eixo y
 instant-centres = Centros instantâneos
 instant-centres-while-the-drivers-move-as-given = Centros instantâneos com os acionamentos no movimento dado
 instant-centres-while-the-first-driver-alone-moves = Centros instantâneos quando só o primeiro acionamento anda
@@ -2088,7 +2091,8 @@ bevan-the-theory-of-machines-ch-12-example-2 = Bevan, The Theory of Machines, ca
 a-pinion-a-of-25-teeth-drives-the-outside-teeth-90-of-a-wheel-whose-inside-teeth-83-mesh-with-planets = Um pinhão A de 25 dentes aciona os dentes externos, 90, de uma roda cujos dentes internos, 83, engrenam com satélites em torno de um sol fixo de 31; o braço F é a saída. Sem perdas. Os satélites têm (83 − 31)/2 = 26 dentes; os raios estão em mm, meio milímetro por dente.
 disc-rolled-by-a-crank-against-spring-and-damper = Disco rolado por uma manivela contra mola e amortecedor
 virtual-power-and-newton-euler-equations-of-another-program = Potência virtual e equações de Newton–Euler de outro programa
-disc-of-4-kg-and-radius-150-mm-drawn-through-its-centre-by-a-crank-of-60-mm-and-a-rod-of-200-mm-at-8 = Disco de 4 kg e 150 mm de raio, movido pelo centro por uma manivela de 60 mm e uma biela de 200 mm a 8 rad/s; mola de 800 N/m, com 100 mm de comprimento livre, e amortecedor de 25 N·s/m até uma parede 200 mm atrás do mancal da manivela. O atrito no piso é a reação do rolamento.
+across-the-plane-the-block-is-held-by-n-w-cos-cos-20-with-tan-0-25 = Transversalmente ao plano, o bloco é sustentado por N = W cos φ/cos(20° + φ), com tan φ = 0,25.
+disc-of-4-kg-and-radius-150-mm-drawn-through-its-centre-by-a-crank-of-60-mm-and-a-rod-of-200-mm-at-8 = Disco de 4 kg e 150 mm de raio, movido pelo centro por uma manivela de 60 mm e uma biela de 200 mm a 8 rad/s; mola de 800 N/m, com 100 mm de comprimento livre, e amortecedor de 25 N·s/m até uma parede 200 mm atrás do mancal da manivela. O atrito no piso é o que o rolamento exerce em x.
 block-pushed-up-a-rough-plane = Bloco empurrado para cima em um plano rugoso
 p-w-tan-20-arctan-0-25 = P = W tan(20° + arctan 0,25)
 bar-held-by-a-weight-over-a-pulley = Barra mantida por um peso sobre uma polia

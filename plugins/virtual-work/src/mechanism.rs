@@ -1,6 +1,7 @@
 //! A plane mechanism of any shape, described by its parts: how it moves, what drives it, and what its joints carry.
 
 mod centres;
+mod joints;
 mod pictures;
 mod virtual_power;
 

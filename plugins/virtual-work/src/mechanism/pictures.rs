@@ -7,7 +7,7 @@ use dalembert_core::{
 use dalembert_mechanics::planar::{Acting, Point, State};
 
 use super::{Mechanism, Sample, Solved};
-use crate::parts::{Driven, drawing::place, verbatim};
+use crate::parts::{Driven, Joint, drawing::place, verbatim};
 
 impl Solved<'_> {
     /// Everything there is to look at.
@@ -17,6 +17,9 @@ impl Solved<'_> {
             sheet.show(|| Exhibit::Table(self.table_of_works()));
         }
         sheet.show(|| Exhibit::Table(self.table_of_reactions()));
+        if self.parts.joints.iter().any(|joint| !matches!(joint.joint, Joint::Gears { .. })) {
+            sheet.show(|| Exhibit::Table(self.table_of_axes()));
+        }
         if is_driven {
             sheet.show(|| Exhibit::Table(self.table_of_centres()));
         }
@@ -130,32 +133,6 @@ impl Solved<'_> {
                 Column { heading: "Power".into(), unit: "W" },
             ],
             rows,
-            foot: Vec::new(),
-        }
-    }
-
-    fn table_of_reactions(&self) -> TableExhibit {
-        let number = |part: Option<f64>| part.map_or(Cell::Empty, Cell::Number);
-        let row = |(row, connection): (usize, &crate::parts::Connection)| {
-            let [first, second, couple] = self.carried(row);
-            // A pin or weld has components in the axes of the ground, everything else one along its own line.
-            let parts = match second {
-                Some(_) => [first, second, None],
-                None => [None, None, first],
-            };
-            let [x, y, line] = parts.map(number);
-            vec![Cell::Text(verbatim(&connection.name)), x, y, line, number(couple)]
-        };
-        TableExhibit {
-            title: "What each joint exerts on its second point".into(),
-            columns: vec![
-                Column { heading: "Joint".into(), unit: "" },
-                Column { heading: "Force along x".into(), unit: "N" },
-                Column { heading: "Force along y".into(), unit: "N" },
-                Column { heading: "Force along its own line".into(), unit: "N" },
-                Column { heading: "Couple".into(), unit: "N*m" },
-            ],
-            rows: self.parts.joints.iter().enumerate().map(row).collect(),
             foot: Vec::new(),
         }
     }

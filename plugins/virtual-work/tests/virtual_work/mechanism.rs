@@ -53,6 +53,29 @@ fn the_centre_of_crank_and_rocker_is_where_the_template_finds_it() {
     close(y, 0.05 * 120f64.to_radians().sin(), 1e-12);
 }
 
+#[test]
+fn the_force_across_the_massless_crank_is_its_torque_over_its_length() {
+    let solution = mechanism();
+    let axes = table(&solution, "What each joint exerts on each body, in the axes of the body");
+    let [along, across, size] = numbers(row(axes, &["pin A", "crank"]))[..] else { panic!("three forces") };
+    close(across, -answer(&solution, "effort[1]") / 0.05, 1e-8);
+    close(size, answer(&template(), "crank_pin_force"), 1e-8);
+    // What the other pin does to the crank is equal and opposite along it, and across it too.
+    let other = numbers(row(axes, &["pin O", "crank"]));
+    close(other[0], -along, 1e-8);
+    close(other[1], -across, 1e-8);
+}
+
+#[test]
+fn a_wheel_at_rest_on_the_floor_is_held_by_friction_and_by_the_floor() {
+    let solution = case("Disc rolled by a crank against spring and damper");
+    let joints = table(&solution, "What each joint exerts on its second point");
+    let [friction, normal, size, ..] = numbers(row(joints, &["rolling"]))[..] else { panic!("forces") };
+    close(friction, 4.58006, 1e-6);
+    close(size, friction.hypot(normal), 1e-12);
+    close(size, answer(&solution, "reaction[4]"), 1e-12);
+}
+
 fn table<'s>(solution: &'s Solution, title: &str) -> &'s TableExhibit {
     let tables = solution.exhibits.iter().filter_map(|exhibit| match exhibit {
         Exhibit::Table(table) => Some(table),
