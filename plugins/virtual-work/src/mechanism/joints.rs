@@ -1,12 +1,12 @@
-//! What the joints of a mechanism carry: in the axes of the ground and in those of the bodies.
+//! What the joints of a mechanism carry: in the axes of the ground, in those of the bodies, and over the range.
 
 use dalembert_core::{
-    TableExhibit, Text, Worksheet,
+    Axis, Exhibit, Plot, Series, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
 };
 use dalembert_mechanics::planar::Frame;
 
-use super::Solved;
+use super::{Sample, Solved};
 use crate::{
     built::turned,
     parts::{Connection, Joint, carried, verbatim},
@@ -15,6 +15,8 @@ use crate::{
 
 /// Multipliers below this part of the largest are rounding alone.
 const ROUNDING: f64 = 1e-13;
+/// So many pins have a diagram at most.
+const MOST_PINS: usize = 4;
 
 impl Solved<'_> {
     /// What each joint carries.
@@ -134,4 +136,63 @@ impl Solved<'_> {
             foot: Vec::new(),
         }
     }
+
+    /// The forces of the pins and the shaking force over the range, each as the curve of its head from a fixed tail.
+    pub(super) fn show_polar_diagrams<W: Worksheet>(&self, samples: &[Sample], sheet: W) {
+        let pins = self.pins(samples);
+        let curve = |&(row, part): &(usize, Frame)| {
+            let label = Text::new("{name} on {body}").with_text("body", self.called(part));
+            let label = label.with("name", &self.parts.joints[row].name);
+            polar(label, samples, |sample| self.force_at(sample, (row, part)))
+        };
+        if !pins.is_empty() {
+            let title = "Forces of the pins, in the axes of the ground";
+            sheet.show(|| in_ground_axes(title, pins.iter().map(curve).collect()));
+        }
+        let shaking = |sample: &Sample| self.system.shaking_force(&sample.state);
+        if changes(samples, shaking) {
+            let title = "Shaking force: all that the ground takes";
+            sheet.show(|| in_ground_axes(title, vec![polar("".into(), samples, shaking)]));
+        }
+    }
+
+    /// The pins that have a diagram, each with the part whose force is shown: those on the ground first, with the ground.
+    fn pins(&self, samples: &[Sample]) -> Vec<(usize, Frame)> {
+        let of_pin =
+            |(row, connection): (usize, &Connection)| match (&connection.joint, &self.joined(row)[..]) {
+                (Joint::Pin { .. }, &[first, second]) => Some((row, first.and(second))),
+                _ => None,
+            };
+        let mut pins: Vec<(usize, Frame)> = self.parts.joints.iter().enumerate().filter_map(of_pin).collect();
+        pins.retain(|&pin| changes(samples, |sample| self.force_at(sample, pin)));
+        pins.sort_by_key(|(_, part)| part.is_some());
+        pins.truncate(MOST_PINS);
+        pins
+    }
+
+    fn force_at(&self, sample: &Sample, (row, part): (usize, Frame)) -> [f64; 2] {
+        self.force_on(part, row, &sample.state.positions, &sample.multipliers)
+    }
+}
+
+/// Whether a force is more than one point. It is looked at in some places only: every solve asks, shown or not.
+fn changes(samples: &[Sample], force: impl Fn(&Sample) -> [f64; 2]) -> bool {
+    const PLACES: usize = 7;
+    let places: Vec<&Sample> = samples.iter().step_by(samples.len() / PLACES + 1).collect();
+    let multipliers = places.iter().flat_map(|sample| &sample.multipliers);
+    let largest = multipliers.fold(0.0f64, |most, x| most.max(x.abs()));
+    let forces: Vec<[f64; 2]> = places.iter().map(|sample| force(sample)).collect();
+    forces.windows(2).any(|pair| {
+        let [[ax, ay], [bx, by]] = [pair[0], pair[1]];
+        (bx - ax).hypot(by - ay) > 1e-9 * largest
+    })
+}
+
+fn polar(label: Text, samples: &[Sample], force: impl Fn(&Sample) -> [f64; 2]) -> Series {
+    Series::line(label, samples.iter().map(|sample| force(sample).into()).collect())
+}
+
+fn in_ground_axes(title: &'static str, curves: Vec<Series>) -> Exhibit {
+    let (x, y) = (Axis::linear("Force along x", "N"), Axis::linear("Force along y", "N"));
+    Exhibit::Plot(Plot::new(title, x, y, curves))
 }

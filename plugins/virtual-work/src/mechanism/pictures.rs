@@ -24,13 +24,14 @@ impl Solved<'_> {
             sheet.show(|| Exhibit::Table(self.table_of_centres()));
         }
         if samples.len() > 1 {
+            let first_driver = self.system.equations().len() - self.parts.drivers.len();
             for (driver, drive) in self.parts.drivers.iter().enumerate() {
                 let (unit, label) = match drive.what {
                     Driven::Angle { .. } => ("N*m", "Torque"),
                     _ => ("N", "Force"),
                 };
                 let title = Text::new("Effort of {name}").with("name", &drive.name);
-                let of = |sample: &Sample| sample.efforts[driver];
+                let of = |sample: &Sample| sample.multipliers[first_driver + driver];
                 sheet.show(|| Exhibit::Plot(self.over_range(samples, title, label, unit, &[("", &of)])));
             }
             let mut all: Vec<(String, Box<dyn Fn(&Sample) -> f64>)> = Vec::new();
@@ -60,6 +61,7 @@ impl Solved<'_> {
                 });
                 sheet.show(|| Exhibit::Plot(self.path(point, name, samples)));
             }
+            self.show_polar_diagrams(samples, sheet);
         }
         sheet.show(|| Exhibit::Film(self.film(problem, samples)));
     }

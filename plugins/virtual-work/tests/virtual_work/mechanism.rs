@@ -1,7 +1,7 @@
 //! What the plane mechanism shows of its cases, held against the template and against statics.
 
 use dalembert_core::{
-    AnswerValue, Exhibit, Number, Solution, Stop, TableExhibit, cases, exhibit::Cell, find,
+    AnswerValue, Exhibit, Locale, Number, Plot, Solution, Stop, TableExhibit, cases, exhibit::Cell, find,
 };
 
 use crate::solved::solve;
@@ -76,12 +76,38 @@ fn a_wheel_at_rest_on_the_floor_is_held_by_friction_and_by_the_floor() {
     close(size, answer(&solution, "reaction[4]"), 1e-12);
 }
 
+#[test]
+fn the_ground_takes_the_forces_of_its_two_pins() {
+    let solution = mechanism();
+    let pins = plot(&solution, "Forces of the pins, in the axes of the ground");
+    let names: Vec<String> =
+        pins.series.iter().map(|series| series.label.render(&Locale::english())).collect();
+    assert_eq!(names, ["pin O on the ground", "pin C on the ground", "pin A on coupler", "pin B on rocker"]);
+    let (x, y) = pins.series[0].points[0];
+    close(x.hypot(y), answer(&solution, "reaction[1]"), 1e-8);
+    let shaking = &plot(&solution, "Shaking force: all that the ground takes").series[0].points;
+    assert!(shaking.len() > 100);
+    for (n, &(x, y)) in shaking.iter().enumerate() {
+        let [(ox, oy), (cx, cy)] = [0, 1].map(|pin: usize| pins.series[pin].points[n]);
+        close(x, ox + cx, 1e-8);
+        close(y, oy + cy, 1e-8);
+    }
+}
+
 fn table<'s>(solution: &'s Solution, title: &str) -> &'s TableExhibit {
     let tables = solution.exhibits.iter().filter_map(|exhibit| match exhibit {
         Exhibit::Table(table) => Some(table),
         _ => None,
     });
     tables.into_iter().find(|table| table.title.english() == title).expect("the table is shown")
+}
+
+fn plot<'s>(solution: &'s Solution, title: &str) -> &'s Plot {
+    let plots = solution.exhibits.iter().filter_map(|exhibit| match exhibit {
+        Exhibit::Plot(plot) => Some(plot),
+        _ => None,
+    });
+    plots.into_iter().find(|plot| plot.title.english() == title).expect("the plot is shown")
 }
 
 /// The row that begins with these words.
