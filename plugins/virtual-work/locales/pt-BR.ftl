@@ -1340,7 +1340,7 @@ positive-away-from-the-bearing-of-the-crank-along-x = Positiva ao afastar-se do 
 positive-counter-clockwise = Positivo no sentido anti-horário.
 the-rod-stands-across-the-line-of-the-slider-a-limit-position-the-angle-of-the-crank-does-not = a biela está perpendicular à linha do cursor, posição limite: o ângulo da manivela não determina o movimento; gire-a um pouco
 the-slider-crank = O cursor-manivela
-torque-on-the-crank-or-force-on-the-slider-of-a-slider-crank-at-rest-or-in-motion-with-masses-by = Torque na manivela ou força no cursor de um cursor-manivela, em repouso ou em movimento com massas, por trabalho virtual; movimento e reações.
+torque-on-the-crank-or-force-on-the-slider-of-a-slider-crank-at-rest-or-in-motion-with-masses-by = Torque na manivela ou força no cursor de um cursor-manivela, em repouso ou em movimento com massas, por trabalho virtual; movimento, ângulo de transmissão e reações.
 torque-over-the-turn = Torque ao longo da volta
 velocity-of-the-slider-from-the-closure-of-the-loop = velocidade do cursor pelo fechamento da cadeia
 virtual-displacement-of-the-slider-for-2-1-x-b-r-sin-2-2-l-sin-3-3 = Deslocamento virtual do cursor para δθ_2 = 1: δx_B = −r sen θ_2 δθ_2 − l sen θ_3 δθ_3
@@ -1410,6 +1410,9 @@ torque-on-the-rocker = Torque no balancim
 torque-on-the-rocker-with-it-the-sum-of-the-virtual-works-is-zero-t-4-h-4-w-0 = Torque no balancim: com ele a soma dos trabalhos virtuais é nula, T_4 h_4 + ΣδW = 0
 torque-with-it-the-sum-of-the-virtual-works-is-zero-t-2-2-w-0 = Torque: com ele a soma dos trabalhos virtuais é nula, T_2 δθ_2 + ΣδW = 0
 transmission-angle = Ângulo de transmissão
+transmission-angle-the-acute-angle-between-the-rod-and-the-normal-of-the-slider-s-line-90-3 = Ângulo de transmissão: o ângulo agudo entre a biela e a normal à linha do cursor, 90° − |θ_3|
+least-transmission-angle-of-a-turn = Menor ângulo de transmissão da volta
+least-transmission-angle-of-a-turn-the-crank-across-the-slider-s-line-its-pin-farthest-from-it = Menor ângulo de transmissão da volta: manivela transversal à linha do cursor, com o seu pino o mais longe dela
 transmission-angle-the-acute-angle-between-coupler-and-rocker = Ângulo de transmissão: o ângulo agudo entre acoplador e balancim
 turn-of-the-coupler-from-the-derivatives-of-the-loop = giro do acoplador pelas derivadas da cadeia
 turn-of-the-rocker-from-the-derivatives-of-the-loop = giro do balancim pelas derivadas da cadeia
@@ -2289,6 +2292,7 @@ f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-b
 engine-with-a-massive-rod-at-314-rad-s = Motor com biela com massa a 314 rad/s
 dynamics-of-machines-turkish-lecture-notes-example-9-the-answers-are-known-from-a-program-that-quotes = Dinâmica das máquinas, notas de aula em turco, exemplo 9 (as respostas são conhecidas por um programa que as cita)
 lengths-51-mm-and-200-mm-at-60-rod-of-1-36-kg-with-its-mass-centre-51-mm-from-the-crank-pin-piston-of = Comprimentos de 51 mm e 200 mm a 60°; biela de 1,36 kg com o centro de massa a 51 mm do pino da manivela, pistão de 0,91 kg, com 6,3 kN em direção ao mancal. As notas de aula resolvem por desenho.
+with-the-rod-along-the-line-the-transmission-angle-is-90-the-crank-turned-round-the-rod-has-to-bridge = Com a biela na linha, o ângulo de transmissão é 90°; meia volta depois, a biela tem de vencer 2 r, e cos μ_min = 2 r/l.
 crank-across-the-line-of-an-offset-slider = Manivela transversal à linha de um cursor excêntrico
 n-2-90-e-r-the-rod-lies-along-the-line-u-b-r-so-t-f-r-the-guide-carries-nothing = θ_2 = 90°, e = r: a biela fica ao longo da linha, u_B = −r, logo T = F r; a guia nada suporta
 weights-alone = Só os pesos
