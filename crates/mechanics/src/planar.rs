@@ -14,6 +14,7 @@
 //! *Computer-Aided Kinematics and Dynamics of Mechanical Systems* (1989), ch. 3 and 6.
 
 mod balance;
+mod centre;
 mod equation;
 mod equilibrium;
 mod follow;
@@ -22,11 +23,13 @@ mod load;
 mod machine;
 mod measure;
 mod plan;
+mod reaction;
 mod simulate;
 mod sweep;
 mod system;
 
 pub use balance::{Acting, Dynamics, LoadPower};
+pub use centre::InstantCentre;
 pub use equation::{Driver, Equation, Joint, Profile, Term};
 pub use equilibrium::{Equilibrium, Sample, Stability};
 pub use follow::{Followed, Passed};

@@ -665,6 +665,20 @@ here = aqui
 virtual-power-of-the-loads = Potência virtual das cargas
 for-a-unit-velocity-of-the-first-driver = Para velocidade unitária do primeiro acionamento
 what-each-joint-exerts-on-its-second-point = O que cada junta exerce sobre o seu segundo ponto
+what-each-joint-exerts-on-each-body-in-the-axes-of-the-body = O que cada junta exerce sobre cada corpo, nos eixos do corpo
+along-its-x-axis = No seu eixo x
+across-along-its-y-axis = Transversal, no seu eixo y
+instant-centres = Centros instantâneos
+instant-centres-while-the-drivers-move-as-given = Centros instantâneos com os acionamentos no movimento dado
+instant-centres-while-the-first-driver-alone-moves = Centros instantâneos quando só o primeiro acionamento anda
+one-and-other = { $one } e { $other }
+the-ground = a base
+otherwise = Outro caso
+at-infinity-in-the-direction-angle = no infinito, na direção { $angle }
+they-do-not-move-against-each-other = não se movem um em relação ao outro
+forces-of-the-pins-in-the-axes-of-the-ground = Forças nos pinos, nos eixos da base
+name-on-body = { $name } sobre { $body }
+shaking-force-all-that-the-ground-takes = Força de trepidação: tudo o que a base recebe
 joint = Junta
 force-along-x = Força em x
 force-along-y = Força em y
@@ -1326,7 +1340,7 @@ positive-away-from-the-bearing-of-the-crank-along-x = Positiva ao afastar-se do 
 positive-counter-clockwise = Positivo no sentido anti-horário.
 the-rod-stands-across-the-line-of-the-slider-a-limit-position-the-angle-of-the-crank-does-not = a biela está perpendicular à linha do cursor, posição limite: o ângulo da manivela não determina o movimento; gire-a um pouco
 the-slider-crank = O cursor-manivela
-torque-on-the-crank-or-force-on-the-slider-of-a-slider-crank-at-rest-or-in-motion-with-masses-by = Torque na manivela ou força no cursor de um cursor-manivela, em repouso ou em movimento com massas, por trabalho virtual; movimento e reações.
+torque-on-the-crank-or-force-on-the-slider-of-a-slider-crank-at-rest-or-in-motion-with-masses-by = Torque na manivela ou força no cursor de um cursor-manivela, em repouso ou em movimento com massas, por trabalho virtual; movimento, ângulo de transmissão e reações.
 torque-over-the-turn = Torque ao longo da volta
 velocity-of-the-slider-from-the-closure-of-the-loop = velocidade do cursor pelo fechamento da cadeia
 virtual-displacement-of-the-slider-for-2-1-x-b-r-sin-2-2-l-sin-3-3 = Deslocamento virtual do cursor para δθ_2 = 1: δx_B = −r sen θ_2 δθ_2 − l sen θ_3 δθ_3
@@ -1396,6 +1410,9 @@ torque-on-the-rocker = Torque no balancim
 torque-on-the-rocker-with-it-the-sum-of-the-virtual-works-is-zero-t-4-h-4-w-0 = Torque no balancim: com ele a soma dos trabalhos virtuais é nula, T_4 h_4 + ΣδW = 0
 torque-with-it-the-sum-of-the-virtual-works-is-zero-t-2-2-w-0 = Torque: com ele a soma dos trabalhos virtuais é nula, T_2 δθ_2 + ΣδW = 0
 transmission-angle = Ângulo de transmissão
+transmission-angle-the-acute-angle-between-the-rod-and-the-normal-of-the-slider-s-line-90-3 = Ângulo de transmissão: o ângulo agudo entre a biela e a normal à linha do cursor, 90° − |θ_3|
+least-transmission-angle-of-a-turn = Menor ângulo de transmissão da volta
+least-transmission-angle-of-a-turn-the-crank-across-the-slider-s-line-its-pin-farthest-from-it = Menor ângulo de transmissão da volta: manivela transversal à linha do cursor, com o seu pino o mais longe dela
 transmission-angle-the-acute-angle-between-coupler-and-rocker = Ângulo de transmissão: o ângulo agudo entre acoplador e balancim
 turn-of-the-coupler-from-the-derivatives-of-the-loop = giro do acoplador pelas derivadas da cadeia
 turn-of-the-rocker-from-the-derivatives-of-the-loop = giro do balancim pelas derivadas da cadeia
@@ -2080,7 +2097,8 @@ bevan-the-theory-of-machines-ch-12-example-2 = Bevan, The Theory of Machines, ca
 a-pinion-a-of-25-teeth-drives-the-outside-teeth-90-of-a-wheel-whose-inside-teeth-83-mesh-with-planets = Um pinhão A de 25 dentes aciona os dentes externos, 90, de uma roda cujos dentes internos, 83, engrenam com satélites em torno de um sol fixo de 31; o braço F é a saída. Sem perdas. Os satélites têm (83 − 31)/2 = 26 dentes; os raios estão em mm, meio milímetro por dente.
 disc-rolled-by-a-crank-against-spring-and-damper = Disco rolado por uma manivela contra mola e amortecedor
 virtual-power-and-newton-euler-equations-of-another-program = Potência virtual e equações de Newton–Euler de outro programa
-disc-of-4-kg-and-radius-150-mm-drawn-through-its-centre-by-a-crank-of-60-mm-and-a-rod-of-200-mm-at-8 = Disco de 4 kg e 150 mm de raio, movido pelo centro por uma manivela de 60 mm e uma biela de 200 mm a 8 rad/s; mola de 800 N/m, com 100 mm de comprimento livre, e amortecedor de 25 N·s/m até uma parede 200 mm atrás do mancal da manivela. O atrito no piso é a reação do rolamento.
+across-the-plane-the-block-is-held-by-n-w-cos-cos-20-with-tan-0-25 = Transversalmente ao plano, o bloco é sustentado por N = W cos φ/cos(20° + φ), com tan φ = 0,25.
+disc-of-4-kg-and-radius-150-mm-drawn-through-its-centre-by-a-crank-of-60-mm-and-a-rod-of-200-mm-at-8 = Disco de 4 kg e 150 mm de raio, movido pelo centro por uma manivela de 60 mm e uma biela de 200 mm a 8 rad/s; mola de 800 N/m, com 100 mm de comprimento livre, e amortecedor de 25 N·s/m até uma parede 200 mm atrás do mancal da manivela. O atrito no piso é o que o rolamento exerce em x.
 block-pushed-up-a-rough-plane = Bloco empurrado para cima em um plano rugoso
 p-w-tan-20-arctan-0-25 = P = W tan(20° + arctan 0,25)
 bar-held-by-a-weight-over-a-pulley = Barra mantida por um peso sobre uma polia
@@ -2274,6 +2292,7 @@ f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-b
 engine-with-a-massive-rod-at-314-rad-s = Motor com biela com massa a 314 rad/s
 dynamics-of-machines-turkish-lecture-notes-example-9-the-answers-are-known-from-a-program-that-quotes = Dinâmica das máquinas, notas de aula em turco, exemplo 9 (as respostas são conhecidas por um programa que as cita)
 lengths-51-mm-and-200-mm-at-60-rod-of-1-36-kg-with-its-mass-centre-51-mm-from-the-crank-pin-piston-of = Comprimentos de 51 mm e 200 mm a 60°; biela de 1,36 kg com o centro de massa a 51 mm do pino da manivela, pistão de 0,91 kg, com 6,3 kN em direção ao mancal. As notas de aula resolvem por desenho.
+with-the-rod-along-the-line-the-transmission-angle-is-90-the-crank-turned-round-the-rod-has-to-bridge = Com a biela na linha, o ângulo de transmissão é 90°; meia volta depois, a biela tem de vencer 2 r, e cos μ_min = 2 r/l.
 crank-across-the-line-of-an-offset-slider = Manivela transversal à linha de um cursor excêntrico
 n-2-90-e-r-the-rod-lies-along-the-line-u-b-r-so-t-f-r-the-guide-carries-nothing = θ_2 = 90°, e = r: a biela fica ao longo da linha, u_B = −r, logo T = F r; a guia nada suporta
 weights-alone = Só os pesos

@@ -1,5 +1,7 @@
 //! A plane mechanism of any shape, described by its parts: how it moves, what drives it, and what its joints carry.
 
+mod centres;
+mod joints;
 mod pictures;
 mod virtual_power;
 
@@ -85,7 +87,8 @@ impl Analysis for Mechanism {
         topic: "Any mechanism",
         summary: "Motion, driving efforts by virtual power, and reactions of a plane mechanism of any shape: bodies, joints, drivers and loads.",
         keywords: "mecanismo plano barras manivela articulação virtual power potência virtual newton euler multibody linkage joints reactions \
-                   six-bar gears cord slot spring geral build your own",
+                   six-bar gears cord slot spring geral build your own centro instantâneo instant centre kennedy diagrama polar \
+                   hodógrafo hodograph shaking force trepidação",
         sources: &[&RIUL, &NIKRAVESH, &HAUG],
         cases: include_str!("../cases/mechanism.toml"),
     };
@@ -132,8 +135,8 @@ struct Sample {
     /// The first driver.
     value: f64,
     state: State,
-    /// The effort of each driver.
-    efforts: Vec<f64>,
+    /// The multiplier of each equation: those of the joints, then the effort of each driver.
+    multipliers: Vec<f64>,
 }
 
 impl Mechanism {
@@ -230,7 +233,6 @@ impl Mechanism {
             _ => return Ok(Vec::new()),
         };
         let refuse = |error: PlanarError| this.parts.refusal(&error, this.rows);
-        let first_driver = this.system.equations().len() - self.drivers.len();
         let one_way = |positions: &[[f64; 3]], from: f64, to: f64| -> Result<Vec<Sample>, Refusal> {
             sheet.keep_going()?;
             let values: Vec<f64> =
@@ -241,7 +243,7 @@ impl Mechanism {
             let sample = |n: usize| Sample {
                 value: values[n],
                 state: swept.state(n),
-                efforts: swept.multipliers(n)[first_driver..].to_vec(),
+                multipliers: swept.multipliers(n).to_vec(),
             };
             Ok((0..swept.reached()).map(sample).collect())
         };

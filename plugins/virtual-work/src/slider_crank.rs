@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 
 use crate::{
     built::{self, Built, Cycle, Range, Solved, Template},
-    sources::{BEER, RIUL, SHIGLEY},
+    sources::{BEER, NORTON, RIUL, SHIGLEY},
     works::{self, FOUR, LinkMass, Moving, THREE, TWO, Turning, Works, plane, symbol},
 };
 
@@ -107,10 +107,10 @@ impl Analysis for SliderCrank {
         id: "virtual-work/slider-crank",
         title: "Slider-crank",
         topic: "Plane linkages",
-        summary: "Torque on the crank or force on the slider of a slider-crank, at rest or in motion with masses, by virtual work; motion and reactions.",
+        summary: "Torque on the crank or force on the slider of a slider-crank, at rest or in motion with masses, by virtual work; motion, transmission angle and reactions.",
         keywords: "cursor manivela biela pistão compressor motor prensa trabalho virtual torque força reações engine piston \
-                   connecting rod crank pump compressor virtual work static dynamic offset",
-        sources: &[&RIUL, &BEER, &SHIGLEY],
+                   connecting rod crank pump compressor virtual work static dynamic offset ângulo de transmissão transmission angle",
+        sources: &[&RIUL, &BEER, &SHIGLEY, &NORTON],
         cases: include_str!("../cases/slider_crank.toml"),
     };
 
@@ -118,6 +118,7 @@ impl Analysis for SliderCrank {
         let found = self.efforts(given, sheet)?;
         sheet.answer("rod_angle", "Angle of the connecting rod", found.rod_angle);
         sheet.answer("slider_position", "Position of the slider", found.position);
+        self.transmission(given, found.rod_angle, sheet);
         if self.moves() {
             sheet.answer("rod_speed", "Angular velocity of the rod", found.rod_speed);
             sheet.answer("slider_velocity", "Velocity of the slider", found.velocity);
@@ -317,6 +318,19 @@ impl Template for SliderCrank {
 impl SliderCrank {
     fn moves(&self) -> bool {
         self.speed != 0.0 || self.acceleration != 0.0
+    }
+
+    /// How squarely the rod drives the slider, here and at the worst of a turn.
+    fn transmission<W: Worksheet>(&self, given: &SliderCrankGiven<W>, rod_angle: W::Num, sheet: W) {
+        let why = "Transmission angle: the acute angle between the rod and the normal of the slider's line, 90° − |θ_3|";
+        let angle = sheet.step("μ", "deg", rod_angle.sin().abs().acos(), (why, NORTON.at("ch. 3")));
+        sheet.answer("transmission_angle", "Transmission angle", angle);
+        if self.crank + self.offset.abs() <= self.rod {
+            let why = "Least transmission angle of a turn: the crank across the slider's line, its pin farthest from it";
+            let cosine = (given.crank + given.offset.abs()) / given.rod;
+            let least = sheet.step(symbol("μ", "min"), "deg", cosine.acos(), (why, NORTON.at("ch. 3")));
+            sheet.answer("least_transmission_angle", "Least transmission angle of a turn", least);
+        }
     }
 
     /// The crank pin.

@@ -6,6 +6,7 @@ mod absorber;
 mod balance;
 mod balance_many;
 mod beam;
+mod centres;
 mod chain;
 mod dimensions;
 mod eigen;

@@ -16,17 +16,17 @@ use crate::{
 };
 
 /// A driver of the angle of a body.
-fn turning(body: usize, value: f64, velocity: f64, acceleration: f64) -> Driver {
+pub(crate) fn turning(body: usize, value: f64, velocity: f64, acceleration: f64) -> Driver {
     Driver { measure: Measure::Angle { of: Some(body), against: None }, value, velocity, acceleration }
 }
 
 /// The ends of a bar along its own x axis, with its mass centre so far from the first.
-fn ends(body: usize, length: f64, centre: f64) -> [Point; 2] {
+pub(crate) fn ends(body: usize, length: f64, centre: f64) -> [Point; 2] {
     [Point::body(body, [-centre, 0.0]), Point::body(body, [length - centre, 0.0])]
 }
 
 /// Crank 0, coupler 1 and rocker 2 between the pivots (0, 0) and (d, 0); mass centres in the middle.
-fn four_bar([a, b, c, d]: [f64; 4], bodies: [Body; 3], driver: Driver) -> Mechanism {
+pub(crate) fn four_bar([a, b, c, d]: [f64; 4], bodies: [Body; 3], driver: Driver) -> Mechanism {
     let ([o, p], [q, r], [s, t]) = (ends(0, a, a / 2.0), ends(1, b, b / 2.0), ends(2, c, c / 2.0));
     Mechanism {
         bodies: bodies.to_vec(),
@@ -42,7 +42,7 @@ fn four_bar([a, b, c, d]: [f64; 4], bodies: [Body; 3], driver: Driver) -> Mechan
 }
 
 /// The bars of a four-bar drawn at about these angles.
-fn drawn([a, b, c, d]: [f64; 4], [crank, coupler, rocker]: [f64; 3]) -> [[f64; 3]; 3] {
+pub(crate) fn drawn([a, b, c, d]: [f64; 4], [crank, coupler, rocker]: [f64; 3]) -> [[f64; 3]; 3] {
     let (p, t) = ([a * crank.cos(), a * crank.sin()], [d + c * rocker.cos(), c * rocker.sin()]);
     [
         [p[0] / 2.0, p[1] / 2.0, crank],
@@ -51,7 +51,7 @@ fn drawn([a, b, c, d]: [f64; 4], [crank, coupler, rocker]: [f64; 3]) -> [[f64; 3
     ]
 }
 
-fn moving(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> (System, State) {
+pub(crate) fn moving(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> (System, State) {
     let system = found(System::new(mechanism, drawn));
     let positions = found(system.assemble(drawn));
     let state = found(system.motion(&positions));

@@ -7,23 +7,31 @@ use dalembert_core::{
 use dalembert_mechanics::planar::{Acting, Point, State};
 
 use super::{Mechanism, Sample, Solved};
-use crate::parts::{Driven, drawing::place, verbatim};
+use crate::parts::{Driven, Joint, drawing::place, verbatim};
 
 impl Solved<'_> {
     /// Everything there is to look at.
     pub(super) fn show<W: Worksheet>(&self, problem: &Mechanism, samples: &[Sample], sheet: W) {
-        if !self.parts.drivers.is_empty() {
+        let is_driven = !self.parts.drivers.is_empty();
+        if is_driven {
             sheet.show(|| Exhibit::Table(self.table_of_works()));
         }
         sheet.show(|| Exhibit::Table(self.table_of_reactions()));
+        if self.parts.joints.iter().any(|joint| !matches!(joint.joint, Joint::Gears { .. })) {
+            sheet.show(|| Exhibit::Table(self.table_of_axes()));
+        }
+        if is_driven {
+            sheet.show(|| Exhibit::Table(self.table_of_centres()));
+        }
         if samples.len() > 1 {
+            let first_driver = self.system.equations().len() - self.parts.drivers.len();
             for (driver, drive) in self.parts.drivers.iter().enumerate() {
                 let (unit, label) = match drive.what {
                     Driven::Angle { .. } => ("N*m", "Torque"),
                     _ => ("N", "Force"),
                 };
                 let title = Text::new("Effort of {name}").with("name", &drive.name);
-                let of = |sample: &Sample| sample.efforts[driver];
+                let of = |sample: &Sample| sample.multipliers[first_driver + driver];
                 sheet.show(|| Exhibit::Plot(self.over_range(samples, title, label, unit, &[("", &of)])));
             }
             let mut all: Vec<(String, Box<dyn Fn(&Sample) -> f64>)> = Vec::new();
@@ -53,6 +61,7 @@ impl Solved<'_> {
                 });
                 sheet.show(|| Exhibit::Plot(self.path(point, name, samples)));
             }
+            self.show_polar_diagrams(samples, sheet);
         }
         sheet.show(|| Exhibit::Film(self.film(problem, samples)));
     }
@@ -126,32 +135,6 @@ impl Solved<'_> {
                 Column { heading: "Power".into(), unit: "W" },
             ],
             rows,
-            foot: Vec::new(),
-        }
-    }
-
-    fn table_of_reactions(&self) -> TableExhibit {
-        let number = |part: Option<f64>| part.map_or(Cell::Empty, Cell::Number);
-        let row = |(row, connection): (usize, &crate::parts::Connection)| {
-            let [first, second, couple] = self.carried(row);
-            // A pin or weld has components in the axes of the ground, everything else one along its own line.
-            let parts = match second {
-                Some(_) => [first, second, None],
-                None => [None, None, first],
-            };
-            let [x, y, line] = parts.map(number);
-            vec![Cell::Text(verbatim(&connection.name)), x, y, line, number(couple)]
-        };
-        TableExhibit {
-            title: "What each joint exerts on its second point".into(),
-            columns: vec![
-                Column { heading: "Joint".into(), unit: "" },
-                Column { heading: "Force along x".into(), unit: "N" },
-                Column { heading: "Force along y".into(), unit: "N" },
-                Column { heading: "Force along its own line".into(), unit: "N" },
-                Column { heading: "Couple".into(), unit: "N*m" },
-            ],
-            rows: self.parts.joints.iter().enumerate().map(row).collect(),
             foot: Vec::new(),
         }
     }

@@ -10,8 +10,8 @@ use nalgebra::{Rotation2, Vector2, Vector3};
 
 use super::{MechanismGiven, Solved};
 use crate::{
-    parts::{Carrier, Driven, Load, LoadGiven, carried},
-    sources::{HAUG, RIUL},
+    parts::{Carrier, Driven, Load, LoadGiven},
+    sources::RIUL,
 };
 
 /// The units of one driver: of its effort, and of a length and an angle for each unit of its measure.
@@ -224,28 +224,5 @@ impl Solved<'_> {
                 &self.parts.bodies[body].name
             }
         }
-    }
-
-    /// What each joint carries.
-    pub(super) fn reactions<W: Worksheet>(&self, sheet: W) {
-        for (row, connection) in self.parts.joints.iter().enumerate() {
-            let size = match self.carried(row) {
-                [Some(x), Some(y), _] => x.hypot(y),
-                [Some(one), ..] => one.abs(),
-                _ => continue,
-            };
-            let reason = Text::new(
-                "Force that {name} carries, by the equations of Newton and Euler, M q̈ = Q + Φ_qᵀ λ",
-            );
-            let why = (reason.with("name", &connection.name), HAUG.at("ch. 6"));
-            let force = sheet.found(("R", row + 1), "N", size, why);
-            sheet.answer(("reaction", row + 1), "Force in the joint", force);
-            sheet.whose(("reaction", row + 1), &connection.name);
-        }
-    }
-
-    /// What a joint exerts on its second point: the force along x and y, or across a line or along a rod; the couple.
-    pub(super) fn carried(&self, row: usize) -> [Option<f64>; 3] {
-        carried(self.system, self.rows, row, &self.dynamics.multipliers, 1e-13)
     }
 }

@@ -1,5 +1,6 @@
 //! Efforts, motions and places of rest, each found in two ways, and what is refused.
 
+mod mechanism;
 mod solved;
 
 mod statics;
