@@ -159,31 +159,43 @@ impl Steady {
 
     /// The largest and the least displacement. `None` as for [`Steady::mean_square`].
     pub fn extremes(&self) -> Option<[f64; 2]> {
+        /// Samples an eighth of a radian apart miss less than this part of a swing.
+        const CLOSE: f64 = 0.01;
         let mut shares = Vec::new();
         for (n, piece) in self.pieces.iter().enumerate() {
             let between =
                 |edge: &[f64]| [0.0, 0.25, 0.5, 0.75].map(|part| edge[0] + part * (edge[1] - edge[0]));
             shares.extend(self.edges(n)?.windows(2).flat_map(between).map(|since| piece.from + since));
         }
+        let values: Vec<f64> = shares.iter().map(|&share| self.displacement(share)).collect();
+        let last = shares.len().checked_sub(1)?;
         let refined = |sign: f64| {
-            let of = |s: f64| sign * self.displacement(s);
-            let best = (0..shares.len()).max_by(|m, n| of(shares[*m]).total_cmp(&of(shares[*n])))?;
-            // The velocity changes its sign between the neighbours of the largest.
-            let last = shares.len() - 1;
-            let before = if best == 0 { shares[last] - 1.0 } else { shares[best - 1] };
-            let after = if best == last { shares[0] + 1.0 } else { shares[best + 1] };
-            let (mut low, mut high) = (before, after);
-            for _ in 0..60 {
-                let middle = f64::midpoint(low, high);
-                if sign * self.velocity(middle) > 0.0 {
-                    low = middle;
-                } else {
-                    high = middle;
+            let of = |n: usize| sign * values[n];
+            let best = (0..=last).map(of).fold(f64::NEG_INFINITY, f64::max);
+            // Another top may be a little higher than its sample tells.
+            let close = best - CLOSE * (best - (0..=last).map(of).fold(f64::INFINITY, f64::min));
+            let mut highest = best;
+            for n in 0..=last {
+                let (before, after) = (if n == 0 { last } else { n - 1 }, if n == last { 0 } else { n + 1 });
+                if of(n) < close || of(n) < of(before) || of(n) < of(after) {
+                    continue;
                 }
+                // The velocity changes its sign between the neighbours.
+                let mut low = shares[before] - if n == 0 { 1.0 } else { 0.0 };
+                let mut high = shares[after] + if n == last { 1.0 } else { 0.0 };
+                for _ in 0..60 {
+                    let middle = f64::midpoint(low, high);
+                    if sign * self.velocity(middle) > 0.0 {
+                        low = middle;
+                    } else {
+                        high = middle;
+                    }
+                }
+                highest = highest.max(sign * self.displacement(low));
             }
-            Some(sign * of(low).max(of(shares[best])))
+            sign * highest
         };
-        Some([refined(1.0)?, refined(-1.0)?])
+        Some([refined(1.0), refined(-1.0)])
     }
 
     /// Shares since the beginning of a piece between which the motion is smooth: half a radian apart while the free
