@@ -11,10 +11,18 @@ use models::{Driven, andrews, crank_rocker, driven_slider, driven_squeezer, four
 #[path = "../tests/mechanics/models.rs"]
 mod models;
 
+#[path = "yardstick/python.rs"]
+mod python;
+
+/// Nanoseconds an angle of numba with the formulas of one slider-crank.
+const YARDSTICK: &str = include_str!("yardstick/slider_crank.py");
+
 const ROUNDS: usize = 9;
 
 fn main() {
     let rates = [30.0, 5.0];
+    let numba = python::figures(YARDSTICK).map_or(String::new(), |[each]| format!("{each:.1} ns"));
+    println!("formulas of one slider-crank without reactions, in numba, an angle\t{numba}\t(22.4 ns)");
     for (name, driven, goals) in [
         ("slider-crank", driven_slider(rates), ["≤ 150 ns", "≤ 60 µs"]),
         ("four-bar", crank_rocker(rates), ["≤ 150 ns", "≤ 60 µs"]),

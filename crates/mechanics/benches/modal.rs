@@ -3,7 +3,7 @@
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them. nalgebra is timed in the
 //! same run, and NumPy with SciPy where they are installed: their ratio to ours is what can be compared.
 
-use std::{f64::consts::PI, hint::black_box, process::Command, time::Instant};
+use std::{f64::consts::PI, hint::black_box, time::Instant};
 
 use dalembert_mechanics::{
     linalg::{SymmetricBand, generalised_eigen, lowest_modes},
@@ -14,6 +14,9 @@ use dalembert_mechanics::{
     },
 };
 use nalgebra::{Cholesky, Complex, DMatrix, DVector, SymmetricEigen};
+
+#[path = "yardstick/python.rs"]
+mod python;
 
 /// NumPy and SciPy on the same work; prints the milliseconds of each row.
 const YARDSTICK: &str = "
@@ -36,7 +39,7 @@ print(best(lambda: (d()*(phi[99]*phi[50])[None,:]).sum(1), 5)); print(best(lambd
 ";
 
 fn main() {
-    let yardstick = yardstick();
+    let yardstick: Option<[f64; 4]> = python::figures(YARDSTICK);
     let beside =
         |at: usize| yardstick.as_ref().map_or(String::new(), |ms| format!(", SciPy {:.2} ms", ms[at]));
     for (at, (n, rounds, goal)) in [(100, 20, 0.6), (1000, 3, 130.0)].into_iter().enumerate() {
@@ -157,12 +160,4 @@ fn nalgebra_eigen(k: &DMatrix<f64>, m: &DMatrix<f64>) -> DMatrix<f64> {
     let reduced = lower.solve_lower_triangular(&half.transpose()).expect("L is regular");
     let eigen = SymmetricEigen::new(reduced);
     lower.tr_solve_lower_triangular(&eigen.eigenvectors).expect("L is regular")
-}
-
-/// The milliseconds of NumPy and SciPy, where they are installed.
-fn yardstick() -> Option<Vec<f64>> {
-    let output = Command::new("python3").args(["-c", YARDSTICK]).output().ok()?;
-    let rows: Vec<f64> =
-        String::from_utf8(output.stdout).ok()?.lines().filter_map(|line| line.parse().ok()).collect();
-    (rows.len() == 4).then_some(rows)
 }

@@ -4,10 +4,13 @@
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them. MuJoCo is timed in the
 //! same run where it is installed: its ratio to ours is what can be compared.
 
-use std::{hint::black_box, process::Command, time::Instant};
+use std::{hint::black_box, time::Instant};
 
 use dalembert_mechanics::rigid::simulate::{Body, FreeRotation, Loads, Run, Turning, simulate};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+#[path = "yardstick/python.rs"]
+mod python;
 
 const STEPS: usize = 1_000_000;
 const ROUNDS: usize = 7;
@@ -39,7 +42,8 @@ fn free() {
         (0..STEPS).for_each(|_| end.advance());
         black_box(&end);
     });
-    let beside = yardstick().map_or(String::new(), |seconds| format!(", MuJoCo {seconds:.2} s"));
+    let beside =
+        python::figures(YARDSTICK).map_or(String::new(), |[seconds]| format!(", MuJoCo {seconds:.2} s"));
     println!("free rotation, 1e6 steps\t{:.3} s{beside}\t≤ 0.06 s (MuJoCo 4.1 s)", time / 1e3);
     let energy = (end.energy() / start.energy() - 1.0).abs();
     let momentum =
@@ -90,10 +94,4 @@ fn best(mut work: impl FnMut()) -> f64 {
         best = best.min(start.elapsed().as_secs_f64() * 1e3);
     }
     best
-}
-
-/// The seconds of MuJoCo, where it is installed.
-fn yardstick() -> Option<f64> {
-    let output = Command::new("python3").args(["-c", YARDSTICK]).output().ok()?;
-    String::from_utf8(output.stdout).ok()?.trim().parse().ok()
 }
