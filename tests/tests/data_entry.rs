@@ -75,7 +75,7 @@ fn the_editor_of_a_table_tells_its_columns_and_is_left_without_keeping() {
     person.types("<enter>1; 2<enter>");
     let seen = words(&mut person);
     for told in [
-        "Frequência [Hz]; parte real [1/kg]",
+        "Frequência [Hz]; Parte real [1/kg]",
         "separadas por ponto e vírgula, em vez de 3",
         "Uma linha para cada ponto",
     ] {
@@ -270,6 +270,25 @@ fn errors_name_their_row_and_names_are_one_row_s_alone() {
     person.types("z<del>").types(&second).types("<enter><tab>");
     let seen = words(&mut person);
     assert!(seen.contains(&format!("Nodes 2, Name: row 1 is called `{second}` too")), "{}", person.sees());
+}
+
+#[test]
+fn a_copied_row_has_a_name_of_its_own_and_rows_that_are_alike_change_places() {
+    let mut person = on(Person::at(60, 30).opens(NETWORK), "nodes[2].name");
+    let name = text(&person, "nodes[2].name");
+    person.types("dd");
+    let copies = ["nodes[3].name", "nodes[4].name"].map(|path| text(&person, path));
+    assert_eq!(copies, [format!("{name} 2"), format!("{name} 3")]);
+    assert!(person.model.bench.as_ref().is_some_and(|bench| bench.errors.is_empty()), "{}", person.sees());
+    let mut person = on(Person::at(80, 40).opens(ROTOR), "segments[1].length");
+    let place = |person: &Person| {
+        let bench = person.model.bench.as_ref().expect("a problem is open");
+        bench.form.line().map(|line| line.path)
+    };
+    person.types("d");
+    let copy = place(&person);
+    person.types("K");
+    assert_ne!(place(&person), copy, "{}", person.sees());
 }
 
 #[test]

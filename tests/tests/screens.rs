@@ -721,6 +721,8 @@ fn a_symbol_leads_to_the_step_that_made_it_and_back() {
     let mut person = fan(80, 24);
     person.types("]<tab><right><enter>");
     assert_eq!(person.model.place(), Place::Form);
+    person.types("<esc>");
+    assert_eq!((person.model.place(), place(&person).is_some()), (Place::Working, true), "escape comes back");
 }
 
 #[test]

@@ -209,6 +209,11 @@ fn a_sweep_runs_through_the_answers_and_says_where_there_is_none() {
     assert!(points.len() > 30);
     let said = found.says[0].english();
     assert!(said.contains("no answer from 0.5 mm to 2.5 mm") && said.contains("m₀e/m"), "{said}");
+    let Plan::Sweep { input, range, points: count, scale, answer, .. } = plan else { panic!("a sweep") };
+    let family = Some(("mass".into(), vec![-1.0, 40.0]));
+    let outside = Plan::Sweep { input, range, points: count, scale, family, answer };
+    let said = study::study(fan.entry, &fan.record, &outside, &Stop::new()).unwrap().says[0].english();
+    assert!(said.starts_with("Mass of the machine = −1 kg: ") && said.contains("limits"), "{said}");
     let ours = |x: f64| {
         let record = vary::changed(&fan.record, "damping.largest-amplitude.amplitude", x).unwrap();
         fan.entry.solve(&record, &Stop::new()).unwrap().answer("amplitude").unwrap().si().unwrap()
@@ -463,4 +468,15 @@ fn a_study_of_an_input_that_is_zero_has_a_range() {
         ("−0.5 m/s".into(), "0.5 m/s".into())
     );
     assert!(!person.sees().contains("no width"), "{}", person.sees());
+    // What cannot be negative begins at zero.
+    let mut person = Person::at(120, 36).opens("vibration/base-excitation");
+    person.types("]]]]]]<tab>").types(&"<down>".repeat(7));
+    for _ in 0..12 {
+        if cell(&mut person, "A curve for each").contains("Damping ratio") {
+            break;
+        }
+        person.types("<right>");
+    }
+    assert_eq!(cell(&mut person, "Its values"), "0; 0.5; 1.5", "{}", person.sees());
+    assert!(!person.sees().contains("no answer"), "{}", person.sees());
 }

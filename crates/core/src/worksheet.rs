@@ -54,6 +54,11 @@ pub trait Worksheet: Copy {
     fn check(self, what: impl Into<Text>, left: Self::Num, right: Self::Num);
     /// Holds a sum to zero, to within 10⁻⁹ of `scale`, the size of its largest term.
     fn check_zero(self, what: impl Into<Text>, residual: Self::Num, scale: f64);
+    /// Holds several residuals of one kind to zero at once: the worst of them speaks for all.
+    fn check_zeros(self, what: impl Into<Text>, residuals: impl IntoIterator<Item = f64>, scale: f64) {
+        let worse = |worst: f64, residual: f64| if residual.abs() <= worst.abs() { worst } else { residual };
+        self.check_zero(what, Self::Num::from(residuals.into_iter().fold(0.0, worse)), scale);
+    }
     /// Holds two ways to the same vector together, to within 10⁻⁹ of the longer.
     fn check_vector(self, what: impl Into<Text>, left: Self::Vec, right: Self::Vec);
     /// Runs `checks`, which only check: the plain reading leaves them out.

@@ -253,6 +253,8 @@ fn a_heading_gives_each_column_its_unit() {
         "w [rad/s]\tX (mean) [mm]\n2\t1,5\n3\t2,5",
         "w [rad/s],X [mm]\n2,1.5\n3,2.5",
         "# a remark\n\nw (rad/(s)); X (mm)\n2; 1,5\n3; 2,5\n",
+        "\"w [rad/s]\",\"X, mean [mm]\"\n2,\"1,5\"\n\"3\",\"2,5\"",
+        "w [rad/s];X [mm]\n\"2\";\"1,5\"\n\"3\";\"2,5\"",
     ] {
         assert_eq!(points_of(text), Ok(wanted.clone()), "{text}");
     }
@@ -261,6 +263,10 @@ fn a_heading_gives_each_column_its_unit() {
     assert!(told.iter().any(|why| why.contains("kg")), "{told:?}");
     assert!(told.iter().any(|why| why.starts_with("line 3: ")), "{told:?}");
     assert!(told.iter().any(|why| why.starts_with("line 4: ")), "{told:?}");
+    // One cell too many is told as such, whatever other marks stand in its line.
+    let faults = points_of("2; 1,5e-3\n3; 1,1e-4; 7").unwrap_err();
+    let told = faults[0].why.english();
+    assert!(told.starts_with("line 2: there are 3 columns, set apart by semicolons"), "{told}");
 }
 
 #[test]

@@ -96,7 +96,9 @@ pub(crate) fn pen(n: usize, marker: Marker, look: &Look) -> Pen {
 
 /// The pen of the curves of a pinned plot.
 pub(crate) fn pinned_pen(look: &Look) -> Pen {
-    Pen { dash: (2, 1), ..Pen::solid(look.dim(), if look.ascii { '.' } else { '·' }) }
+    // Without colours gaps alone tell it from the present curve.
+    let dash = if look.curves() == 0 { (1, 3) } else { (2, 1) };
+    Pen { dash, ..Pen::solid(look.dim(), if look.ascii { '.' } else { '·' }) }
 }
 
 /// What a separate point of that curve is drawn as.

@@ -214,12 +214,6 @@ fn period<W: Worksheet>(half: f64, fits: &DecayFits, sheet: W) -> W::Num {
     natural
 }
 
-fn held<W: Worksheet>(fit: &DecayFit, sheet: W) {
-    for residual in fit.normal_equations {
-        sheet.check_zero("the least squares meet their normal equations", W::Num::from(residual), 1.0);
-    }
-}
-
 fn viscous<W: Worksheet>(fits: &DecayFits, sheet: W) {
     let fit = &fits.viscous;
     let decrement = sheet.found(
@@ -231,7 +225,11 @@ fn viscous<W: Worksheet>(fits: &DecayFits, sheet: W) {
             RAO.at("§2.6.3"),
         ),
     );
-    held(fit, sheet);
+    sheet.check_zeros(
+        "viscous damping alone: the least squares meet their normal equations",
+        fit.normal_equations,
+        1.0,
+    );
     let ratio = sheet.step(
         "ζᵥ",
         "1",
@@ -252,7 +250,11 @@ fn friction<W: Worksheet>(fits: &DecayFits, sheet: W) {
         fit.loss,
         ("Friction alone: X = X₀ − ΔX n by least squares; its loss in a cycle", RAO.at("§2.9")),
     );
-    held(fit, sheet);
+    sheet.check_zeros(
+        "friction alone: the least squares meet their normal equations",
+        fit.normal_equations,
+        1.0,
+    );
     let offset = sheet.step("f_f", "mm", loss / 4.0, ("The loss in a cycle is 4F/k; F/k", RAO.at("§2.9")));
     let scatter =
         sheet.found("ε_f", "mm", fit.scatter, "Its root mean square difference from the amplitudes");
@@ -262,7 +264,11 @@ fn friction<W: Worksheet>(fits: &DecayFits, sheet: W) {
 }
 
 fn both<W: Worksheet>(fits: &DecayFits, sheet: W) {
-    held(&fits.both, sheet);
+    sheet.check_zeros(
+        "both together: the least squares meet their normal equations",
+        fits.both.normal_equations,
+        1.0,
+    );
     let scatter = sheet.found(
         "ε",
         "mm",

@@ -138,7 +138,7 @@ impl Analysis for HalfCar {
             sheet.answer(("frequency", mode + 1), "Natural frequency", *frequency);
             sheet.answer_list(
                 ("mode", mode + 1),
-                "Body front, body rear, wheel front, wheel rear",
+                "Mode shape: body front, body rear, wheel front, wheel rear",
                 "1",
                 &shapes[mode],
             );

@@ -25,8 +25,10 @@ use crate::{
     panes,
 };
 
-/// So many actions are offered at once: few, for the sake of slow lines, and always as many rows.
+/// So many actions are offered at once: few, for the sake of slow lines, and always as many rows; more on a screen of so
+/// many rows.
 const OFFERED: usize = 4;
+const OFFERED_ON_A_TALL_SCREEN: (u16, usize) = (36, 10);
 /// So many files are shown that may be meant.
 const NAMES: usize = 6;
 /// Cells for the keys of an action in the help: three of them, with modifiers.
@@ -280,6 +282,7 @@ fn draw_palette(
             ]);
             buffer.set_line(inner.x, y, &line, inner.width);
         }
+        scroll_mark(first, rows, offers.len(), look, area, buffer);
     }
     Clear.render(footer, buffer);
     draw_input(model, input, ":", Style::new(), footer, buffer)
@@ -287,7 +290,9 @@ fn draw_palette(
 
 /// Where the palette offers what may be meant.
 fn palette_area(screen: Rect, footer: Rect) -> Rect {
-    let height = OFFERED.min(usize::from(screen.height.saturating_sub(4))) as u16 + 2;
+    let (tall, more) = OFFERED_ON_A_TALL_SCREEN;
+    let offered = if screen.height < tall { OFFERED } else { more };
+    let height = offered.min(usize::from(screen.height.saturating_sub(4))) as u16 + 2;
     Rect::new(screen.x, footer.y.saturating_sub(height), screen.width.min(56), height)
 }
 

@@ -48,9 +48,7 @@ pub(super) fn circle<W: Worksheet>(
         fit.half_power[1],
         "A quarter of the circle after it: upper half-power point",
     );
-    for slope in fit.slopes {
-        sheet.check_zero("the angles round the circle meet their normal equations", slope.into(), 1.0);
-    }
+    sheet.check_zeros("the angles round the circle meet their normal equations", fit.slopes, 1.0);
     let (ratio, constant) = match model {
         DampingModel::Viscous => {
             let zeta = sheet.step(

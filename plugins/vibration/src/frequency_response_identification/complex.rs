@@ -392,9 +392,7 @@ fn least_squares<W: Worksheet>(
         }
     };
     let constant = sheet.found("A", "1/kg", fit.modal_constant, "Modal constant by the same least squares");
-    for slope in fit.slopes {
-        sheet.check_zero("the least squares meet their normal equations", slope.into(), 1.0);
-    }
+    sheet.check_zeros("the least squares meet their normal equations", fit.slopes, 1.0);
     let misfit = sheet.found(
         "ε",
         "%",

@@ -76,9 +76,7 @@ fn least_squares<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System
     );
     let mass = sheet.found("m", "kg", fit.mass, "Mass by the same least squares");
     let damping = sheet.found("c", "N*s/m", fit.damping, "Damping by the same least squares");
-    for residual in fit.normal_equations {
-        sheet.check_zero("the least squares meet their normal equations", residual.into(), 1.0);
-    }
+    sheet.check_zeros("the least squares meet their normal equations", fit.normal_equations, 1.0);
     let misfit = sheet.found(
         "ε",
         "%",
