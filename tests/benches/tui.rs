@@ -37,7 +37,7 @@ fn start() {
     for (rows, columns) in [(24, 80), (50, 200)] {
         let times = (0..ROUNDS / 2).map(|_| {
             let pty = open(None, |launch| launch.size(rows, columns));
-            frame_after(&pty, 0, pty.started()).0
+            frame_after(&pty, 0, pty.started).0
         });
         row(&format!("start to first frame, {columns}×{rows}"), &figures(times.collect()), "≤ 20 ms");
     }

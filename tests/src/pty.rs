@@ -158,7 +158,8 @@ pub struct Pty {
     /// The program's side, to read its modes and to wake the reader.
     line: File,
     before: Before,
-    started: Instant,
+    /// When the program, or the shell before it, was started.
+    pub started: Instant,
     home: tempfile::TempDir,
 }
 
@@ -258,11 +259,6 @@ impl Pty {
         pty
     }
 
-    /// When the program, or the shell before it, was started.
-    pub fn started(&self) -> Instant {
-        self.started
-    }
-
     /// Types text; names in angle brackets are keys: `<enter> <tab> <s-tab> <esc> <space> <bs> <del> <ins> <up>
     /// <down> <left> <right> <home> <end> <pgup> <pgdn> <f1>`…`<f12>`, with `c-`, `s-`, `a-` for Ctrl, Shift, Alt
     /// (`<c-c>`, `<a-x>`, `<c-right>`), and `<lt>` for `<` itself.
@@ -324,9 +320,8 @@ impl Pty {
 
     /// When the byte came that was the `count`-th.
     pub fn arrival(&self, count: usize) -> Option<Instant> {
-        let output = self.seen.output();
-        let at = output.arrivals.partition_point(|(length, _)| *length < count);
-        output.arrivals.get(at).map(|(_, time)| *time)
+        let Output { arrivals, .. } = &*self.seen.output();
+        arrivals.get(arrivals.partition_point(|(length, _)| *length < count)).map(|(_, time)| *time)
     }
 
     /// The home folder of the program.

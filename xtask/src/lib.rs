@@ -16,6 +16,8 @@ mod names;
 
 /// The root of the repository.
 pub fn root() -> PathBuf {
-    let manifest = Path::new(env!("CARGO_MANIFEST_DIR"));
-    manifest.parent().expect("xtask/ stands in the root of the repository").to_owned()
+    // Of this run: clones that share a target folder share the built program too.
+    let manifest =
+        std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+    Path::new(&manifest).parent().expect("xtask/ stands in the root of the repository").to_owned()
 }
