@@ -258,10 +258,10 @@ fn no_shell_to_return_to(program: &Path) {
     assert_alive(&mut pty, "Ctrl-Z without a shell");
 }
 
-/// Gone within 1.5 s, and without having spun in between.
+/// Gone soon, on a machine that is busy too, and without having spun in between.
 #[track_caller]
 fn assert_gone(processes: &[i32], spent: f64) {
-    let end = Instant::now() + SECOND * 3 / 2;
+    let end = Instant::now() + SECOND * 5;
     let mut now = spent;
     for &process in processes {
         while let Some(seconds) = pty::alive(process) {
