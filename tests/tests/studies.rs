@@ -95,6 +95,20 @@ fn a_tolerance_is_a_share_or_a_width() {
     );
 }
 
+/// One percent of a negative input is one percent more of it; a tolerance is a width, and holds to both sides.
+#[test]
+fn a_negative_input_has_a_step_of_its_sign_and_a_tolerance_of_none() {
+    let entry = find("virtual-work/mechanism").unwrap();
+    let record = cases::first(entry).unwrap().record(entry).unwrap();
+    let record = vary::changed(&record, "gravity.y", -9.81).unwrap();
+    let found = sensitivity::sensitivity(entry, &record, "effort[1]", (&[], 1.0), &Stop::new()).unwrap();
+    let gravity = found.influences.iter().find(|one| one.input.path == "gravity.y").unwrap();
+    let (step, size) = (gravity.input.step(), gravity.input.si.abs());
+    assert!(gravity.input.si < 0.0 && (step + 0.01 * size).abs() < 1e-12, "{gravity:?}");
+    assert!((gravity.tolerance - 0.01 * size).abs() < 1e-12, "{gravity:?}");
+    assert!(found.influences.iter().all(|one| one.tolerance >= 0.0), "{:?}", found.influences);
+}
+
 #[test]
 fn tolerances_add_up_at_worst_and_in_squares() {
     let fan = fan();

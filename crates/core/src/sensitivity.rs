@@ -95,7 +95,7 @@ pub(crate) fn tolerance(input: &Input, given: &[(String, f64)], usual: f64) -> f
     given
         .iter()
         .find(|(path, _)| *path == input.path)
-        .map_or_else(|| usual * input.step(), |(_, width)| *width)
+        .map_or_else(|| usual * input.step().abs(), |(_, width)| *width)
 }
 
 /// The ends that raise or lower the answer most are put together one by one, the most influential first: exact where the

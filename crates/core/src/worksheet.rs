@@ -56,7 +56,10 @@ pub trait Worksheet: Copy {
     fn check_zero(self, what: impl Into<Text>, residual: Self::Num, scale: f64);
     /// Holds several residuals of one kind to zero at once: the worst of them speaks for all.
     fn check_zeros(self, what: impl Into<Text>, residuals: impl IntoIterator<Item = f64>, scale: f64) {
-        let worse = |worst: f64, residual: f64| if residual.abs() <= worst.abs() { worst } else { residual };
+        let worse = |worst: f64, residual: f64| {
+            // What is not a number is never forgotten.
+            if worst.is_nan() || residual.abs() <= worst.abs() { worst } else { residual }
+        };
         self.check_zero(what, Self::Num::from(residuals.into_iter().fold(0.0, worse)), scale);
     }
     /// Holds two ways to the same vector together, to within 10⁻⁹ of the longer.

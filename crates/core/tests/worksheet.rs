@@ -197,3 +197,16 @@ fn a_list_with_a_number_beyond_the_finite_is_a_refusal() {
     let Err(Refusal::NoAnswer(why)) = sheet.into_solution() else { panic!("an infinite number was shown") };
     assert!(why.english().contains("shape"), "{}", why.english());
 }
+
+#[test]
+fn the_worst_of_several_residuals_speaks_for_all() {
+    let passes = |residuals: [f64; 3]| {
+        let solution = worked(|bench| bench.sheet.check_zeros("they vanish", residuals, 1.0));
+        assert_eq!(solution.checks.len(), 1);
+        solution.checks[0].passed
+    };
+    assert!(passes([1e-12, -2e-12, 0.0]));
+    for one in [1e-3, -1e-3, f64::NAN, f64::INFINITY] {
+        assert!(!passes([one, 0.0, 0.0]) && !passes([0.0, one, 1e-12]) && !passes([0.0, 0.0, one]), "{one}");
+    }
+}
