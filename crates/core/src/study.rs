@@ -315,7 +315,7 @@ impl<'a> Curve<'a> {
         let changed = other.and_then(|(at, si)| vary::changed(self.record, &again.inputs[at].path, si));
         let record = changed.as_ref().unwrap_or(self.record);
         // A value that the other input cannot have leaves no answer anywhere.
-        let outside = other.is_some_and(|(at, si)| !again.inputs[at].permits(si));
+        let outside = other.filter(|(at, si)| !again.inputs[*at].permits(*si));
         let mut gaps: Vec<(usize, usize)> = Vec::new();
         for at in (0..values.len()).filter(|at| values[*at].is_nan()) {
             match gaps.last_mut() {
@@ -325,7 +325,7 @@ impl<'a> Curve<'a> {
         }
         let unit = fixed(&self.input().unit);
         let told = gaps.into_iter().take(MOST_GAPS).map(|(first, last)| {
-            let (input, si) = match other.filter(|_| outside) {
+            let (input, si) = match outside {
                 Some((at, si)) => (&again.inputs[at], si),
                 None => (self.input(), places[usize::midpoint(first, last)]),
             };

@@ -120,14 +120,16 @@ impl Separator {
         }
     }
 
-    /// The cells of a line, without the quotation marks that programs write round a decimal comma.
+    /// The cells of a line. Quotation marks, which programs write round a decimal comma, hold what stands between them
+    /// together.
     fn split(self, line: &str) -> Vec<Cow<'_, str>> {
         let between = |separator: char| {
-            if line.contains('"') {
-                quoted(line, separator)
-            } else {
-                line.split(separator).map(|cell| Cow::from(cell.trim())).collect()
-            }
+            let mut inside = false;
+            let cells = line.split(|character| {
+                inside ^= character == '"';
+                character == separator && !inside
+            });
+            cells.map(bare).collect()
         };
         match self {
             Separator::Semicolon => between(';'),
@@ -138,19 +140,13 @@ impl Separator {
     }
 }
 
-/// The cells of a line in which quotation marks may hold a separator.
-fn quoted(line: &str, separator: char) -> Vec<Cow<'_, str>> {
-    let mut cells = vec![String::new()];
-    let mut inside = false;
-    for character in line.chars() {
-        match cells.last_mut() {
-            _ if character == '"' => inside = !inside,
-            _ if character == separator && !inside => cells.push(String::new()),
-            Some(cell) => cell.push(character),
-            None => {}
-        }
+/// A cell without the blanks and the quotation marks round it.
+fn bare(cell: &str) -> Cow<'_, str> {
+    if cell.contains('"') {
+        Cow::from(cell.replace('"', "").trim().to_owned())
+    } else {
+        Cow::from(cell.trim())
     }
-    cells.into_iter().map(|cell| Cow::from(cell.trim().to_owned())).collect()
 }
 
 /// Lines of one wrong number of columns.

@@ -7,7 +7,7 @@ use dalembert_mechanics::planar::{
 
 use crate::{
     close::{ROUNDING, all_close, close, found},
-    planar::{drawn, ends, four_bar, moving, turning},
+    planar::{drawn, ends, four_bar, moving, slider_crank, turning},
 };
 
 const LENGTHS: [f64; 4] = [0.05, 0.151, 0.111, 0.1];
@@ -74,7 +74,7 @@ fn three_centres_of_three_parts_lie_on_a_line() {
 
 #[test]
 fn parts_that_turn_alike_have_their_centre_at_infinity() {
-    let (mechanism, angle) = slider_crank();
+    let (mechanism, angle) = braced();
     let (system, state) = moving(&mechanism, &[[0.0, 0.0, angle], [0.2, 0.04, -0.4], [0.3, 0.0, 0.0]]);
     let InstantCentre::Far([x, y]) = centre(&system, &state, [None, Some(2)]) else { panic!("it slides") };
     assert!(x.abs() < 1e-12 && (y.abs() - 1.0).abs() < 1e-15, "({x}, {y}) is not across the line");
@@ -87,7 +87,7 @@ fn parts_that_turn_alike_have_their_centre_at_infinity() {
 
 #[test]
 fn a_joint_pulls_its_two_parts_with_opposite_forces_and_the_ground_takes_what_is_left() {
-    let (mechanism, angle) = slider_crank();
+    let (mechanism, angle) = braced();
     let disc = {
         let mut disc = mechanism.clone();
         let (centre, floor) = (Point::body(2, [0.0; 2]), Point::ground([0.0, -0.15]));
@@ -116,29 +116,16 @@ fn a_joint_pulls_its_two_parts_with_opposite_forces_and_the_ground_takes_what_is
     }
 }
 
-/// A slider-crank at 30° and 20 rad/s with masses, weights, a force, and a spring and a damper from a wall.
-fn slider_crank() -> (Mechanism, f64) {
-    let (r, l, angle) = (0.15, 0.2, 30f64.to_radians());
-    let ([o, p], [q, s]) = (ends(0, r, 0.0), ends(1, l, l / 2.0));
-    let piston = Point::body(2, [0.0, 0.0]);
-    let wall = wall();
-    let mechanism = Mechanism {
-        bodies: vec![Body::default(), Body { mass: 3.0, inertia: 0.1 }, Body { mass: 2.0, inertia: 0.0 }],
-        joints: vec![
-            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
-            Joint::Pin { a: p, b: q },
-            Joint::Pin { a: s, b: piston },
-            Joint::Slider { guide: Point::ground([0.0, 0.0]), direction: 0.0, slides: piston, angle: 0.0 },
-        ],
-        drivers: vec![turning(0, angle, 20.0, 0.0)],
-        loads: vec![
-            Load::Force { at: s, force: [500.0, 70.0], turns_with: Some(1) },
-            Load::Effort { measure: wall, effort: Effort::Spring { stiffness: 800.0, free: 0.1 } },
-            Load::Effort { measure: wall, effort: Effort::Damper { coefficient: 25.0 } },
-        ],
-        gravity: [0.0, -10.0],
-    };
-    (mechanism, angle)
+/// A slider-crank at 30° with a force that turns with its rod, and a spring and a damper from a wall.
+fn braced() -> (Mechanism, f64) {
+    let (rod, angle, wall) = (0.2, 30f64.to_radians(), wall());
+    let [_, end] = ends(1, rod, rod / 2.0);
+    let loads = vec![
+        Load::Force { at: end, force: [500.0, 70.0], turns_with: Some(1) },
+        Load::Effort { measure: wall, effort: Effort::Spring { stiffness: 800.0, free: 0.1 } },
+        Load::Effort { measure: wall, effort: Effort::Damper { coefficient: 25.0 } },
+    ];
+    (slider_crank([0.15, rod], angle, loads), angle)
 }
 
 fn wall() -> Measure {

@@ -51,6 +51,24 @@ pub(crate) fn drawn([a, b, c, d]: [f64; 4], [crank, coupler, rocker]: [f64; 3]) 
     ]
 }
 
+/// A slider-crank at 20 rad/s, with a rod of 3 kg and a slider of 2 kg, their weights and other loads.
+pub(crate) fn slider_crank([r, l]: [f64; 2], angle: f64, loads: Vec<Load>) -> Mechanism {
+    let ([o, p], [q, s]) = (ends(0, r, 0.0), ends(1, l, l / 2.0));
+    let piston = Point::body(2, [0.0, 0.0]);
+    Mechanism {
+        bodies: vec![Body::default(), Body { mass: 3.0, inertia: 0.1 }, Body { mass: 2.0, inertia: 0.0 }],
+        joints: vec![
+            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
+            Joint::Pin { a: p, b: q },
+            Joint::Pin { a: s, b: piston },
+            Joint::Slider { guide: Point::ground([0.0, 0.0]), direction: 0.0, slides: piston, angle: 0.0 },
+        ],
+        drivers: vec![turning(0, angle, 20.0, 0.0)],
+        loads,
+        gravity: [0.0, -10.0],
+    }
+}
+
 pub(crate) fn moving(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> (System, State) {
     let system = found(System::new(mechanism, drawn));
     let positions = found(system.assemble(drawn));
@@ -79,20 +97,8 @@ fn a_four_bar_with_massive_links_needs_its_torque() {
 #[test]
 fn a_slider_crank_is_the_one_of_the_formulas() {
     let (r, l, angle) = (0.15, 0.2, 30f64.to_radians());
-    let ([o, p], [q, s]) = (ends(0, r, 0.0), ends(1, l, l / 2.0));
-    let piston = Point::body(2, [0.0, 0.0]);
-    let mechanism = Mechanism {
-        bodies: vec![Body::default(), Body { mass: 3.0, inertia: 0.1 }, Body { mass: 2.0, inertia: 0.0 }],
-        joints: vec![
-            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
-            Joint::Pin { a: p, b: q },
-            Joint::Pin { a: s, b: piston },
-            Joint::Slider { guide: Point::ground([0.0, 0.0]), direction: 0.0, slides: piston, angle: 0.0 },
-        ],
-        drivers: vec![turning(0, angle, 20.0, 0.0)],
-        loads: vec![Load::Force { at: piston, force: [5000.0, 0.0], turns_with: None }],
-        gravity: [0.0, -10.0],
-    };
+    let force = Load::Force { at: Point::body(2, [0.0, 0.0]), force: [5000.0, 0.0], turns_with: None };
+    let mechanism = slider_crank([r, l], angle, vec![force]);
     let (system, state) = moving(&mechanism, &[[0.0, 0.0, angle], [0.2, 0.04, -0.4], [0.3, 0.0, 0.0]]);
     let formulas = SliderCrank { crank: r, rod: l, offset: 0.0, branch: Branch::Ahead };
     let motion = found(formulas.motion(CrankMotion { angle, speed: 20.0, acceleration: 0.0 }));
