@@ -253,6 +253,27 @@ fn finite<'a>(numbers: impl Iterator<Item = &'a f64>) -> Result<(), LinalgError>
     if all { Ok(()) } else { Err(LinalgError::NotFinite) }
 }
 
+/// The largest of the sizes.
+fn largest(numbers: &[f64]) -> f64 {
+    fold_sizes(numbers, |most, size| if size > most { size } else { most })
+}
+
+fn sum_of_sizes(numbers: &[f64]) -> f64 {
+    fold_sizes(numbers, |sum, size| sum + size)
+}
+
+/// Folds the sizes of numbers, eight sequences beside each other: one alone would wait for each of its operations.
+fn fold_sizes(numbers: &[f64], fold: impl Fn(f64, f64) -> f64) -> f64 {
+    let (groups, rest) = numbers.as_chunks::<8>();
+    let mut folded = [0.0; 8];
+    for group in groups {
+        for (folded, number) in folded.iter_mut().zip(group) {
+            *folded = fold(*folded, number.abs());
+        }
+    }
+    rest.iter().map(|number| number.abs()).chain(folded).fold(0.0, fold)
+}
+
 fn square(a: &DMatrix<f64>) -> Result<(), LinalgError> {
     if a.is_square() && !a.is_empty() { Ok(()) } else { Err(shape(a, "a square matrix")) }
 }
@@ -266,7 +287,7 @@ fn symmetric(a: &DMatrix<f64>) -> Result<(), LinalgError> {
             worst = (difference, row, column);
         }
     });
-    let difference = worst.0 / a.amax().max(f64::MIN_POSITIVE);
+    let difference = worst.0 / largest(a.as_slice()).max(f64::MIN_POSITIVE);
     if difference <= 1e-12 {
         return Ok(());
     }

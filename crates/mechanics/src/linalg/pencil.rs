@@ -18,8 +18,8 @@ use faer::{
 use nalgebra::{DMatrix, DVector};
 
 use super::{
-    LinalgError, MOST_DENSE, SymmetricEigen, below_diagonal, exact::Sum, finite, not_above,
-    power_of_two_below, shape, square, symmetric, view,
+    LinalgError, MOST_DENSE, SymmetricEigen, below_diagonal, exact::Sum, finite, largest, not_above,
+    power_of_two_below, shape, square, sum_of_sizes, symmetric, view,
 };
 
 /// A mode whose value lies this far below the largest one has its value taken anew from its vector, with twice
@@ -46,15 +46,18 @@ const UNDIVIDED: usize = 32;
 /// `Shape`; `TooLarge` above [`MOST_DENSE`]; `NotFinite`; `NotSymmetric`; `NotPositiveDefinite` for M;
 /// `NotConverged`.
 pub fn generalised_eigen(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<SymmetricEigen, LinalgError> {
+    among_threads(k.nrows(), || values_and_vectors(k, m))
+}
+
+fn values_and_vectors(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<SymmetricEigen, LinalgError> {
     let Reduced { stiffness, mass, lower, standard, scale, size } = reduce(k, m)?;
     let n = k.nrows();
     let (mut values, mut vectors) = (vec![0.0; n], DMatrix::zeros(n, n));
     eigen(&standard, &mut values, Some(view_mut(&mut vectors)))?;
     solve_upper_triangular_in_place(view(&lower).transpose(), view_mut(&mut vectors), threads(n));
-    finite(values.iter().chain(vectors.as_slice()))?;
 
-    let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-    let low = values.iter().take_while(|value| **value < LOW * largest).count().min(MOST_LOW);
+    let most = largest(&values);
+    let low = values.iter().take_while(|value| **value < LOW * most).count().min(MOST_LOW);
     let mut refined: Vec<(f64, usize)> =
         (0..low).map(|mode| (rayleigh(&stiffness, &mass, vectors.column(mode).as_slice()), mode)).collect();
     refined.sort_by(|p, q| p.0.total_cmp(&q.0));
@@ -82,12 +85,20 @@ pub fn generalised_eigen(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<Symmetric
 /// # Errors
 /// As for [`generalised_eigen`].
 pub fn generalised_eigenvalues(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<DVector<f64>, LinalgError> {
-    let Reduced { standard, size, .. } = reduce(k, m)?;
-    let mut values = vec![0.0; k.nrows()];
-    eigen(&standard, &mut values, None)?;
-    let values = DVector::from_vec(values) * size;
-    finite(values.iter())?;
-    Ok(values)
+    among_threads(k.nrows(), || {
+        let Reduced { standard, size, .. } = reduce(k, m)?;
+        let mut values = vec![0.0; k.nrows()];
+        eigen(&standard, &mut values, None)?;
+        let values = DVector::from_vec(values) * size;
+        finite(values.iter())?;
+        Ok(values)
+    })
+}
+
+/// Does the work as one of the threads that share it, where several do: a thread that stands outside would sleep and be
+/// woken for each of the thousands of steps that are shared.
+fn among_threads<T: Send>(n: usize, work: impl FnOnce() -> T + Send) -> T {
+    if n < WORTH_THREADS { work() } else { rayon::scope(|_| work()) }
 }
 
 /// One thread for small matrices, as many as there are for large ones.
@@ -116,12 +127,12 @@ fn eigen(a: &DMatrix<f64>, values: &mut [f64], vectors: Option<MatMut<'_, f64>>)
 }
 
 /// `D K D / size` and `D M D`, the Cholesky factor of the second, and `L⁻¹ K L⁻ᵀ` of the scaled ones.
+///
+/// Of each matrix the lower half is what counts.
 struct Reduced {
     stiffness: DMatrix<f64>,
     mass: DMatrix<f64>,
-    /// In the lower half; the upper one is that of the masses.
     lower: DMatrix<f64>,
-    /// In the lower half.
     standard: DMatrix<f64>,
     scale: Vec<f64>,
     size: f64,
@@ -134,25 +145,26 @@ fn reduce(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<Reduced, LinalgError> {
         return Err(shape(m, "a mass matrix as large as the stiffness matrix"));
     }
     not_above("unknowns of a full matrix", n, MOST_DENSE)?;
-    finite(k.as_slice().iter().chain(m.as_slice()))?;
-    symmetric(k)?;
-    symmetric(m)?;
     if let Some(row) = (0..n).find(|&row| m[(row, row)] <= 0.0) {
         return Err(LinalgError::NotPositiveDefinite { matrix: "mass", row: row + 1 });
     }
     let scale: Vec<f64> = (0..n).map(|row| 1.0 / power_of_two_below(m[(row, row)].sqrt())).collect();
-    // The lower half is what counts.
-    let both = |a: &DMatrix<f64>| {
-        let mut scaled =
-            DMatrix::from_fn(n, n, |row, column| (a[(row, column)] * scale[row]) * scale[column]);
-        mirror(view_mut(&mut scaled));
+    let scaled = |a: &DMatrix<f64>| {
+        let mut scaled = a.clone();
+        for (mut column, column_scale) in scaled.column_iter_mut().zip(&scale) {
+            for (entry, row_scale) in column.iter_mut().zip(&scale) {
+                *entry = (*entry * row_scale) * column_scale;
+            }
+        }
         scaled
     };
-    let mut stiffness = both(k);
-    let size = power_of_two_below(stiffness.amax());
-    stiffness /= size;
-    let mass = both(m);
+    let mut stiffness = scaled(k);
+    let size = power_of_two_below(largest(stiffness.as_slice()));
+    stiffness *= 1.0 / size;
+    let mass = scaled(m);
     finite(stiffness.as_slice().iter().chain(mass.as_slice()))?;
+    symmetric(k)?;
+    symmetric(m)?;
 
     let (mut lower, par) = (mass.clone(), threads(n));
     let settings = <_>::default();
@@ -210,9 +222,12 @@ fn mirror(mut a: MatMut<'_, f64>) {
 fn rayleigh(k: &DMatrix<f64>, m: &DMatrix<f64>, x: &[f64]) -> f64 {
     let energy = |a: &DMatrix<f64>| {
         let (mut total, mut size) = (Sum::default(), 0.0);
-        for (column, x_column) in a.column_iter().zip(x) {
+        for (at, (column, x_column)) in a.column_iter().zip(x).enumerate() {
             let mut sum = Sum::default();
-            for (a, x) in column.iter().zip(x) {
+            // Half of the diagonal entry, and of all that stands below it one of the two.
+            sum.add_product(column[at] / 2.0, *x_column);
+            size += (column[at] / 2.0 * x_column * x_column).abs();
+            for (a, x) in column.iter().zip(x).skip(at + 1) {
                 sum.add_product(*a, *x);
                 size += (a * x * x_column).abs();
             }
@@ -234,20 +249,33 @@ fn residual(
     values: &[f64],
     vectors: &DMatrix<f64>,
 ) -> Result<(), LinalgError> {
-    let size = |column: &[f64]| column.iter().map(|entry| entry.abs()).sum::<f64>();
-    let norm = |a: &DMatrix<f64>| a.as_slice().chunks_exact(a.nrows()).map(size).fold(0.0, f64::max);
+    const SUMS: usize = 2;
+    let (n, par) = (values.len(), threads(values.len()));
+    let norm = |a: &DMatrix<f64>| a.as_slice().chunks_exact(n).map(sum_of_sizes).fold(0.0, f64::max);
     let (k_size, m_size) = (norm(k), norm(m));
     let mut random = super::Random::new();
-    for _ in 0..2 {
-        let weights = DVector::from_fn(values.len(), |mode, _| {
-            let size = (k_size + values[mode].abs() * m_size) * vectors.column(mode).amax();
-            random.next().signum() / size
-        });
-        let moving = weights.component_mul(&DVector::from_column_slice(values));
-        let left = k * (vectors * weights) - m * (vectors * moving);
-        if left.amax() > super::rounding(values.len()) * (values.len() as f64).sqrt() {
-            return Err(LinalgError::NotConverged);
+    let mut weights = DMatrix::zeros(n, 2 * SUMS);
+    for (mode, (vector, value)) in vectors.as_slice().chunks_exact(n).zip(values).enumerate() {
+        let size = (k_size + value.abs() * m_size) * largest(vector);
+        for sum in 0..SUMS {
+            let weight = random.next().signum() / size;
+            weights[(mode, sum)] = weight;
+            weights[(mode, SUMS + sum)] = weight * value;
         }
+    }
+    let (mut sums, mut left) = (DMatrix::zeros(n, 2 * SUMS), DMatrix::zeros(n, SUMS));
+    matmul(view_mut(&mut sums), Accum::Replace, view(vectors), view(&weights), 1.0, par);
+    let (steady, moving) = view(&sums).split_at_col(SUMS);
+    let full = BlockStructure::Rectangular;
+    for (a, sums, sign) in [(view(k), steady, 1.0), (view(m), moving, -1.0)] {
+        for (half, part) in
+            [(a, BlockStructure::TriangularLower), (a.transpose(), BlockStructure::StrictTriangularUpper)]
+        {
+            triangular::matmul(view_mut(&mut left), full, Accum::Add, half, part, sums, full, sign, par);
+        }
+    }
+    if largest(left.as_slice()) > super::rounding(n) * (n as f64).sqrt() {
+        return Err(LinalgError::NotConverged);
     }
     Ok(())
 }
