@@ -10,6 +10,6 @@ mod core;
 mod layout;
 mod order;
 
-pub(super) use core::Core;
+pub(super) use core::{Core, order};
 pub(super) use layout::{Layout, Work};
 pub(super) use order::Order;

@@ -11,7 +11,7 @@ mod station;
 use self::station::{CLOSED, PASSED, Station, Way};
 use super::{
     Load, PlanarError, State, System,
-    plan::{Layout, Order, Work},
+    plan::{self, Layout, Order, Work},
 };
 use crate::lanes::{Lanes, WIDTH};
 
@@ -164,13 +164,13 @@ impl Swept {
 
 impl Plan {
     fn new(system: &System, positions: &[[f64; 3]]) -> Option<Self> {
-        let layout = Layout::new(system);
+        let mut layout = Layout::new(system);
         let columns = 3 * positions.len();
-        let mut work: Work<f64> = layout.work(system);
-        let start: Vec<f64> = layout.kept.iter().map(|&column| system.scaled(column, positions)).collect();
-        if layout.loops().len() != start.len() || start.len() > MOST_LOOPS {
+        if layout.loops().len() != layout.kept.len() || layout.kept.len() > MOST_LOOPS {
             return None;
         }
+        let mut work: Work<f64> = layout.work(system);
+        let start: Vec<f64> = layout.kept.iter().map(|&column| system.scaled(column, positions)).collect();
         layout.set(&start, &mut work);
         layout.measure(&mut work);
         let (order, left) = Order::of_explicit(&layout, &work.slopes, columns);
@@ -181,9 +181,20 @@ impl Plan {
                 row.into_iter().map(|(place, column)| Some((place, number(column)?))).collect();
             loops.push(row?);
         }
+        let [rows, kept] = plan::order(&loops);
+        layout.rearrange(&rows, &kept);
+        let mut renumbered = vec![0; kept.len()];
+        for (new, &old) in kept.iter().enumerate() {
+            renumbered[old] = new;
+        }
+        for (_, number) in loops.iter_mut().flatten() {
+            *number = renumbered[*number];
+        }
+        let loops: Vec<Vec<(usize, usize)>> = rows.iter().map(|&row| loops[row].clone()).collect();
+        let start = kept.iter().map(|&old| start[old]).collect();
         Some(Self {
-            many: Station::new(system, &layout, order.with_numbers()),
-            one: Station::new(system, &layout, order),
+            many: Station::new(system, &layout, &loops, order.with_numbers()),
+            one: Station::new(system, &layout, &loops, order),
             masses: system.scaled_masses(),
             layout,
             loops,
@@ -223,7 +234,7 @@ impl Plan {
                 && steps.all(|step| {
                     let good = many.reach(&way, value(step), CLOSED) && many.load(&way);
                     if good {
-                        many.store(swept, |lane| at(lane, step));
+                        many.store(&way, swept, |lane| at(lane, step));
                     }
                     good
                 });
@@ -236,7 +247,7 @@ impl Plan {
             if !(one.reach(&way, *value, CLOSED) && one.load(&way)) {
                 return n;
             }
-            one.store(swept, |_| n);
+            one.store(&way, swept, |_| n);
         }
         values.len()
     }

@@ -57,6 +57,13 @@ pub(in super::super) struct Work<S = f64> {
     arms: Vec<[S; 4]>,
 }
 
+/// The kept angles, by their body and their number, and the kept coordinates of origins, by number and column.
+fn numbered(kept: &[usize]) -> [Vec<(usize, usize)>; 2] {
+    let (turning, moving): (Vec<_>, Vec<_>) =
+        kept.iter().copied().enumerate().partition(|(_, column)| column % 3 == 2);
+    [turning.into_iter().map(|(number, column)| (column / 3, number)).collect(), moving]
+}
+
 /// One equation, or the two of a pin.
 #[derive(Debug, Clone)]
 enum Kernel {
@@ -156,10 +163,7 @@ impl Layout {
             slopes.fold(0.0f64, |most, slope| most.max(slope.abs()))
         };
         let constant = loops.iter().map(constant).collect();
-        let numbered = || kept.iter().copied().enumerate();
-        let turning =
-            numbered().filter(|(_, column)| column % 3 == 2).map(|(n, column)| (column / 3, n)).collect();
-        let moving = numbered().filter(|(_, column)| column % 3 < 2).collect();
+        let [turning, moving] = numbered(&kept);
         Self {
             rows,
             places,
@@ -174,6 +178,14 @@ impl Layout {
             bodies,
             length,
         }
+    }
+
+    /// Puts the equations that are not explicit, and the kept coordinates, into another order.
+    pub(in super::super) fn rearrange(&mut self, loops: &[usize], kept: &[usize]) {
+        self.constant = loops.iter().map(|&row| self.constant[row]).collect();
+        self.loops = loops.iter().map(|&row| self.loops[row]).collect();
+        self.kept = kept.iter().map(|&number| self.kept[number]).collect();
+        [self.turning, self.moving] = numbered(&self.kept);
     }
 
     /// Room for the numbers of a position.
@@ -249,8 +261,8 @@ impl Layout {
                 || (angles.cos(), angles.sin()),
             );
             for (lane, (body, _)) in bodies.iter().enumerate() {
-                let [angle, cos, sin] = [angles, cos, sin].map(|lanes| S::from(lanes.0[lane]));
-                poses[*body].turn(angle, [cos, sin]);
+                let direction = [S::from(cos.0[lane]), S::from(sin.0[lane])];
+                poses[*body].turn(S::from(angles.0[lane]), direction);
             }
         }
     }

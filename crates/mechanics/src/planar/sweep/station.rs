@@ -61,18 +61,21 @@ pub(super) struct Station<S> {
     balance: Vec<S>,
     multipliers: Vec<S>,
     effort: S,
-    /// What is kept of the position, as in [`Swept`].
-    record: Vec<S>,
 }
 
 impl<S: Numbers> Station<S> {
-    pub(super) fn new(system: &System, layout: &Layout, order: Order<S>) -> Self {
+    pub(super) fn new(
+        system: &System,
+        layout: &Layout,
+        loops: &[Vec<(usize, usize)>],
+        order: Order<S>,
+    ) -> Self {
         let (bodies, rows) = (system.mechanism.bodies.len(), system.equations.len());
         let (columns, kept) = (3 * bodies, layout.kept.len());
         let zero = S::from(0.0);
         Self {
             order,
-            core: Core::new(kept),
+            core: Core::new(loops),
             work: layout.work(system),
             value: zero,
             kept: vec![zero; kept],
@@ -90,7 +93,6 @@ impl<S: Numbers> Station<S> {
             balance: vec![zero; columns],
             multipliers: vec![zero; rows],
             effort: zero,
-            record: vec![zero; Swept::length(bodies, rows)],
         }
     }
 
@@ -275,12 +277,16 @@ impl<S: Numbers> Station<S> {
             .all(|(other, of)| other == driver || (of.velocity == 0.0 && of.acceleration == 0.0));
         if alone {
             let (rate, acceleration) = (drivers[driver].velocity, drivers[driver].acceleration);
-            for ((a, first), second) in self.accelerations.iter_mut().zip(&self.first).zip(&self.second) {
-                *a = *second * (rate * rate) + *first * acceleration;
-            }
-            system.unscale(&self.first, &mut self.velocities);
-            for velocity in self.velocities.as_flattened_mut() {
-                *velocity = *velocity * rate;
+            let rates = [rate, rate, rate / length];
+            // By indices: a loop over the three lists side by side is compiled so that it goes over the bodies by lanes,
+            // gathering each number from where it lies.
+            for body in 0..system.mechanism.bodies.len() {
+                for (part, rate_of_part) in rates.into_iter().enumerate() {
+                    let column = 3 * body + part;
+                    self.velocities[body][part] = self.first[column] * rate_of_part;
+                    self.accelerations[column] =
+                        self.second[column] * (rate * rate) + self.first[column] * acceleration;
+                }
             }
         } else {
             let begin = row - driver;
@@ -317,37 +323,33 @@ impl<S: Numbers> Station<S> {
             self.multipliers[row] = *inner;
         }
         self.order.complete_transposed(&mut self.multipliers);
-        self.note(per_length);
-        let mut sum = S::from(0.0);
-        for number in &self.record {
+        let mut sum = effort;
+        for number in self.accelerations.iter().chain(&self.multipliers) {
             sum = sum + *number;
         }
         (0..S::COUNT).all(|lane| sum.lane(lane).is_finite())
     }
 
-    /// Writes the record of the position, in the order of [`Swept`].
-    #[inline(always)]
-    fn note(&mut self, per_length: f64) {
-        let bodies = self.forces.len();
-        let (positions, rest) = self.record.split_at_mut(3 * bodies);
-        for (place, pose) in positions.chunks_exact_mut(3).zip(&self.work.poses) {
-            place.copy_from_slice(&[pose.x, pose.y, pose.angle]);
-        }
-        let (velocities, rest) = rest.split_at_mut(3 * bodies);
-        velocities.copy_from_slice(self.velocities[..bodies].as_flattened());
-        let (accelerations, rest) = rest.split_at_mut(3 * bodies);
-        for (place, scaled) in accelerations.chunks_exact_mut(3).zip(self.accelerations.chunks_exact(3)) {
-            place.copy_from_slice(&[scaled[0], scaled[1], scaled[2] * per_length]);
-        }
-        let (multipliers, effort) = rest.split_at_mut(self.multipliers.len());
-        multipliers.copy_from_slice(&self.multipliers);
-        effort.fill(self.effort);
-    }
-
     /// Writes the position of each lane into a place among those that were swept.
-    pub(super) fn store(&self, swept: &mut Swept, at: impl Fn(usize) -> usize) {
+    pub(super) fn store(&self, way: &Way, swept: &mut Swept, at: impl Fn(usize) -> usize) {
+        let per_length = 1.0 / way.system.length;
+        let bodies = self.forces.len();
         for lane in 0..S::COUNT {
-            for (place, number) in swept.record_mut(at(lane)).iter_mut().zip(&self.record) {
+            let (positions, rest) = swept.record_mut(at(lane)).split_at_mut(3 * bodies);
+            let (velocities, rest) = rest.split_at_mut(3 * bodies);
+            let (accelerations, rest) = rest.split_at_mut(3 * bodies);
+            let triples = |numbers| <[f64]>::as_chunks_mut::<3>(numbers).0.iter_mut();
+            for (place, pose) in triples(positions).zip(&self.work.poses) {
+                *place = [&pose.x, &pose.y, &pose.angle].map(|number| number.lane(lane));
+            }
+            for (place, velocity) in triples(velocities).zip(&self.velocities) {
+                *place = velocity.each_ref().map(|number| number.lane(lane));
+            }
+            for (place, scaled) in triples(accelerations).zip(self.accelerations.as_chunks::<3>().0) {
+                let [x, y, angle] = scaled.each_ref().map(|number| number.lane(lane));
+                *place = [x, y, angle * per_length];
+            }
+            for (place, number) in rest.iter_mut().zip(self.multipliers.iter().chain([&self.effort])) {
                 *place = number.lane(lane);
             }
         }
