@@ -151,7 +151,7 @@ fn reduce(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<Reduced, LinalgError> {
     let scale: Vec<f64> = (0..n).map(|row| 1.0 / power_of_two_below(m[(row, row)].sqrt())).collect();
     let scaled = |a: &DMatrix<f64>| {
         let mut scaled = a.clone();
-        for (mut column, column_scale) in scaled.column_iter_mut().zip(&scale) {
+        for (column, column_scale) in scaled.as_mut_slice().chunks_exact_mut(n).zip(&scale) {
             for (entry, row_scale) in column.iter_mut().zip(&scale) {
                 *entry = (*entry * row_scale) * column_scale;
             }
