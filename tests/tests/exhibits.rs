@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use dalembert_core::{
-    AnswerValue, Entry, Exhibit, Locale, Number, Plot, Solution, Stop, View, cases, registry,
+    AnswerValue, Entry, Exhibit, Locale, Number, Plot, Solution, Stop, View, cases, exhibit::Cell, registry,
 };
 use dalembert_plugins as _;
 use dalembert_report::figure::{
@@ -54,6 +54,26 @@ fn every_mark_equals_an_answer_or_a_point_of_a_curve() {
         }
     }
     assert!(seen > 50, "{seen} marks");
+}
+
+/// The link of a four-bar linkage meets the rocker at the angle of their triangle over the diagonal.
+#[test]
+fn the_transmission_angle_of_any_mechanism_is_that_of_the_four_bar() {
+    let (_, solution) = solutions().find(|(entry, _)| entry.about.id == "virtual-work/mechanism").unwrap();
+    let table = solution.exhibits.iter().find_map(|exhibit| match exhibit {
+        Exhibit::Table(table) if table.title.english().starts_with("Transmission angles") => Some(table),
+        _ => None,
+    });
+    let row = &table.unwrap().rows[1];
+    let [crank, coupler, rocker, frame] = [50.0_f64, 151.0, 111.0, 100.0];
+    let angle = |crank_angle: f64| {
+        let diagonal = crank * crank + frame * frame - 2.0 * crank * frame * crank_angle.cos();
+        ((coupler * coupler + rocker * rocker - diagonal) / (2.0 * coupler * rocker)).acos()
+    };
+    for (cell, wanted) in row[2..].iter().zip([angle(2.0 * PI / 3.0), angle(0.0)]) {
+        let Cell::Number(found) = cell else { panic!("{cell:?} and not {wanted}") };
+        assert!((found - wanted).abs() < 1e-9, "{found} and not {wanted}");
+    }
 }
 
 fn numbers(answer: &dalembert_core::Answer) -> Vec<f64> {

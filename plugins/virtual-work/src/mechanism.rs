@@ -3,6 +3,7 @@
 mod centres;
 mod joints;
 mod pictures;
+mod transmission;
 mod virtual_power;
 
 use std::f64::consts::TAU;
@@ -88,7 +89,7 @@ impl Analysis for Mechanism {
         summary: "Motion, driving efforts by virtual power, and reactions of a plane mechanism of any shape: bodies, joints, drivers and loads.",
         keywords: "mecanismo plano barras manivela articulação virtual power potência virtual newton euler multibody linkage joints reactions \
                    six-bar gears cord slot spring geral build your own centro instantâneo instant centre kennedy diagrama polar \
-                   hodógrafo hodograph shaking force trepidação",
+                   hodógrafo hodograph shaking force trepidação ângulo de transmissão transmission angle",
         sources: &[&RIUL, &NIKRAVESH, &HAUG],
         cases: include_str!("../cases/mechanism.toml"),
     };

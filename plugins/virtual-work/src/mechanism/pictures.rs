@@ -22,6 +22,10 @@ impl Solved<'_> {
         }
         if is_driven {
             sheet.show(|| Exhibit::Table(self.table_of_centres()));
+            let links = self.links();
+            if !links.is_empty() {
+                sheet.show(|| Exhibit::Table(self.table_of_transmission(&links, samples)));
+            }
         }
         if samples.len() > 1 {
             let first_driver = self.system.equations().len() - self.parts.drivers.len();
