@@ -1,6 +1,7 @@
 //! What a rotor of thirty elements costs: a Campbell diagram at fifty speeds, and its unbalance response at 501.
 //!
-//! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
+//! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them. ROSS is timed in the same
+//! run where it is installed: the ratio to it is what can be compared.
 
 use std::{hint::black_box, time::Instant};
 
@@ -12,6 +13,12 @@ use dalembert_mechanics::rotor::{
     modes::Reduced,
     response::{Unbalance, unbalance_response},
 };
+
+#[path = "yardstick/python.rs"]
+mod python;
+
+/// Milliseconds of ROSS for the same rotor.
+const YARDSTICK: &str = include_str!("yardstick/rotor.py");
 
 const ELEMENTS: usize = 30;
 const ROUNDS: usize = 9;
@@ -38,7 +45,11 @@ fn main() {
     println!("rotor of 30 elements, 6 modes at 50 speeds\t{six:.1} ms\t");
     println!("rotor of 30 elements, 12 modes at 50 speeds\t{twelve:.1} ms\t");
     println!("rotor of 30 elements, unbalance at 501 speeds\t{response:.1} ms\t");
-    println!("rotor of 30 elements, 6 modes and unbalance\t{:.1} ms\t≤ 50 ms", six + response);
+    let ross = python::figures(YARDSTICK).map_or(String::new(), |[both]| format!(" (ROSS {both:.0} ms)"));
+    println!(
+        "rotor of 30 elements, 6 modes and unbalance\t{:.1} ms{ross}\t≤ 50 ms (ROSS 5300 ms)",
+        six + response
+    );
 }
 
 /// The median time of a few rounds, ms.
