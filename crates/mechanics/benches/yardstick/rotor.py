@@ -1,5 +1,6 @@
 # The rotor of thirty elements in ROSS: a Campbell diagram at fifty speeds and its unbalance response at 501, with a new
 # rotor each time, since a rotor keeps what it was asked: the milliseconds of both.
+# ROSS 2.3 wants plotly below 6.
 import time
 import numpy, ross
 
