@@ -71,9 +71,10 @@ fn values_and_vectors(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<SymmetricEig
     }
 
     residual(&stiffness, &mass, &values, &vectors)?;
-    let scale = DVector::from_vec(scale);
-    for mut vector in vectors.column_iter_mut() {
-        vector.component_mul_assign(&scale);
+    for vector in vectors.as_mut_slice().chunks_exact_mut(n) {
+        for (entry, row_scale) in vector.iter_mut().zip(&scale) {
+            *entry *= row_scale;
+        }
     }
     let values = DVector::from_vec(values) * size;
     finite(values.iter().chain(vectors.as_slice()))?;
@@ -150,17 +151,19 @@ fn reduce(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<Reduced, LinalgError> {
     }
     let scale: Vec<f64> = (0..n).map(|row| 1.0 / power_of_two_below(m[(row, row)].sqrt())).collect();
     let scaled = |a: &DMatrix<f64>| {
-        let mut scaled = a.clone();
-        for (column, column_scale) in scaled.as_mut_slice().chunks_exact_mut(n).zip(&scale) {
-            for (entry, row_scale) in column.iter_mut().zip(&scale) {
-                *entry = (*entry * row_scale) * column_scale;
-            }
+        let mut entries = Vec::with_capacity(n * n);
+        for (column, column_scale) in a.as_slice().chunks_exact(n).zip(&scale) {
+            entries.extend(
+                column.iter().zip(&scale).map(|(entry, row_scale)| (entry * row_scale) * column_scale),
+            );
         }
-        scaled
+        DMatrix::from_vec(n, n, entries)
     };
     let mut stiffness = scaled(k);
     let size = power_of_two_below(largest(stiffness.as_slice()));
-    stiffness *= 1.0 / size;
+    for entry in stiffness.as_mut_slice() {
+        *entry *= 1.0 / size;
+    }
     let mass = scaled(m);
     finite(stiffness.as_slice().iter().chain(mass.as_slice()))?;
     symmetric(k)?;
