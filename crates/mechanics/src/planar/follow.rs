@@ -137,6 +137,7 @@ impl System {
         for _ in 0..12 {
             let Gaps { gaps, slopes } = self.gaps(&positions);
             let gaps: Vec<f64> = rows.iter().map(|&row| gaps[row]).collect();
+            let is_closed = largest(&gaps) <= 4.0 * rounding;
             let elimination = Elimination::new(&slopes.select_rows(rows)).ok()?;
             if elimination.rank() < rows.len() {
                 return None;
@@ -148,8 +149,9 @@ impl System {
             if total > allowed.max(16.0 * rounding) {
                 return None;
             }
-            // Two in a row at the level of rounding, or no more progress there.
-            if size <= rounding || (size >= last && size <= 1e3 * rounding) {
+            // At the level of rounding, or no more progress there: near a change point the rounding of the gaps alone makes
+            // corrections that are much larger than it.
+            if size <= rounding || (size >= last && (is_closed || size <= 1e3 * rounding)) {
                 return Some((positions, total));
             }
             last = size;
