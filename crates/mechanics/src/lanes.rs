@@ -26,8 +26,8 @@ pub const LARGEST_ANGLE: f64 = 1e6;
 /// Numbers side by side.
 ///
 /// Sine, cosine and logarithm are polynomials without conditions, of which each says its largest error. The
-/// other functions are those of the library, one number after the other. They lie at the edge of a line of the cache:
-/// a wide register that is loaded across two takes twice the time.
+/// other functions are those of the library, one number after the other. The numbers begin at a line of the cache: a
+/// wide register that is loaded across two lines takes twice the time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
 pub struct Lanes(pub [f64; WIDTH]);
