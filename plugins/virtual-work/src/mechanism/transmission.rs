@@ -1,13 +1,13 @@
 //! How well the links of a mechanism pass on a push.
 
 use dalembert_core::{
-    TableExhibit,
+    TableExhibit, Text,
     exhibit::{Cell, Column},
 };
 use dalembert_mechanics::planar::{Point, State};
 
 use super::{Sample, Solved};
-use crate::parts::{Joint, verbatim};
+use crate::parts::Joint;
 
 /// An end that moves slower than this part of the fastest body stands still.
 const STILL: f64 = 1e-9;
@@ -35,8 +35,7 @@ impl Solved<'_> {
                 let least = angles.chain(angle).reduce(f64::min);
                 let number = |angle: Option<f64>| angle.map_or(Cell::Empty, Cell::Number);
                 rows.push(vec![
-                    Cell::Text(verbatim(link.name)),
-                    Cell::Text(verbatim(pin)),
+                    Cell::Text(Text::new("{link} at {pin}").with("link", link.name).with("pin", pin)),
                     number(angle),
                     number(least.filter(|_| !samples.is_empty())),
                 ]);
@@ -45,8 +44,7 @@ impl Solved<'_> {
         TableExhibit {
             title: "Transmission angles of the links between two pins".into(),
             columns: vec![
-                Column { heading: "Link".into(), unit: "" },
-                Column { heading: "Pin".into(), unit: "" },
+                Column { heading: "Link and pin".into(), unit: "" },
                 Column { heading: "Transmission angle".into(), unit: "deg" },
                 Column { heading: "Least over the range".into(), unit: "deg" },
             ],
