@@ -24,6 +24,10 @@ const STABLE: f64 = 6.1;
 const HELD: u32 = 15;
 /// Parts of a step in which a change of sign is looked for.
 const PARTS: u32 = 6;
+/// Two falls less than this part of a step apart are at the same time.
+const SAME_TIME: f64 = 1e-9;
+/// Halvings of such a part towards the begin in which a short rise is looked for.
+const RISES: i32 = 24;
 
 /// How far and how exactly a motion is followed.
 #[derive(Clone, Copy)]
@@ -192,7 +196,7 @@ impl Integrator {
             held: 0,
             free: 0,
         };
-        integrator.restart(problem, state)?;
+        integrator.restart(problem, start, state)?;
         integrator.next = integrator.first_step(problem, end - start)?;
         Ok(integrator)
     }
@@ -217,12 +221,16 @@ impl Integrator {
         self.steps
     }
 
-    /// Goes on from another state, perhaps with another number of parts, at the present time.
+    /// Goes on from another state, perhaps with another number of parts, at the present time or one in the last step.
     ///
     /// # Errors
-    /// `NotFinite`.
-    pub fn restart<P: Problem>(&mut self, problem: &mut P, state: &[f64]) -> Result<(), OdeError> {
+    /// `NotFinite`; `Input` for a time outside the last step.
+    pub fn restart<P: Problem>(&mut self, problem: &mut P, time: f64, state: &[f64]) -> Result<(), OdeError> {
+        if !(self.before..=self.time).contains(&time) {
+            return Err(OdeError::Input);
+        }
         let n = state.len();
+        self.time = time;
         self.state.clear();
         self.state.extend_from_slice(state);
         self.before = self.time;
@@ -288,6 +296,23 @@ impl Integrator {
         }
     }
 
+    /// Makes the last step again, to a time within it: more exactly there than [`at`](Self::at) is.
+    ///
+    /// # Errors
+    /// As for [`advance`](Self::advance).
+    pub fn shorten<P: Problem>(&mut self, problem: &mut P, time: f64) -> Result<(), OdeError> {
+        let next = self.next;
+        self.time = self.before;
+        self.state.clone_from(&self.state_before);
+        (self.stepped, self.between) = (false, None);
+        while self.time < time {
+            self.next = time - self.time;
+            self.advance(problem, time)?;
+        }
+        self.next = next;
+        Ok(())
+    }
+
     /// The state at a time within the last step.
     pub fn at<P: Problem>(&mut self, problem: &mut P, time: f64) -> Vec<f64> {
         let step = self.time - self.before;
@@ -337,6 +362,90 @@ impl Integrator {
                 return roots::find(|time| at(self, time), [from.0, here.0], on).ok();
             }
             from = here;
+        }
+        None
+    }
+
+    /// When the first of several numbers that follow from time and state falls through zero in the last step, and which
+    /// it is. A number that is not above `noise` at the begin has to rise above it before; one that falls below −`noise`
+    /// without, has fallen at the begin.
+    pub fn first_fall<P: Problem>(
+        &mut self,
+        problem: &mut P,
+        noise: f64,
+        mut numbers: impl FnMut(&mut P, f64, &[f64], &mut Vec<f64>),
+    ) -> Option<(f64, usize)> {
+        let mut at = |this: &mut Self, time: f64, found: &mut Vec<f64>| {
+            let state = this.at(problem, time);
+            numbers(problem, time, &state, found);
+        };
+        // Of two falls close together the earlier one may lie between the places looked at: look again up to the later.
+        let mut first = None;
+        let mut end = self.time;
+        while let Some((time, index)) = self.falls(noise, end, &mut at) {
+            first = Some((time, index));
+            if time >= end - SAME_TIME * (end - self.before) {
+                break;
+            }
+            end = time;
+        }
+        first
+    }
+
+    /// The first fall that is seen at equal parts of the last step up to a time.
+    fn falls(
+        &mut self,
+        noise: f64,
+        end: f64,
+        at: &mut impl FnMut(&mut Self, f64, &mut Vec<f64>),
+    ) -> Option<(f64, usize)> {
+        let before = self.before;
+        let (mut last, mut here) = (Vec::new(), Vec::new());
+        at(self, before, &mut last);
+        let mut from = before;
+        for number in &mut last {
+            *number = if *number > noise { *number } else { 0.0 };
+        }
+        for part in 1..=PARTS {
+            let to = if part == PARTS {
+                end
+            } else {
+                before + (end - before) * f64::from(part) / f64::from(PARTS)
+            };
+            at(self, to, &mut here);
+            let mut first: Option<(f64, usize)> = None;
+            for index in 0..last.len() {
+                let mut found = Vec::new();
+                let mut number = |time: f64| {
+                    at(self, time, &mut found);
+                    found[index]
+                };
+                let from = if last[index] > 0.0 && here[index] <= 0.0 {
+                    Some(from)
+                } else if last[index] == 0.0 && here[index] < -noise {
+                    // It may have risen for a moment that is shorter than the part of the step.
+                    let mut moments =
+                        (1..RISES).map(|halvings| before + (to - before) * 0.5f64.powi(halvings));
+                    moments.find(|&time| number(time) > noise)
+                } else {
+                    continue;
+                };
+                let zero =
+                    |from| roots::find(number, [from, to], |_| ControlFlow::Continue(())).unwrap_or(to);
+                let fallen = from.map_or(before, zero);
+                if first.is_none_or(|(time, _)| fallen < time) {
+                    first = Some((fallen, index));
+                }
+            }
+            if first.is_some() {
+                return first;
+            }
+            for (last, here) in last.iter_mut().zip(&here) {
+                if *last != 0.0 || *here > noise {
+                    *last = *here;
+                }
+            }
+            from = to;
         }
         None
     }

@@ -19,6 +19,7 @@ mod equation;
 mod equilibrium;
 mod follow;
 mod free;
+mod friction;
 mod load;
 mod machine;
 mod measure;
@@ -33,7 +34,8 @@ pub use centre::InstantCentre;
 pub use equation::{Driver, Equation, Joint, Profile, Term};
 pub use equilibrium::{Equilibrium, Sample, Stability};
 pub use follow::{Followed, Passed};
-pub use free::Freed;
+pub use free::{Braked, Freed};
+pub use friction::Contact;
 pub use load::{Effort, Load};
 pub use measure::{Frame, Measure, Point, Pose, Slope};
 pub use simulate::{End, Moved, Run, Snapshot};
@@ -152,10 +154,12 @@ pub enum PlanarError {
         /// Which.
         index: usize,
     },
-    /// A free motion with Coulomb friction would stick and slip.
-    #[error("load {load} is friction, which may stick: a free motion cannot have it")]
+    /// So many joints with friction rest at once that the ways to begin a motion are too many to be tried.
+    #[error(
+        "load {load} is friction in one of so many joints at rest that what begins to move cannot be found"
+    )]
     Sticks {
-        /// Which.
+        /// One of them.
         load: usize,
     },
     /// A motion cannot be followed to its end.

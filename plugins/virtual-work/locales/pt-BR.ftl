@@ -670,6 +670,8 @@ along-its-x-axis = No seu eixo x
 across-along-its-y-axis = Transversal, no seu eixo y
 instant-centres = Centros instantâneos
 transmission-angles-of-the-links-between-two-pins = Ângulos de transmissão das peças entre dois pinos
+link-at-pin = { $link } em { $pin }
+link-and-pin = Peça e pino
 link = Peça
 least-over-the-range = O menor no percurso
 instant-centres-while-the-drivers-move-as-given = Centros instantâneos com os acionamentos no movimento dado
@@ -818,13 +820,21 @@ what-is-given = O que é dado
 what-they-do-not-hold-moves-freely-their-accelerations-last = O que eles não seguram move-se livremente; suas acelerações são mantidas.
 work-done = Trabalho realizado
 work-done-since-the-start = Trabalho realizado desde o início
-work-of-the-drivers-dampers-and-turning-forces-since-the-start = Trabalho dos acionamentos, amortecedores e forças que giram com um corpo desde o início
+two-points-come-to-rest-against-one-another = Dois pontos entram em repouso um em relação ao outro
+friction-at-the-start = Atrito no início
+sliding-against-friction-at-the-end = Deslizamento contra o atrito no fim
+name-at-the-start-positive-along-the-sliding-its-joint-slides-and-is-braked-by-times-the-force-that = { $name } no início, positivo no sentido do deslizamento: a junta desliza e é freada por μ vezes a força que ela transmite, no raio do pino
+name-at-the-start-positive-along-the-sliding-its-joint-rests-since-no-motion-that-could-begin-would = { $name } no início, positivo no sentido do deslizamento: a junta fica em repouso, pois nenhum movimento que pudesse começar venceria o atrito que encontraria
+sliding-against-name-at-the-end = Deslizamento contra { $name } no fim
+at-the-end-name-holds-its-joint-at-rest = No fim, { $name } mantém a junta em repouso
+at-the-start-several-joints-hold-each-other-at-rest-how-their-friction-is-shared-and-with-it-the = no início várias juntas se mantêm em repouso umas às outras: como o atrito se reparte entre elas, e com ele as forças nas juntas, a estática sozinha não diz
+work-of-the-drivers-dampers-friction-and-turning-forces-since-the-start = Trabalho dos acionamentos, amortecedores, atrito e forças que giram com um corpo desde o início
 nothing-moves-freely-the-drivers-and-joints-hold-it-all-take-a-driver-out-or-use-the-plane-mechanism = nada se move livremente: os acionamentos e as juntas seguram tudo; retire um acionamento ou use o mecanismo plano
 the-accelerations-at-the-end-by-the-equations-of-all-bodies = as acelerações no fim pelas equações de todos os corpos
 the-energy-balance-t-v-w-over-the-motion = o balanço de energia T + V − W ao longo do movimento
 the-energy-balance-is-held-to-left-alone-of-size-at-a-dead-centre-or-change-point-the-motion-hangs-on = o balanço de energia só fecha a menos de { $left }, de { $size }: num ponto morto ou de mudança o movimento depende do que ali se perde
 the-motion-does-not-come-to-its-end-within-the-duration-make-this-longer = o movimento não chega ao seu fim dentro da duração; aumente-a
-load-is-friction-which-may-stick-a-free-motion-is-followed-without-it-take-it-out-or-put-a-damper-in = { $load } é atrito, que pode prender: um movimento livre é calculado sem ele; retire-o ou ponha um amortecedor no lugar
+load-is-friction-in-one-of-so-many-joints-at-rest-that-what-begins-to-move-cannot-be-found-take-some = { $load } é atrito em uma de tantas juntas em repouso que não se pode achar o que começa a se mover; retire parte dele
 body-can-move-freely-but-nothing-that-moves-with-it-has-a-mass-give-it-a-mass-or-drive-it = { $body } pode mover-se livremente, mas nada do que se move com ele tem massa; dê-lhe uma massa ou acione-o
 row-row-of-the-start-follows-from-the-joints-the-drivers-and-the-rows-before-it-take-it-out = a linha { $row } da partida já resulta das juntas, dos acionamentos e das linhas anteriores; retire-a
 the-motion-cannot-be-followed-beyond-time-something-in-it-is-much-faster-than-the-rest-take-out-what = o movimento não pode ser seguido além de { $time }: algo nele é muito mais rápido que o resto; retire o que for muito rígido ou muito leve, ou encurte a duração
@@ -2133,8 +2143,16 @@ from-rest-for-two-seconds-6-54-m-along-the-plane-the-disc-of-100-mm-turns-by-65-
 swing-on-a-torsion-spring-from-its-middle = Oscilação em uma mola de torção, a partir do meio
 sin-t-with-i = θ = (ω₀/ωₙ) sen ωₙ t com ωₙ² = κ/I
 n-32-n-m-rad-and-i-0-23-3-0-3-0-5-kg-m-8-rad-s-4-rad-s-for-one-second = κ = 32 N m/rad e I = 0,23 + 3·0,3² = 0,5 kg m²: ωₙ = 8 rad/s, ω₀ = 4 rad/s, durante um segundo.
-friction-may-stick = O atrito pode prender
-a-pivot-with-friction-is-no-free-motion = Um pivô com atrito não dá movimento livre
+ansys-mechanical-apdl-verification-manual-vm73-after-f-s-tse-i-e-morse-r-t-hinkle-mechanical = Manual de verificação do ANSYS Mechanical APDL, VM73, conforme F. S. Tse, I. E. Morse, R. T. Hinkle, Mechanical Vibrations, p. 175
+block-on-a-slope-below-the-angle-of-friction = Bloco em um plano inclinado abaixo do ângulo de atrito
+block-thrown-up-a-slope-comes-back = Bloco lançado plano acima que volta
+half-a-period-of-a-mass-with-dry-friction-the-amplitude-falls-by-2-m-g-k = Meio período de uma massa com atrito seco: a amplitude cai de 2 μ m g/k
+it-rests-as-long-as-tan-the-friction-is-m-g-sin = Fica em repouso enquanto tan φ ≤ μ; o atrito é m g sen φ
+it-rises-for-v-g-sin-cos-and-falls-with-g-sin-cos = Sobe durante v/(g (sen φ + μ cos φ)) e desce com g (sen φ − μ cos φ)
+mass-of-10-lb-with-a-spring-and-dry-friction-pulled-by-an-inch = Massa de 10 lb com mola e atrito seco, puxada uma polegada
+mass-that-a-spring-throws-until-it-first-rests = Massa lançada por uma mola, até o primeiro repouso
+the-friction-of-1-875-lbf-is-0-1875-of-the-weight-it-turns-once-at-0-0923-s-before-the-time-that-is = O atrito de 1,875 lbf é 0,1875 do peso. Ela inverte uma vez, em 0,0923 s, antes do instante pedido, 0,183 s.
+x-2-m-g-k-x-after-there-the-spring-is-weaker-than-the-friction-and-it-stays = x = 2 μ m g/k − X₀ após π/ωₙ; ali a mola é mais fraca que o atrito, e a massa fica.
 a-link-without-mass-falls = Uma peça sem massa cai
 nothing-that-moves-with-the-link-has-inertia = Nada do que se move com a peça tem inércia
 

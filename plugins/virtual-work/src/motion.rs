@@ -3,12 +3,14 @@
 mod pictures;
 
 use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
-use dalembert_mechanics::planar::{End, Freed, Measure, Moved, PlanarError, Run, Snapshot, State, System};
+use dalembert_mechanics::planar::{
+    Braked, Contact, End, Freed, Measure, Moved, PlanarError, Run, Snapshot, State, System,
+};
 use nalgebra::Vector3;
 
 use crate::{
     parts::{Carrier, Connection, Drive, Driven, NamedLoad, Part, Parts, Spot, carried},
-    sources::{HAIRER, HAUG, NIKRAVESH, RIUL},
+    sources::{HAIRER, HAUG, NIKRAVESH, PFEIFFER, RIUL},
 };
 
 /// Error that each step may add, in parts of the size of the mechanism and of its fastest velocity.
@@ -20,7 +22,7 @@ const MOMENTS: usize = 241;
 /// An energy balance further off than this part of the energies is warned of.
 const DOUBTFUL: f64 = 1e-9;
 
-/// A mechanism in the plane, drawn in x and y, and left to its loads.
+/// A mechanism in the plane, drawn in x and y, and left to its loads; joints with friction stick and slip.
 ///
 /// Each body has axes of its own, in which its points are given; joints bring the points together. Angles and
 /// couples are positive counter-clockwise.
@@ -131,6 +133,15 @@ pub enum Ends {
         #[input("s", "mm", positive)]
         value: f64,
     },
+    /// Two points come to rest against one another
+    Still {
+        /// From.
+        #[input(rows = "points")]
+        from: Reference,
+        /// To.
+        #[input(rows = "points")]
+        to: Reference,
+    },
 }
 
 /// A point whose motion is asked for.
@@ -150,8 +161,8 @@ impl Analysis for Motion {
         topic: "Any mechanism",
         summary: "Free motion of a plane mechanism of any shape from a start: accelerations by virtual power, joint forces, energy, a film.",
         keywords: "movimento mecanismo plano dinâmica direta forward dynamics simulation multibody pendulum pêndulo linkage free motion \
-                   energy andrews squeezer livre",
-        sources: &[&RIUL, &HAUG, &NIKRAVESH, &HAIRER],
+                   energy andrews squeezer livre friction stick slip atrito",
+        sources: &[&RIUL, &HAUG, &NIKRAVESH, &HAIRER, &PFEIFFER],
         cases: include_str!("../cases/motion.toml"),
     };
 
@@ -254,6 +265,7 @@ impl Ends {
             Ends::Angle { body, value } => Some(End::Reaches(angle(body), value)),
             Ends::Rest { body } => Some(End::Rests(angle(body))),
             Ends::Distance { from, to, value } => Some(End::Reaches(parts.distance(from, to), value)),
+            Ends::Still { from, to } => Some(End::Rests(parts.distance(from, to))),
         }
     }
 }
@@ -304,6 +316,49 @@ impl Solved<'_> {
                 [None, None] => {}
             }
         }
+        for braked in &self.freed.frictions {
+            self.braked(braked, sheet);
+        }
+        if self.freed.frictions.iter().any(|braked| braked.contact == Contact::Follows) {
+            sheet.warn(|| {
+                Text::new("at the start several joints hold each other at rest: how their friction is shared, and with it the forces in the joints, statics alone does not tell")
+            });
+        }
+    }
+
+    /// What a friction does at the start.
+    fn braked<W: Worksheet>(&self, braked: &Braked, sheet: W) {
+        let row = braked.load + 1;
+        let name = &self.parts.loads[braked.load].name;
+        let reason = match braked.contact {
+            Contact::Slides { .. } => {
+                "{name} at the start, positive along the sliding: its joint slides, and is braked by μ times the force that it carries, at the radius of a pin"
+            }
+            Contact::Holds => {
+                "{name} at the start, positive along the sliding: its joint rests, since no motion that could begin would overcome the friction that it meets"
+            }
+            Contact::Follows => return,
+        };
+        let why = (Text::new(reason).with("name", name), PFEIFFER.at("ch. 6"));
+        let unit = if braked.pin { "N*m" } else { "N" };
+        let effort = sheet.found(("F", row), unit, braked.effort, why);
+        sheet.answer(("friction", row), "Friction at the start", effort);
+        sheet.whose(("friction", row), name);
+    }
+
+    /// How a joint with friction slides at the end.
+    fn sliding<W: Worksheet>(&self, braked: &Braked, sheet: W) {
+        let row = braked.load + 1;
+        let name = &self.parts.loads[braked.load].name;
+        let (reason, sliding) = match braked.contact {
+            Contact::Slides { .. } => ("Sliding against {name} at the end", braked.sliding),
+            Contact::Holds | Contact::Follows => ("At the end {name} holds its joint at rest", 0.0),
+        };
+        let unit = if braked.pin { "rad/s" } else { "m/s" };
+        let why = Text::new(reason).with("name", name);
+        let sliding = sheet.found(("u", row), unit, sliding, why);
+        sheet.answer(("sliding", row), "Sliding against friction at the end", sliding);
+        sheet.whose(("sliding", row), name);
     }
 
     /// Where the motion comes to.
@@ -360,26 +415,32 @@ impl Solved<'_> {
             sheet.answer(("angular_acceleration", row), "Angular acceleration of the body", acceleration);
             sheet.whose(("angular_acceleration", row), &part.name);
         }
+        let (size, time) = (self.system.size(), problem.duration);
         for (row, followed) in (1..).zip(&problem.watched) {
             let name = &self.parts.points[followed.point.0].name;
             let [position, velocity, acceleration] =
                 self.system.point(self.parts.point(followed.point), &last.state);
-            let vector = |[x, y]: [f64; 2]| {
-                let clean = |part| without_rounding(part, f64::hypot(x, y));
+            let vector = |[x, y]: [f64; 2], least: f64| {
+                let clean = |part| without_rounding(part, f64::hypot(x, y).max(least));
                 Vector3::new(clean(x), clean(y), 0.0)
             };
             let named = |reason: &'static str| Text::new(reason).with("name", name);
-            let at = sheet.found_vector(("P", row), "mm", vector(position), named("Position of {name}"));
+            let at =
+                sheet.found_vector(("P", row), "mm", vector(position, size), named("Position of {name}"));
             sheet.answer_vector(("position", row), "Position of the point", at);
             sheet.whose(("position", row), name);
-            let velocity =
-                sheet.found_vector(("V", row), "m/s", vector(velocity), named("Velocity of {name}"));
+            let velocity = sheet.found_vector(
+                ("V", row),
+                "m/s",
+                vector(velocity, size / time),
+                named("Velocity of {name}"),
+            );
             sheet.answer_vector(("velocity", row), "Velocity of the point", velocity);
             sheet.whose(("velocity", row), name);
             let acceleration = sheet.found_vector(
                 ("A", row),
                 "m/s^2",
-                vector(acceleration),
+                vector(acceleration, f64::max(size / (time * time), problem.gravity.norm())),
                 named("Acceleration of {name}"),
             );
             sheet.answer_vector(("acceleration", row), "Acceleration of the point", acceleration);
@@ -392,7 +453,11 @@ impl Solved<'_> {
         // A second way to the accelerations at the end: the whole of the equations instead of their plan.
         let whole = self.system.freed(positions, velocities);
         let refuse = |error: PlanarError| self.parts.refusal(&error, self.rows);
-        let whole = whole.map_err(refuse)?.state.accelerations;
+        let whole = whole.map_err(refuse)?;
+        for braked in &whole.frictions {
+            self.sliding(braked, sheet);
+        }
+        let whole = whole.state.accelerations;
         sheet.verify(|| {
             let size = whole.iter().flatten().fold(0.0f64, |most, a| most.max(a.abs()));
             for (ours, theirs) in accelerations.iter().zip(&whole) {
@@ -425,7 +490,7 @@ impl Solved<'_> {
             "W",
             "J",
             last.work,
-            "Work of the drivers, dampers and turning forces since the start",
+            "Work of the drivers, dampers, friction and turning forces since the start",
         );
         sheet.answer("work", "Work done since the start", work);
         let left = self.moved.imbalance();

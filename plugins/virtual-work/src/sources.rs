@@ -57,3 +57,9 @@ pub(crate) static HAIRER: Source = Source {
     short: "Hairer, Nørsett & Wanner",
     full: "E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I: Nonstiff Problems, 2nd ed., Springer, 1993",
 };
+
+/// F. Pfeiffer, C. Glocker, Multibody Dynamics with Unilateral Contacts.
+pub(crate) static PFEIFFER: Source = Source {
+    short: "Pfeiffer & Glocker",
+    full: "F. Pfeiffer, C. Glocker, Multibody Dynamics with Unilateral Contacts, Wiley, 1996",
+};

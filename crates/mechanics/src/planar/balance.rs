@@ -3,14 +3,15 @@
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
 use super::{
-    Frame, Joint, Load, Measure, Mechanism, PlanarError, Pose, State, System,
+    Frame, Load, Measure, Mechanism, PlanarError, Pose, State, System,
+    friction::{Effect, Friction, Response, Unbraked},
     load::wrench,
     system::{poses, project, slope},
 };
 use crate::{lanes::Numbers, linalg::Elimination};
 
-/// Rounds of the friction forces before a mechanism counts as jammed.
-const ROUNDS: usize = 500;
+/// What acts, with its forces and moments on the bodies.
+type Act = (Acting, Vec<(usize, [f64; 3])>);
 
 /// The efforts on a moving mechanism.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,36 +69,11 @@ impl System {
     pub(super) fn balanced(&self, elimination: &Elimination, state: &State) -> Result<Dynamics, PlanarError> {
         let coefficients = self.coefficients(elimination)?;
         let mut acting = self.acting(state);
-        let frictions = self.frictions(state);
-        let multipliers = {
-            let without = forces(state.positions.len(), &acting);
-            let mut all = without.clone();
-            let mut last: Option<Vec<f64>> = None;
-            let mut round = 0;
-            loop {
-                let balance: Vec<f64> =
-                    all.iter().flat_map(|[x, y, moment]| [-x, -y, -moment / self.length]).collect();
-                let multipliers = elimination.solve_transposed(&balance)?;
-                if frictions.is_empty() || last.as_ref().is_some_and(|last| same(last, &multipliers)) {
-                    break multipliers;
-                }
-                round += 1;
-                if round > ROUNDS || multipliers.iter().any(|x| x.abs() > 1e200) {
-                    return Err(PlanarError::Jammed { joint: frictions[0].joint });
-                }
-                all.clone_from(&without);
-                for friction in &frictions {
-                    let part = friction.on_bodies(&multipliers);
-                    for (body, force) in part {
-                        add(&mut all[body], force);
-                    }
-                }
-                last = Some(multipliers);
-            }
-        };
-        for friction in &frictions {
-            acting.push((Acting::Load(friction.load), friction.on_bodies(&multipliers)));
-        }
+        let loads = forces(state.positions.len(), &acting);
+        let scaled =
+            loads.iter().flat_map(|[x, y, moment]| [*x, *y, moment / self.length]).collect::<Vec<_>>();
+        let (multipliers, frictions) = self.rubbed(elimination, state, &scaled)?;
+        acting.extend(frictions);
         acting.sort_by_key(|(of, _)| match *of {
             Acting::Load(load) => (0, load),
             Acting::Weight(body) => (1, body),
@@ -160,7 +136,7 @@ impl System {
     }
 
     /// Every load but friction, weight and inertia load, with the forces and moments on the bodies.
-    pub(super) fn acting(&self, state: &State) -> Vec<(Acting, Vec<(usize, [f64; 3])>)> {
+    pub(super) fn acting(&self, state: &State) -> Vec<Act> {
         let mut acting = self.applied(&state.positions, &state.velocities);
         for (index, (body, [x, y, angular])) in
             self.mechanism.bodies.iter().zip(&state.accelerations).enumerate()
@@ -178,11 +154,7 @@ impl System {
     }
 
     /// The loads but friction, and the weights.
-    pub(super) fn applied(
-        &self,
-        positions: &[[f64; 3]],
-        velocities: &[[f64; 3]],
-    ) -> Vec<(Acting, Vec<(usize, [f64; 3])>)> {
+    pub(super) fn applied(&self, positions: &[[f64; 3]], velocities: &[[f64; 3]]) -> Vec<Act> {
         let poses = poses(positions);
         let Mechanism { bodies, loads, gravity: [gx, gy], .. } = &self.mechanism;
         let mut acting = Vec::new();
@@ -260,47 +232,35 @@ impl System {
         power
     }
 
-    fn frictions(&self, state: &State) -> Vec<Friction> {
-        let poses = poses(&state.positions);
-        let of_load = |(load, this): (usize, &Load)| {
-            let &Load::Friction { joint, coefficient, radius } = this else { return None };
-            let (measure, arm) = match self.mechanism.joints[joint] {
-                Joint::Slider { guide, direction, slides: pin, .. }
-                | Joint::Slot { guide, direction, pin, .. } => {
-                    let direction = [direction.cos(), direction.sin()];
-                    (Measure::Along { direction, from: guide, to: pin }, 1.0)
-                }
-                Joint::Pin { a, b } => (Measure::Angle { of: b.on, against: a.on }, radius),
-                _ => return None,
-            };
-            let slope = slope(&measure, &poses);
-            let rate = project(&measure, &slope, &state.velocities);
-            let sense = if rate == 0.0 { 0.0 } else { rate.signum() };
-            let unit = along(&measure, &slope, -sense * coefficient * arm);
-            let equations = (0..self.equations.len()).filter(|&row| self.owners[row] == joint).collect();
-            let pin = matches!(self.mechanism.joints[joint], Joint::Pin { .. });
-            Some(Friction { load, joint, equations, pin, unit })
+    /// The multipliers under loads on the scaled positions, with the frictions that they give rise to in the joints that
+    /// slide.
+    fn rubbed(
+        &self,
+        elimination: &Elimination,
+        state: &State,
+        loads: &[f64],
+    ) -> Result<(Vec<f64>, Vec<Act>), PlanarError> {
+        let under = |loads: &[f64]| -> Result<Effect, PlanarError> {
+            let balance: Vec<f64> = loads.iter().map(|load| -load).collect();
+            let multipliers = elimination.solve_transposed(&balance)?;
+            Ok(Effect { free: Vec::new(), accelerations: vec![0.0; loads.len()], multipliers })
         };
-        self.mechanism.loads.iter().enumerate().filter_map(of_load).collect()
-    }
-}
-
-/// A friction force, in proportion to the force that its joint carries.
-struct Friction {
-    load: usize,
-    joint: usize,
-    /// The equations of the joint.
-    equations: Vec<usize>,
-    pin: bool,
-    /// The friction for a unit force in the joint.
-    unit: Vec<(usize, [f64; 3])>,
-}
-
-impl Friction {
-    fn on_bodies(&self, multipliers: &[f64]) -> Vec<(usize, [f64; 3])> {
-        let first = multipliers[self.equations[0]];
-        let carried = if self.pin { first.hypot(multipliers[self.equations[1]]) } else { first.abs() };
-        self.unit.iter().map(|(body, unit)| (*body, unit.map(|x| x * carried))).collect()
+        let effect = under(loads)?;
+        let frictions = self.frictions();
+        if frictions.is_empty() {
+            return Ok((effect.multipliers, Vec::new()));
+        }
+        let poses = poses(&state.positions);
+        let unbraked =
+            Unbraked { system: self, poses: &poses, velocities: &state.velocities, motions: &[], effect };
+        let response = Response::new(&frictions, unbraked, under)?;
+        let efforts = response.bearing(&mut response.contacts(0.0)).ok_or_else(|| response.jammed())?;
+        let on_bodies = |(friction, effort): (&Friction, &f64)| {
+            let slope = slope(&friction.measure, &poses);
+            (Acting::Load(friction.load), along(&friction.measure, &slope, effort * self.arm(friction)))
+        };
+        let acting = frictions.iter().zip(&efforts).map(on_bodies).collect();
+        Ok((response.effect(&efforts).multipliers, acting))
     }
 }
 
@@ -323,7 +283,7 @@ fn along(measure: &Measure, slope: &super::Slope<f64>, effort: f64) -> Vec<(usiz
     [part(from, slope.from), part(to, slope.to)].into_iter().flatten().collect()
 }
 
-fn forces(bodies: usize, acting: &[(Acting, Vec<(usize, [f64; 3])>)]) -> Vec<[f64; 3]> {
+fn forces(bodies: usize, acting: &[Act]) -> Vec<[f64; 3]> {
     let mut sums = vec![[0.0; 3]; bodies];
     for (body, force) in acting.iter().flat_map(|(_, parts)| parts) {
         add(&mut sums[*body], *force);
@@ -339,9 +299,4 @@ fn add(sum: &mut [f64; 3], part: [f64; 3]) {
 
 pub(super) fn virtual_power(parts: &[(usize, [f64; 3])], motion: &[[f64; 3]]) -> f64 {
     parts.iter().map(|(body, force)| force.iter().zip(motion[*body]).map(|(f, v)| f * v).sum::<f64>()).sum()
-}
-
-fn same(a: &[f64], b: &[f64]) -> bool {
-    let largest = a.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-14 * largest)
 }

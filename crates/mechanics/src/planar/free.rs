@@ -7,7 +7,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{PlanarError, State, System, machine::Machine, measure::Measure, system::poses};
+use super::{
+    Contact, PlanarError, State, System,
+    friction::{Effect, Friction, Response, Unbraked},
+    machine::{Machine, NOISE},
+    measure::Measure,
+    system::poses,
+};
 use crate::linalg::{self, Elimination};
 
 /// A pivot of the reduced masses below this part of the largest is no inertia.
@@ -21,8 +27,26 @@ pub struct Freed {
     /// The multiplier of each equation, in the order of [`System::equations`]: the effort that a joint or driver
     /// exerts along its measure.
     pub multipliers: Vec<f64>,
+    /// What friction does in the joints that have any, in the order of these loads.
+    pub frictions: Vec<Braked>,
     /// In how many ways it moves freely.
     pub freedoms: usize,
+}
+
+/// What friction does in a joint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Braked {
+    /// Which load it is.
+    pub load: usize,
+    /// How the joint moves.
+    pub contact: Contact,
+    /// The friction along its sliding, N, or about its pin, N m: positive when it pushes what slides to grow. For a joint
+    /// that rests since others are held it is not determined, and given as zero.
+    pub effort: f64,
+    /// How fast the joint slides, m/s, or a pin turns, rad/s.
+    pub sliding: f64,
+    /// Whether the joint is a pin.
+    pub pin: bool,
 }
 
 impl System {
@@ -30,9 +54,8 @@ impl System {
     /// velocities that satisfy them. What no driver drives moves freely.
     ///
     /// # Errors
-    /// `Massless`, `Sticks`, `NotFinite`.
+    /// `Massless`, `Jammed`, `Sticks`, `NotFinite`.
     pub fn freed(&self, positions: &[[f64; 3]], velocities: &[[f64; 3]]) -> Result<Freed, PlanarError> {
-        self.without_friction()?;
         let elimination = Elimination::new(&self.gaps(positions).slopes)?;
         let (masses, loads) = (self.scaled_masses(), self.scaled_forces(positions, velocities));
         let mut right: Vec<f64> = self.biases(positions, velocities).into_iter().map(|bias| -bias).collect();
@@ -43,25 +66,68 @@ impl System {
         let held = elimination.solve(&right)?;
         let motions = elimination.null_space()?;
         let reduced = reduced_masses(&motions, &masses);
-        let inertia_free: Vec<f64> =
-            loads.iter().zip(&masses).zip(&held).map(|((load, mass), a)| load - mass * a).collect();
-        let driving = DVector::from_iterator(motions.len(), motions.iter().map(|n| dot(n, &inertia_free)));
-        let mut accelerations = held;
         if !motions.is_empty() {
             self.with_mass(&reduced, &motions)?;
-            let free = linalg::solve(&reduced, &driving)?.x;
+        }
+        let under = |loads: &[f64], held: Vec<f64>| -> Result<Effect, PlanarError> {
+            let inertia_free: Vec<f64> =
+                loads.iter().zip(&masses).zip(&held).map(|((load, mass), a)| load - mass * a).collect();
+            let driving =
+                DVector::from_iterator(motions.len(), motions.iter().map(|n| dot(n, &inertia_free)));
+            let mut accelerations = held;
+            let free = if motions.is_empty() { driving } else { linalg::solve(&reduced, &driving)?.x };
             for (motion, s) in motions.iter().zip(free.iter()) {
                 for (a, n) in accelerations.iter_mut().zip(motion) {
                     *a += n * s;
                 }
             }
-        }
-        let left: Vec<f64> =
-            accelerations.iter().zip(&masses).zip(&loads).map(|((a, mass), load)| mass * a - load).collect();
-        let multipliers = elimination.solve_transposed(&left)?;
-        let accelerations = self.unscaled(&accelerations);
+            let left: Vec<f64> = accelerations
+                .iter()
+                .zip(&masses)
+                .zip(loads)
+                .map(|((a, mass), load)| mass * a - load)
+                .collect();
+            let multipliers = elimination.solve_transposed(&left)?;
+            Ok(Effect { free: free.as_slice().to_vec(), accelerations, multipliers })
+        };
+        let effect = under(&loads, held)?;
+        let (effect, frictions) = self
+            .braked(positions, velocities, &motions, effect, |force| under(force, vec![0.0; force.len()]))?;
+        let accelerations = self.unscaled(&effect.accelerations);
         let state = State { positions: positions.to_vec(), velocities: velocities.to_vec(), accelerations };
-        Ok(Freed { state, multipliers, freedoms: motions.len() })
+        Ok(Freed { state, multipliers: effect.multipliers, frictions, freedoms: motions.len() })
+    }
+
+    /// What the loads do together with the frictions, from what they do without.
+    fn braked(
+        &self,
+        positions: &[[f64; 3]],
+        velocities: &[[f64; 3]],
+        motions: &[Vec<f64>],
+        effect: Effect,
+        act: impl Fn(&[f64]) -> Result<Effect, PlanarError>,
+    ) -> Result<(Effect, Vec<Braked>), PlanarError> {
+        let frictions = self.rough();
+        if frictions.is_empty() {
+            return Ok((effect, Vec::new()));
+        }
+        let speeds = velocities.iter().flat_map(|[x, y, turn]| [x.abs(), y.abs(), turn.abs() * self.length]);
+        let gained = effect.free.iter().map(|a| (a.abs() * self.length).sqrt());
+        let fastest = speeds.chain(gained).fold(0.0, f64::max);
+        let poses = poses(positions);
+        let unbraked = Unbraked { system: self, poses: &poses, velocities, motions, effect };
+        let response = Response::new(&frictions, unbraked, act)?;
+        let mut contacts = response.contacts(NOISE * fastest);
+        let efforts = response.settle(&mut contacts, fastest, [NOISE; 2])?;
+        let of_each = |(row, friction): (usize, &Friction)| Braked {
+            load: friction.load,
+            contact: contacts[row],
+            effort: efforts[row] * self.arm(friction),
+            sliding: response.rates[row] / self.arm(friction),
+            pin: friction.pin,
+        };
+        let braked = frictions.iter().enumerate().map(of_each).collect();
+        Ok((response.effect(&efforts), braked))
     }
 
     /// The velocities with which a motion starts: those of the drivers, the given ones of some measures, and of all
@@ -123,15 +189,6 @@ impl System {
         Ok(self.unscaled(&velocities))
     }
 
-    /// Refuses Coulomb friction, which would stick and slip.
-    pub(super) fn without_friction(&self) -> Result<(), PlanarError> {
-        let loads = &self.mechanism.loads;
-        let friction = loads
-            .iter()
-            .position(|load| matches!(load, super::Load::Friction { coefficient, .. } if *coefficient > 0.0));
-        friction.map_or(Ok(()), |load| Err(PlanarError::Sticks { load }))
-    }
-
     /// The masses of the scaled positions `(x, y, θ · length)`.
     pub(super) fn scaled_masses(&self) -> Vec<f64> {
         let of_body = |body: &super::Body| [body.mass, body.mass, body.inertia / (self.length * self.length)];
@@ -172,6 +229,6 @@ fn reduced_masses(motions: &[Vec<f64>], masses: &[f64]) -> DMatrix<f64> {
     })
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

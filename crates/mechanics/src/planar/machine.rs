@@ -1,10 +1,14 @@
 //! A mechanism as a problem of motion: the state is what its plan keeps of the positions, and the velocities in the
 //! columns that the plan leaves free; all other velocities follow from these.
 
+mod braking;
+
+pub(super) use self::braking::NOISE;
 use super::{
-    PlanarError, State, System,
+    Contact, PlanarError, State, System,
     free::most_moved,
-    plan::{Layout, Order, Work},
+    friction::Friction,
+    plan::{Layout, Order, Standing, Work},
 };
 use crate::ode::Problem;
 
@@ -21,6 +25,8 @@ const JUMPS: f64 = 100.0;
 /// The tolerance of a step through a nearly singular position is at least this: there the rounding of positions
 /// counts in parts of the square of the way to it, and shorter steps would only come closer.
 const LEAST_WHERE_SINGULAR: f64 = 1e-9;
+/// The tolerance of a step that went where the order of elimination is of no use.
+const NOTHING: f64 = 1e-60;
 /// Orders of elimination that are remembered.
 const REMEMBERED: usize = 16;
 /// A diagonal of the reduced masses below this part of what it began with has lost its inertia.
@@ -48,11 +54,16 @@ pub(super) struct Machine<'a> {
     reduced: Vec<f64>,
     driving: Vec<f64>,
     multipliers: Vec<f64>,
+    frictions: Vec<Friction>,
+    /// How each joint with friction moves, until a margin of it is used up.
+    contacts: Vec<Contact>,
+    /// Why the last rates are not numbers, if friction is why.
+    jammed: Option<PlanarError>,
     /// Whether the work of loads without potential and of drivers is followed.
     pub(super) has_work: bool,
     tolerance: f64,
-    /// Whether a position since the last step was nearly singular.
-    singular: bool,
+    /// How well the orders served since the last step, at worst.
+    standing: Standing,
     /// The fastest free velocity so far.
     fastest: f64,
     cancelled: &'a dyn Fn() -> bool,
@@ -72,7 +83,7 @@ impl<'a> Machine<'a> {
         let spends = |load: &super::Load| match load {
             super::Load::Force { turns_with, .. } => turns_with.is_some(),
             super::Load::Effort { effort, .. } => !effort.is_stored(),
-            super::Load::Friction { .. } => false,
+            super::Load::Friction { .. } => true,
         };
         let has_work = !system.mechanism.drivers.is_empty() || system.mechanism.loads.iter().any(spends);
         let mut machine = Self {
@@ -92,9 +103,12 @@ impl<'a> Machine<'a> {
             reduced: Vec::new(),
             driving: Vec::new(),
             multipliers: vec![0.0; rows],
+            frictions: system.rough(),
+            contacts: Vec::new(),
+            jammed: None,
             has_work,
             tolerance,
-            singular: false,
+            standing: Standing::Good,
             fastest: 0.0,
             cancelled,
             layout,
@@ -217,7 +231,7 @@ impl<'a> Machine<'a> {
             let order = &mut self.orders[self.now];
             order.eliminate(&self.work.slopes);
             self.eliminated = true;
-            self.singular |= order.is_nearly_singular();
+            self.standing = self.standing.max(order.standing());
         }
     }
 
@@ -285,7 +299,9 @@ impl<'a> Machine<'a> {
                 self.reduced[row * free + column] = sum;
             }
         }
-        if !solve_positive(&mut self.reduced, &mut self.driving) {
+        if factor_positive(&mut self.reduced, free) {
+            substitute(&self.reduced, &mut self.driving);
+        } else {
             self.driving.fill(f64::NAN);
         }
         for (motion, s) in self.motions.iter().zip(&self.driving) {
@@ -293,19 +309,19 @@ impl<'a> Machine<'a> {
                 *a += n * s;
             }
         }
-        power
+        let driven = !self.system.mechanism.drivers.is_empty();
+        if driven || self.has_friction() {
+            for ((g, a), mass) in self.scaled.iter_mut().zip(&self.held).zip(&self.masses) {
+                *g = mass * a - *g;
+            }
+            self.orders[self.now].multipliers(&mut self.scaled, &mut self.multipliers);
+        }
+        if self.contacts.is_empty() { power } else { power + self.brake() }
     }
 
-    /// The power of the drivers, with the accelerations and forces just found.
-    fn driven_power(&mut self, time: f64) -> f64 {
+    /// The power of the drivers, with the multipliers just found.
+    fn driven_power(&self, time: f64) -> f64 {
         let drivers = &self.system.mechanism.drivers;
-        if drivers.is_empty() {
-            return 0.0;
-        }
-        for ((g, a), mass) in self.scaled.iter_mut().zip(&self.held).zip(&self.masses) {
-            *g = mass * a - *g;
-        }
-        self.orders[self.now].multipliers(&mut self.scaled, &mut self.multipliers);
         let efforts = &self.multipliers[self.system.first_driver()..];
         let power = |(effort, driver): (&f64, &super::Driver)| {
             effort * (driver.velocity + time * driver.acceleration)
@@ -356,8 +372,12 @@ impl Problem for Machine<'_> {
     fn allowed(&mut self, before: &[f64], after: &[f64], allowed: &mut [f64]) {
         let kept = self.layout.kept.len();
         let free = kept..kept + self.motions.len();
-        let tolerance = if self.singular { self.tolerance.max(LEAST_WHERE_SINGULAR) } else { self.tolerance };
-        self.singular = false;
+        let tolerance = match std::mem::replace(&mut self.standing, Standing::Good) {
+            Standing::Good => self.tolerance,
+            Standing::NearlySingular => self.tolerance.max(LEAST_WHERE_SINGULAR),
+            // A shorter step comes to where another order is taken.
+            Standing::Lost => NOTHING,
+        };
         allowed[..kept].fill(tolerance * self.system.length);
         let ends = before[free.clone()].iter().chain(&after[free.clone()]);
         let fastest = ends.fold(self.fastest, |most, v| most.max(v.abs()));
@@ -384,7 +404,9 @@ impl Problem for Machine<'_> {
             }
             last = gap;
             self.eliminate();
-            if gap <= CLOSED_WHERE_SINGULAR * length && self.orders[self.now].is_nearly_singular() {
+            if gap <= CLOSED_WHERE_SINGULAR * length
+                && self.orders[self.now].standing() == Standing::NearlySingular
+            {
                 return true;
             }
             self.right.fill(0.0);
@@ -409,9 +431,8 @@ impl Problem for Machine<'_> {
     }
 }
 
-/// Solves `H x = b` for a symmetric positive definite H in its lower triangle, in place (Cholesky); false if it is not.
-fn solve_positive(h: &mut [f64], x: &mut [f64]) -> bool {
-    let n = x.len();
+/// Factors a symmetric positive definite H, given in its lower triangle, in place (Cholesky); false if it is not.
+fn factor_positive(h: &mut [f64], n: usize) -> bool {
     for j in 0..n {
         let diagonal = h[j * n + j];
         let mut pivot = diagonal;
@@ -431,6 +452,12 @@ fn solve_positive(h: &mut [f64], x: &mut [f64]) -> bool {
             h[i * n + j] = sum / root;
         }
     }
+    true
+}
+
+/// Solves `H x = b` with the factors of H, in place.
+fn substitute(h: &[f64], x: &mut [f64]) {
+    let n = x.len();
     for j in 0..n {
         for k in 0..j {
             x[j] -= h[j * n + k] * x[k];
@@ -443,5 +470,4 @@ fn solve_positive(h: &mut [f64], x: &mut [f64]) -> bool {
         }
         x[j] /= h[j * n + j];
     }
-    true
 }

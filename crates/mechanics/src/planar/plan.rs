@@ -12,4 +12,4 @@ mod order;
 
 pub(super) use core::{Core, order};
 pub(super) use layout::{Layout, Work};
-pub(super) use order::Order;
+pub(super) use order::{Order, Standing};

@@ -5,8 +5,11 @@
 //! (E. J. Haug, *Computer-Aided Kinematics and Dynamics of Mechanical Systems* (1989), §7.3; E. Hairer, G. Wanner,
 //! *Solving Ordinary Differential Equations II*, §VII.2).
 
-use super::{Measure, PlanarError, State, System, machine::Machine};
+use super::{Contact, Measure, PlanarError, State, System, machine::Machine};
 use crate::ode::{self, Integrator, OdeError};
+
+/// An end this part of a step after a joint has come to rest, or has begun to slide, is at the same time.
+const SAME_TIME: f64 = 1e-9;
 
 /// How far and how exactly a motion is followed: the tolerance is in parts of the size of the mechanism and of its
 /// fastest velocity.
@@ -28,6 +31,8 @@ pub struct Moved {
     pub samples: Vec<Snapshot>,
     /// Which of the ends it came to, if any.
     pub ended: Option<usize>,
+    /// How the joints with friction move at the end, in the order of these loads.
+    pub contacts: Vec<Contact>,
     /// How many steps were made.
     pub steps: usize,
 }
@@ -43,7 +48,7 @@ pub struct Snapshot {
     pub kinetic: f64,
     /// Energy of weights, springs and all other loads that have a potential, J, from an arbitrary level.
     pub stored: f64,
-    /// Work since the start of the drivers and of the loads without potential, J.
+    /// Work since the start of the drivers, of friction and of the other loads without potential, J.
     pub work: f64,
 }
 
@@ -58,18 +63,18 @@ impl Moved {
 
 impl System {
     /// Follows the motion from positions and velocities that satisfy joints and drivers. The drivers go on from
-    /// their values with constant acceleration; what no driver drives moves freely.
+    /// their values with constant acceleration; what no driver drives moves freely. A joint with friction that comes to
+    /// rest sticks until its loads overcome it; every such change ends a step.
     ///
     /// # Errors
-    /// `Massless`, `Sticks`; `DoesNotClose` if the positions do not satisfy the joints; `Motion` when it ends early or
-    /// is stopped; `NotFinite`.
+    /// `Massless`, `Jammed`, `Sticks`; `DoesNotClose` if the positions do not satisfy the joints; `Motion` when it ends
+    /// early or is stopped; `NotFinite`.
     pub fn simulate(
         &self,
         positions: &[[f64; 3]],
         velocities: &[[f64; 3]],
         run: &Run,
     ) -> Result<Moved, PlanarError> {
-        self.without_friction()?;
         let mut machine = Machine::new(self, positions, run.tolerance, run.cancelled);
         let mut state = machine.state(positions, velocities, 0.0);
         machine.begin(&state);
@@ -85,7 +90,13 @@ impl System {
         }
         let Some(first) = first else { return Err(machine.refusal()) };
         state = machine.state(&first.state.positions, &first.state.velocities, 0.0);
-        samples.push(first);
+        let lost = |time: f64| PlanarError::Motion(OdeError::NotFinite { at: time });
+        if machine.has_friction() {
+            state = machine.settled(0.0, &state, None)?;
+            samples.push(sample(&mut machine, 0.0, &state).ok_or_else(|| lost(0.0))?);
+        } else {
+            samples.push(first);
+        }
         let mut integrator = Integrator::new(&mut machine, 0.0, &state, run.duration, run.most_steps)?;
         let gaps = run.samples.saturating_sub(1);
         let time_of = |index: usize| {
@@ -93,32 +104,52 @@ impl System {
         };
         let mut ended = None;
         while integrator.time() < run.duration && ended.is_none() {
-            integrator.advance(&mut machine, run.duration)?;
+            integrator.advance(&mut machine, run.duration).map_err(|error| machine.explained(error))?;
             let mut until = integrator.time();
+            let mut used = None;
+            if machine.has_friction() {
+                let noise = machine.noise();
+                if let Some((time, margin)) = integrator.first_fall(&mut machine, noise, Machine::margins) {
+                    (until, used) = (time, Some((margin, time <= integrator.before())));
+                }
+            }
+            let late = SAME_TIME * (integrator.time() - integrator.before());
             for (index, end) in run.ends.iter().enumerate() {
                 let number = |machine: &mut Machine, time: f64, state: &[f64]| match end {
                     End::Reaches(measure, value) => machine.measured(measure, time, state)[0] - value,
                     End::Rests(measure) => machine.measured(measure, time, state)[1],
                 };
-                if let Some(time) = integrator.first_zero(&mut machine, number).filter(|time| *time <= until)
-                {
-                    (until, ended) = (time, Some(index));
+                let zero = integrator.first_zero(&mut machine, number);
+                if let Some(time) = zero.filter(|time| *time <= until + late) {
+                    if time < until - late {
+                        used = None;
+                    }
+                    (until, ended) = (time.min(until), Some(index));
                 }
             }
-            let lost = |time: f64| PlanarError::Motion(OdeError::NotFinite { at: time });
             while samples.len() <= gaps && time_of(samples.len()) <= until {
                 let time = time_of(samples.len());
                 let state = integrator.at(&mut machine, time);
                 samples.push(sample(&mut machine, time, &state).ok_or_else(|| lost(time))?);
             }
-            if ended.is_some() && samples.last().is_none_or(|last| last.time < until) {
-                let state = integrator.at(&mut machine, until);
-                samples.push(sample(&mut machine, until, &state).ok_or_else(|| lost(until))?);
-            } else if let Some(state) = machine.renewed(integrator.time(), integrator.state()) {
-                integrator.restart(&mut machine, &state)?;
+            let mut next = None;
+            if used.is_some() || ended.is_some() {
+                integrator.shorten(&mut machine, until)?;
+                next = Some(integrator.state().to_vec());
+            }
+            if let (Some(state), true) = (&mut next, machine.has_friction()) {
+                *state = machine.settled(until, state, used)?;
+            }
+            let now = next.as_deref().unwrap_or(integrator.state());
+            if ended.is_some() {
+                samples.pop_if(|last| last.time >= until);
+                samples.push(sample(&mut machine, until, now).ok_or_else(|| lost(until))?);
+            } else if let Some(state) = machine.renewed(until, now).or(next) {
+                integrator.restart(&mut machine, until, &state)?;
             }
         }
-        Ok(Moved { samples, ended, steps: integrator.steps() })
+        let contacts = machine.contacts().to_vec();
+        Ok(Moved { samples, ended, contacts, steps: integrator.steps() })
     }
 }
 

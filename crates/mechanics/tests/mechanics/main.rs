@@ -13,6 +13,7 @@ mod eigen;
 mod engine;
 mod forced;
 mod free_vibration;
+mod friction;
 mod gyroscope;
 mod identification;
 mod intervals;

@@ -266,10 +266,6 @@ fn what_cannot_move_freely_is_named() {
     let system = found(System::new(&mechanism, &drawn));
     assert_eq!(system.simulate(&drawn, &still, &run(1.0, 1e-8, 2)), Err(PlanarError::Massless { body: 1 }));
     assert_eq!(system.freed(&drawn, &still), Err(PlanarError::Massless { body: 1 }));
-    let rough =
-        Mechanism { loads: vec![Load::Friction { joint: 0, coefficient: 0.2, radius: 0.01 }], ..mechanism };
-    let system = found(System::new(&rough, &drawn));
-    assert_eq!(system.simulate(&drawn, &still, &run(1.0, 1e-8, 2)), Err(PlanarError::Sticks { load: 0 }));
     let (system, drawn) = pendulum(1.0);
     let twice = [(angle(0), 1.0), (angle(0), 2.0)];
     assert_eq!(system.starting(&drawn, &twice), Err(PlanarError::Rate { index: 1 }));

@@ -62,7 +62,7 @@ impl Parts<'_> {
             )
             .with("row", (index + 1).to_string()),
             PlanarError::Sticks { load } => Text::new(
-                "{load} is friction, which may stick: a free motion is followed without it; take it out, or put a damper in its place",
+                "{load} is friction in one of so many joints at rest that what begins to move cannot be found; take some of it out",
             )
             .with("load", self.loads[*load].name.as_str()),
             PlanarError::Motion(error) => late(error),

@@ -9,6 +9,8 @@ use crate::lanes::Numbers;
 const CHOSEN: f64 = 0.3;
 /// … and may fall to this part before another order is looked for.
 const KEPT: f64 = 0.03;
+/// Below this part it multiplies errors so much that a step must not go there.
+const LOST: f64 = 0.01;
 /// Below this part of what it was when it was chosen, a pivot tells of a singular position nearby.
 const LOW: f64 = 0.05;
 /// A row whose slopes have fallen to this part of what they were follows from the others.
@@ -34,6 +36,17 @@ pub(in super::super) struct Order<S = f64> {
     inverses: Vec<S>,
     /// The slopes to the right of each pivot over it, with the sign changed.
     ratios: Vec<S>,
+}
+
+/// How well an order serves in a position.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(in super::super) enum Standing {
+    Good,
+    /// The position is close to one in which an equation follows from the others: all that is left of a row is small,
+    /// rather than its pivot alone.
+    NearlySingular,
+    /// A pivot is so small in its row that the order is of no use, where another would be.
+    Lost,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -140,11 +153,7 @@ impl Order {
     /// Whether another order should be chosen: a pivot has become small in its row, or a row that was dropped says
     /// something new.
     pub(in super::super) fn is_weak(&self, layout: &Layout, slopes: &[f64]) -> bool {
-        let small = (self.first_loop..self.pivots.len()).any(|index| {
-            let pivot = self.slopes[self.pivots[index].place].abs();
-            self.others(index).iter().any(|(place, _)| KEPT * self.slopes[*place as usize].abs() > pivot)
-        });
-        small
+        (self.first_loop..self.pivots.len()).any(|index| self.is_small(index, KEPT))
             || self.dropped.iter().any(|(row, places)| {
                 let size =
                     layout.rows[*row].iter().fold(0.0f64, |most, (_, place)| most.max(slopes[*place].abs()));
@@ -152,10 +161,32 @@ impl Order {
             })
     }
 
-    /// Whether the position is close to one in which an equation follows from the others.
-    pub(in super::super) fn is_nearly_singular(&self) -> bool {
-        let loops = &self.pivots[self.first_loop..];
-        loops.iter().any(|pivot| self.slopes[pivot.place].abs() < LOW * pivot.chosen.abs())
+    /// Whether a pivot is below a part of what else is left of its row.
+    fn is_small(&self, index: usize, part: f64) -> bool {
+        let pivot = self.slopes[self.pivots[index].place].abs();
+        self.others(index).iter().any(|(place, _)| part * self.slopes[*place as usize].abs() > pivot)
+    }
+
+    /// How well the order serves in the position.
+    pub(in super::super) fn standing(&self) -> Standing {
+        let of_pivot = |index| {
+            if self.is_small(index, LOST) {
+                Standing::Lost
+            } else if self.is_small(index, CHOSEN) {
+                Standing::Good
+            } else {
+                Standing::NearlySingular
+            }
+        };
+        self.low().map(of_pivot).max().unwrap_or(Standing::Good)
+    }
+
+    /// The pivots that are far below what they were.
+    fn low(&self) -> impl Iterator<Item = usize> + '_ {
+        (self.first_loop..self.pivots.len()).filter(|&index| {
+            let Pivot { place, chosen, .. } = self.pivots[index];
+            self.slopes[place].abs() < LOW * chosen.abs()
+        })
     }
 }
 
