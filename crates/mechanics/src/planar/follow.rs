@@ -7,6 +7,11 @@ use crate::linalg::Elimination;
 pub(super) const STEP: f64 = 0.2;
 /// The smallest step, in parts of the whole way: below it the mechanism has come to its end.
 const SMALLEST: f64 = 1e-11;
+/// Where the last pivot of the equations is below this part of the first, accelerations are rounding alone: its errors
+/// are divided by the cube of the way to a change point.
+const VAGUE: f64 = 1e-5;
+/// Below this part rounding decides on which branch a position lies: no step ends there but the last.
+const LOST: f64 = 1e-6;
 /// The most steps of one way: some thirty turns of a crank.
 const MOST_STEPS: usize = 1_000;
 /// A correction above this part of the step is a jump.
@@ -63,10 +68,13 @@ impl System {
             let scaled = |rates: &[[f64; 3]]| -> Vec<f64> {
                 rates.iter().flat_map(|[x, y, angle]| [*x, *y, angle * self.length]).collect()
             };
-            let (first, second) = (scaled(&tangent.velocities), scaled(&tangent.accelerations));
+            let (first, mut second) = (scaled(&tangent.velocities), scaled(&tangent.accelerations));
+            if elimination.smallest_pivot() < VAGUE {
+                second.fill(0.0);
+            }
             let (fast, bent) = (largest(&first), largest(&second));
             let rows = kept(&elimination);
-            let sign = self.sign(&here.positions, &rows)?;
+            let [sign, _] = self.sign(&here.positions, &rows)?;
             let longest = STEP * self.length / fast;
             let curved = (STEP * self.length / bent).sqrt();
             step = (2.0 * step).min(1.0 - done).min(longest).min(curved);
@@ -78,8 +86,10 @@ impl System {
                 moving.driven_to(&at(end));
                 let allowed = JUMP * step * fast;
                 if let Some((found, correction)) = moving.corrected(predicted, &rows, allowed) {
-                    let turned = self.sign(&found, &rows)? != sign;
-                    if !turned || correction <= SMOOTH * step * fast || fast == 0.0 {
+                    let [there, apart] = self.sign(&found, &rows)?;
+                    let turned = there != sign;
+                    let smooth = !turned || correction <= SMOOTH * step * fast || fast == 0.0;
+                    if smooth && (apart > LOST || end >= 1.0) {
                         if turned && sign != 0.0 {
                             here.passed.push(Passed { values: at(f64::midpoint(done, end)) });
                         }
@@ -119,9 +129,10 @@ impl System {
         (0..way.len()).max_by(|&a, &b| extent(a).total_cmp(&extent(b))).unwrap_or(0)
     }
 
-    /// The sign of the determinant of some of the equations.
-    fn sign(&self, positions: &[[f64; 3]], rows: &[usize]) -> Result<f64, PlanarError> {
-        Ok(Elimination::new(&self.gaps(positions).slopes.select_rows(rows))?.sign())
+    /// The sign of the determinant of some of the equations, and how far they are from depending on each other.
+    fn sign(&self, positions: &[[f64; 3]], rows: &[usize]) -> Result<[f64; 2], PlanarError> {
+        let elimination = Elimination::new(&self.gaps(positions).slopes.select_rows(rows))?;
+        Ok([elimination.sign(), elimination.smallest_pivot()])
     }
 
     /// Newton's method on some of the equations; none if it does not converge with corrections below what is

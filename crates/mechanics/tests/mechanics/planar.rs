@@ -365,10 +365,12 @@ proptest! {
     }
 }
 
-/// A step that ends 6·10⁻⁵ rad before a change point, where rounding is enlarged as much.
+/// Steps that end 6·10⁻⁵ and 2·10⁻⁸ rad before a change point, where rounding is enlarged as much.
 #[test]
 fn a_parallelogram_goes_on_from_close_to_a_change_point() {
-    goes_through_its_change_points(75.6751601112484);
+    for step in [75.6751601112484, 51.39102925217941, 111.24503821352727] {
+        goes_through_its_change_points(step);
+    }
 }
 
 fn goes_through_its_change_points(step: f64) {
