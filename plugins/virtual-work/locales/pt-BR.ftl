@@ -823,7 +823,9 @@ work-done-since-the-start = Trabalho realizado desde o início
 two-points-come-to-rest-against-one-another = Dois pontos entram em repouso um em relação ao outro
 friction-at-the-start = Atrito no início
 sliding-against-friction-at-the-end = Deslizamento contra o atrito no fim
-name-at-the-start-positive-along-the-sliding-its-joint-slides-and-is-braked-by-times-the-force-that = { $name } no início, positivo no sentido do deslizamento: a junta desliza e é freada por μ vezes a força que ela transmite, no raio do pino
+name-at-the-start-its-pin-slides-and-is-braked-by-r-times-the-force-that-it-carries-against-the = { $name } no início: o pino desliza e é freado por μ r vezes a força que ele transmite, contra o deslizamento
+name-at-the-start-its-joint-slides-and-is-braked-by-times-the-force-that-it-carries-against-the = { $name } no início: a junta desliza e é freada por μ vezes a força que ela transmite, contra o deslizamento
+the-friction-with-which-the-motion-begins = o atrito com que o movimento começa
 name-at-the-start-positive-along-the-sliding-its-joint-rests-since-no-motion-that-could-begin-would = { $name } no início, positivo no sentido do deslizamento: a junta fica em repouso, pois nenhum movimento que pudesse começar venceria o atrito que encontraria
 sliding-against-name-at-the-end = Deslizamento contra { $name } no fim
 at-the-end-name-holds-its-joint-at-rest = No fim, { $name } mantém a junta em repouso
@@ -2145,6 +2147,9 @@ sin-t-with-i = θ = (ω₀/ωₙ) sen ωₙ t com ωₙ² = κ/I
 n-32-n-m-rad-and-i-0-23-3-0-3-0-5-kg-m-8-rad-s-4-rad-s-for-one-second = κ = 32 N m/rad e I = 0,23 + 3·0,3² = 0,5 kg m²: ωₙ = 8 rad/s, ω₀ = 4 rad/s, durante um segundo.
 ansys-mechanical-apdl-verification-manual-vm73-after-f-s-tse-i-e-morse-r-t-hinkle-mechanical = Manual de verificação do ANSYS Mechanical APDL, VM73, conforme F. S. Tse, I. E. Morse, R. T. Hinkle, Mechanical Vibrations, p. 175
 block-on-a-slope-below-the-angle-of-friction = Bloco em um plano inclinado abaixo do ângulo de atrito
+at-rest-the-pin-carries-a-vertical-force-alone-its-friction-is-a-part-of-the-balance-that-gives-it = Em repouso o pino transmite apenas uma força vertical; o seu atrito faz parte do equilíbrio que a determina.
+bar-let-go-on-a-rough-pin = Barra solta em um pino com atrito
+i-g-m-l-m-g-l-r-n-with-n-m-g-l = (I_G + m L²) α = m g L − μ r N com N = m (g − α L)
 block-thrown-up-a-slope-comes-back = Bloco lançado plano acima que volta
 half-a-period-of-a-mass-with-dry-friction-the-amplitude-falls-by-2-m-g-k = Meio período de uma massa com atrito seco: a amplitude cai de 2 μ m g/k
 it-rests-as-long-as-tan-the-friction-is-m-g-sin = Fica em repouso enquanto tan φ ≤ μ; o atrito é m g sen φ

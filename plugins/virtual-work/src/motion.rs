@@ -6,10 +6,11 @@ use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Workshee
 use dalembert_mechanics::planar::{
     Braked, Contact, End, Freed, Measure, Moved, PlanarError, Run, Snapshot, State, System,
 };
+use dalembert_mechanics::{Real, Vector};
 use nalgebra::Vector3;
 
 use crate::{
-    parts::{Carrier, Connection, Drive, Driven, NamedLoad, Part, Parts, Spot, carried},
+    parts::{Carrier, Connection, Drive, Driven, Load, LoadGiven, NamedLoad, Part, Parts, Spot, carried},
     sources::{HAIRER, HAUG, NIKRAVESH, PFEIFFER, RIUL},
 };
 
@@ -166,7 +167,7 @@ impl Analysis for Motion {
         cases: include_str!("../cases/motion.toml"),
     };
 
-    fn solve<W: Worksheet>(&self, _: &MotionGiven<W>, sheet: W) -> Result<(), Refusal> {
+    fn solve<W: Worksheet>(&self, given: &MotionGiven<W>, sheet: W) -> Result<(), Refusal> {
         // The start is assembled as if it were driven there.
         let held: Vec<Drive> =
             self.drivers.iter().cloned().chain(self.starts.iter().map(Start::held)).collect();
@@ -198,7 +199,7 @@ impl Analysis for Motion {
         sheet.keep_going()?;
         let moved = moved.map_err(refuse)?;
         let this = Solved { parts: &parts, rows: &rows, system: &system, freed: &freed, moved: &moved };
-        this.start(sheet);
+        this.start(given, sheet);
         this.finish(self, sheet)?;
         this.show(self, sheet);
         Ok(())
@@ -272,7 +273,7 @@ impl Ends {
 
 impl Solved<'_> {
     /// The accelerations and the forces in the joints with which the motion begins.
-    fn start<W: Worksheet>(&self, sheet: W) {
+    fn start<W: Worksheet>(&self, given: &MotionGiven<W>, sheet: W) {
         let State { accelerations, .. } = &self.freed.state;
         let largest = accelerations.iter().fold(0.0f64, |most, a| most.max(a[2].abs()));
         for (row, part) in (1..).zip(self.parts.bodies) {
@@ -291,6 +292,7 @@ impl Solved<'_> {
             sheet.answer(("initial_acceleration", row), "Angular acceleration at the start", acceleration);
             sheet.whose(("initial_acceleration", row), &part.name);
         }
+        let mut carried = vec![None; self.parts.joints.len()];
         for (row, connection) in (1..).zip(self.parts.joints) {
             let reason = if row == 1 {
                 "Force that {name} exerts on its second point at the start, from M q̈ = Q + Φ_qᵀ λ"
@@ -303,6 +305,7 @@ impl Solved<'_> {
                     let force = sheet.found_vector(("R", row), "N", Vector3::new(x, y, 0.0), why);
                     sheet.answer_vector(("joint_force", row), "Force in the joint at the start", force);
                     sheet.whose(("joint_force", row), &connection.name);
+                    carried[row - 1] = Some(force.magnitude());
                 }
                 [Some(one), None] | [None, Some(one)] => {
                     let force = sheet.found(("R", row), "N", one, why);
@@ -312,12 +315,13 @@ impl Solved<'_> {
                         force,
                     );
                     sheet.whose(("joint_effort", row), &connection.name);
+                    carried[row - 1] = Some(force.abs());
                 }
                 [None, None] => {}
             }
         }
         for braked in &self.freed.frictions {
-            self.braked(braked, sheet);
+            self.braked(braked, &given.loads[braked.load].load, &carried, sheet);
         }
         if self.freed.frictions.iter().any(|braked| braked.contact == Contact::Follows) {
             sheet.warn(|| {
@@ -326,24 +330,50 @@ impl Solved<'_> {
         }
     }
 
-    /// What a friction does at the start.
-    fn braked<W: Worksheet>(&self, braked: &Braked, sheet: W) {
+    /// What a friction does at the start, where the joint in each row carries this force.
+    fn braked<W: Worksheet>(
+        &self,
+        braked: &Braked,
+        given: &LoadGiven<W>,
+        carried: &[Option<W::Num>],
+        sheet: W,
+    ) {
         let row = braked.load + 1;
-        let name = &self.parts.loads[braked.load].name;
-        let reason = match braked.contact {
-            Contact::Slides { .. } => {
-                "{name} at the start, positive along the sliding: its joint slides, and is braked by μ times the force that it carries, at the radius of a pin"
-            }
-            Contact::Holds => {
-                "{name} at the start, positive along the sliding: its joint rests, since no motion that could begin would overcome the friction that it meets"
-            }
-            Contact::Follows => return,
-        };
-        let why = (Text::new(reason).with("name", name), PFEIFFER.at("ch. 6"));
+        let NamedLoad { name, load } = &self.parts.loads[braked.load];
         let unit = if braked.pin { "N*m" } else { "N" };
-        let effort = sheet.found(("F", row), unit, braked.effort, why);
+        let why = |reason| (Text::new(reason).with("name", name), PFEIFFER.at("ch. 6"));
+        let effort = match (braked.contact, given, load) {
+            (Contact::Follows, ..) => return,
+            (Contact::Slides { sense, .. }, LoadGiven::Friction { coefficient, radius }, Load::Friction { joint, .. }) => {
+                let Some(force) = carried[joint.0] else { return };
+                let (most, reason) = if braked.pin {
+                    (
+                        *coefficient * *radius * force,
+                        "{name} at the start: its pin slides, and is braked by μ r times the force that it carries, against the sliding",
+                    )
+                } else {
+                    (
+                        *coefficient * force,
+                        "{name} at the start: its joint slides, and is braked by μ times the force that it carries, against the sliding",
+                    )
+                };
+                let against = if sense > 0.0 { -most } else { most };
+                sheet.step(("F", row), unit, against, why(reason))
+            }
+            _ => sheet.found(
+                ("F", row),
+                unit,
+                braked.effort,
+                why("{name} at the start, positive along the sliding: its joint rests, since no motion that could begin would overcome the friction that it meets"),
+            ),
+        };
         sheet.answer(("friction", row), "Friction at the start", effort);
         sheet.whose(("friction", row), name);
+        sheet.verify(|| {
+            let size = self.freed.frictions.iter().fold(0.0f64, |most, braked| most.max(braked.effort.abs()));
+            let residual = (effort.value() - braked.effort).into();
+            sheet.check_zero("the friction with which the motion begins", residual, size);
+        });
     }
 
     /// How a joint with friction slides at the end.
