@@ -78,7 +78,8 @@ impl Solved<'_> {
     fn film(&self, problem: &Motion) -> Film {
         const FRAMES: usize = 24;
         let moments = &self.moved.samples;
-        let size = self.parts.size(self.system, &moments[0].state);
+        let sizes = moments.iter().map(|moment| self.parts.size(self.system, &moment.state));
+        let size = sizes.fold(0.0, f64::max);
         let path = |followed: &super::Followed| {
             let point = self.parts.point(followed.point);
             let at = |moment: &Snapshot| place(self.system, point, &moment.state);

@@ -8,7 +8,7 @@ use dalembert_mechanics::planar::{Point, Pose, State, System};
 use super::{Carrier, Joint, Load, Parts, verbatim};
 
 impl Parts<'_> {
-    /// The size of the drawing.
+    /// The size of the drawing; that of the mechanism where all points are in one place.
     pub(crate) fn size(&self, system: &System, state: &State) -> f64 {
         let all: Vec<(f64, f64)> =
             (0..self.points.len()).map(|row| place(system, self.point(Reference(row)), state)).collect();
@@ -16,7 +16,8 @@ impl Parts<'_> {
             let (low, high) = all.iter().map(of).fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
             high - low
         };
-        if all.is_empty() { 1.0 } else { extent(|p| p.0).max(extent(|p| p.1)).max(f64::MIN_POSITIVE) }
+        let largest = if all.is_empty() { 0.0 } else { extent(|p| p.0).max(extent(|p| p.1)) };
+        if largest > 0.0 { largest } else { system.size() }
     }
 
     /// The bodies as lines through their points, and springs and rods between theirs.
