@@ -178,6 +178,6 @@ fn kept(elimination: &Elimination) -> Vec<usize> {
     rows
 }
 
-fn largest(x: &[f64]) -> f64 {
+pub(super) fn largest(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |most, x| most.max(x.abs()))
 }

@@ -14,6 +14,7 @@ use nalgebra::DMatrix;
 
 use super::{
     Joint, Load, Measure, PlanarError, Pose, System,
+    follow::largest,
     free::dot,
     system::{bias, project, slope},
 };
@@ -366,8 +367,4 @@ impl<'a> Response<'a> {
         let row = (0..self.frictions.len()).max_by(|a, b| most(a).total_cmp(&most(b))).unwrap_or(0);
         PlanarError::Jammed { joint: self.frictions[row].joint }
     }
-}
-
-fn largest(x: &[f64]) -> f64 {
-    x.iter().fold(0.0, |most, x| most.max(x.abs()))
 }

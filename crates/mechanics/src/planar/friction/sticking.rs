@@ -3,10 +3,10 @@
 use itertools::Itertools;
 use nalgebra::DMatrix;
 
-use super::{Contact, Response, largest};
+use super::{Contact, Response};
 use crate::{
     linalg::Elimination,
-    planar::{PlanarError, free::dot},
+    planar::{PlanarError, follow::largest, free::dot},
 };
 
 /// If it is not found at once which joints stick, it is guessed with so many rounds over all of them; an acceleration
