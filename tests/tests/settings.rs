@@ -313,7 +313,8 @@ fn what_the_editor_did_was_no_other_program() {
 #[test]
 fn an_interrupt_in_the_editor_is_the_editor_s() {
     let folder = tempfile::tempdir().expect("a folder");
-    let command = editor(folder.path(), "echo waiting; sleep 20");
+    // `exec`: an interrupt that meets a shell as it forks is lost to the child, and the shell waits for that.
+    let command = editor(folder.path(), "echo waiting; exec sleep 20");
     let mut pty = started(Launch::new(pty::program()).env("EDITOR", &command));
     pty.expect("19.456 mm");
     pty.types("E");

@@ -2,6 +2,7 @@
 
 use std::{
     env, fs,
+    io::{BufRead, BufReader},
     path::{Path, PathBuf},
     process::{Command, Stdio},
     time::{Duration, Instant, SystemTime, UNIX_EPOCH},
@@ -50,7 +51,7 @@ const STEPS: [Step; 12] = [
 
 /// Takes every step, goes on after one that failed, and ends with a summary of all. Whether every step passed.
 pub fn run(root: &Path, extent: Extent) -> bool {
-    let mut summary = String::new();
+    let (mut summary, mut faults) = (String::new(), String::new());
     let (mut passed, mut failed) = (0, 0);
     for step in STEPS.iter().filter(|step| extent == Extent::Everything || !step.slow) {
         println!("\n== {}", step.name);
@@ -68,8 +69,12 @@ pub fn run(root: &Path, extent: Extent) -> bool {
         };
         println!("{verdict} {words}");
         summary += &line(step.name, start.elapsed(), verdict, &words);
+        // What a step has to say beyond its line stands at the end too, where it is looked for.
+        if let Some((_, more)) = words.split_once('\n') {
+            faults += &format!("\n== {}\n{more}\n", step.name);
+        }
     }
-    println!("\n== summary\n{summary}\n{passed} passed, {failed} failed");
+    println!("{faults}\n== summary\n{summary}\n{passed} passed, {failed} failed");
     failed == 0
 }
 
@@ -120,11 +125,37 @@ fn clippy(root: &Path) -> Found {
 }
 
 fn tests(root: &Path) -> Found {
-    // A snapshot that is missing is a fault here, while a person who begins one gets it written.
-    run_command(
-        cargo(root).args(["test", "--workspace", "--locked", "--no-fail-fast"]).env("INSTA_UPDATE", "no"),
-    )?;
-    Ok(String::new())
+    let seed = env::var(SEED).unwrap_or_else(|_| of_the_commit(root).to_string());
+    let mut tests = cargo(root)
+        .args(["test", "--workspace", "--locked", "--no-fail-fast"])
+        .env(SEED, &seed)
+        // A snapshot that is missing is a fault here, while a person who begins one gets it written.
+        .env("INSTA_UPDATE", "no")
+        .stdout(Stdio::piped())
+        .spawn()
+        .context("the tests cannot be run")?;
+    let (mut failures, mut within) = (String::new(), false);
+    for line in BufReader::new(tests.stdout.take().context("the tests print nothing")?).split(b'\n') {
+        let line = String::from_utf8_lossy(&line?).into_owned();
+        println!("{line}");
+        within = line == "failures:" || within && !line.starts_with("test result:");
+        if within {
+            failures += &format!("{line}\n");
+        }
+    }
+    let status = tests.wait()?;
+    ensure!(status.success(), "ended with {status}; {SEED}={seed} draws the same again\n{failures}");
+    Ok(format!("{SEED}={seed}"))
+}
+
+/// The seed of what property tests draw, an unsigned integer.
+const SEED: &str = "PROPTEST_RNG_SEED";
+
+/// The same seed for the same commit, so that a verdict can be had again, and other draws with the next one.
+fn of_the_commit(root: &Path) -> u64 {
+    let commit =
+        output(Command::new("git").current_dir(root).args(["rev-parse", "HEAD"])).unwrap_or_default();
+    commit.get(..15).and_then(|digits| u64::from_str_radix(digits, 16).ok()).unwrap_or_default()
 }
 
 /// Every published answer beside ours.

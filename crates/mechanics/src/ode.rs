@@ -5,11 +5,9 @@
 //! 2nd ed., §II.4 to §II.6.
 
 mod coefficients;
-
-use std::ops::ControlFlow;
+mod events;
 
 use self::coefficients::{BETWEEN, FIFTH, NODES, STAGES, Sum, THIRD};
-use crate::roots;
 
 /// The stages of a step, its end, and those of the polynomial between.
 const SLOPES: usize = 16;
@@ -22,12 +20,11 @@ const CAUTION: f64 = 0.9;
 /// `h |λ|` beyond which the method is held by its stability, and the steps in a row that tell.
 const STABLE: f64 = 6.1;
 const HELD: u32 = 15;
-/// Parts of a step in which a change of sign is looked for.
-const PARTS: u32 = 6;
-/// Two falls less than this part of a step apart are at the same time.
-const SAME_TIME: f64 = 1e-9;
-/// Halvings of such a part towards the begin in which a short rise is looked for.
-const RISES: i32 = 24;
+/// The error of the polynomial between the ends of a step, over what is allowed at its end, that is usual at most: a
+/// step with more is longer than the estimates of its error are good for.
+const USUAL: f64 = 500.0;
+/// The largest value of x⁴ (1 − x)³ from 0 to 1, the last term of the polynomial.
+const LAST_TERM: f64 = 256.0 * 27.0 / 823_543.0;
 
 /// How far and how exactly a motion is followed.
 #[derive(Clone, Copy)]
@@ -126,7 +123,7 @@ pub fn states<P: Problem>(
     most_steps: usize,
 ) -> Result<Vec<Vec<f64>>, OdeError> {
     let (&[first, ..], &[.., last]) = (times, times) else { return Ok(Vec::new()) };
-    let mut integrator = Integrator::new(problem, first, start, last, most_steps)?;
+    let mut integrator = Integrator::new(problem, first, start, last, most_steps)?.looked_between();
     let mut states = Vec::with_capacity(times.len());
     for &time in times {
         while integrator.time() < time {
@@ -151,6 +148,8 @@ pub struct Integrator {
     slopes: Vec<Vec<f64>>,
     /// Whether the slope at the present state is that of the end of a step, rather than of a begin.
     stepped: bool,
+    /// Whether the polynomial over each step is made and looked at.
+    looked_between: bool,
     /// The polynomial over the last step, once asked for.
     between: Option<[Vec<f64>; 7]>,
     tried: Vec<f64>,
@@ -187,6 +186,7 @@ impl Integrator {
             next: end - start,
             slopes: vec![zeros.clone(); SLOPES],
             stepped: false,
+            looked_between: false,
             between: None,
             tried: zeros.clone(),
             last_stage: zeros.clone(),
@@ -199,6 +199,13 @@ impl Integrator {
         integrator.restart(problem, start, state)?;
         integrator.next = integrator.first_step(problem, end - start)?;
         Ok(integrator)
+    }
+
+    /// For a motion that is asked for between the ends of steps: each is so short that its polynomial holds there.
+    #[must_use]
+    pub fn looked_between(mut self) -> Self {
+        self.looked_between = true;
+        self
     }
 
     /// When the motion has come to.
@@ -276,7 +283,8 @@ impl Integrator {
                 return Err(if at_all { OdeError::TooShort { at } } else { OdeError::NotFinite { at } });
             }
             let end = if whole { until } else { self.before + taken };
-            let error = if self.try_step(problem, taken) { self.error(problem, taken)? } else { f64::NAN };
+            let mut error =
+                if self.try_step(problem, taken) { self.error(problem, taken)? } else { f64::NAN };
             at_all = !error.is_nan();
             if at_all && error <= 1.0 && problem.settle(end, &mut self.tried) {
                 problem.rates(end, &self.tried, &mut self.slopes[END]);
@@ -284,11 +292,18 @@ impl Integrator {
                 if at_all {
                     self.watch_stiffness(taken)?;
                     std::mem::swap(&mut self.state, &mut self.tried);
-                    (self.time, self.stepped) = (end, true);
-                    let factor = (CAUTION * error.powf(-0.125)).clamp(SHORTEN, LENGTHEN);
-                    let next = taken * if shortened { factor.min(1.0) } else { factor };
-                    self.next = if whole { next.max(step) } else { next };
-                    return Ok(());
+                    let between = if self.looked_between { self.look_between(problem, taken) } else { 0.0 };
+                    if between <= 1.0 {
+                        (self.time, self.stepped) = (end, true);
+                        let factor = (CAUTION * error.powf(-0.125)).clamp(SHORTEN, LENGTHEN);
+                        let next = taken * if shortened { factor.min(1.0) } else { factor };
+                        self.next = if whole { next.max(step) } else { next };
+                        return Ok(());
+                    }
+                    self.state.clone_from(&self.state_before);
+                    self.between = None;
+                    // The polynomial is of one order less.
+                    error = between.powf(8.0 / 7.0);
                 }
             }
             shortened = true;
@@ -296,21 +311,12 @@ impl Integrator {
         }
     }
 
-    /// Makes the last step again, to a time within it: more exactly there than [`at`](Self::at) is.
-    ///
-    /// # Errors
-    /// As for [`advance`](Self::advance).
-    pub fn shorten<P: Problem>(&mut self, problem: &mut P, time: f64) -> Result<(), OdeError> {
-        let next = self.next;
+    /// Goes back to the begin of the last step, to make others: one that ends at a time within it is more exact there
+    /// than [`at`](Self::at) is.
+    pub fn back(&mut self) {
         self.time = self.before;
         self.state.clone_from(&self.state_before);
         (self.stepped, self.between) = (false, None);
-        while self.time < time {
-            self.next = time - self.time;
-            self.advance(problem, time)?;
-        }
-        self.next = next;
-        Ok(())
     }
 
     /// The state at a time within the last step.
@@ -335,119 +341,6 @@ impl Integrator {
             self.state_before[n] + inner
         };
         (0..self.state.len()).map(of).collect()
-    }
-
-    /// When a number that follows from time and state first changes its sign in the last step; a zero at its begin
-    /// does not count.
-    pub fn first_zero<P: Problem>(
-        &mut self,
-        problem: &mut P,
-        mut number: impl FnMut(&mut P, f64, &[f64]) -> f64,
-    ) -> Option<f64> {
-        let step = self.time - self.before;
-        let mut at = |this: &mut Self, time: f64| {
-            let state = this.at(problem, time);
-            number(problem, time, &state)
-        };
-        let mut from = (self.before, at(self, self.before));
-        for part in 1..=PARTS {
-            let time = if part == PARTS {
-                self.time
-            } else {
-                self.before + step * f64::from(part) / f64::from(PARTS)
-            };
-            let here = (time, at(self, time));
-            if from.1 * here.1 < 0.0 || (from.1 != 0.0 && here.1 == 0.0) {
-                let on = |_| ControlFlow::Continue(());
-                return roots::find(|time| at(self, time), [from.0, here.0], on).ok();
-            }
-            from = here;
-        }
-        None
-    }
-
-    /// When the first of several numbers that follow from time and state falls through zero in the last step, and which
-    /// it is. A number that is not above `noise` at the begin has to rise above it before; one that falls below −`noise`
-    /// without, has fallen at the begin.
-    pub fn first_fall<P: Problem>(
-        &mut self,
-        problem: &mut P,
-        noise: f64,
-        mut numbers: impl FnMut(&mut P, f64, &[f64], &mut Vec<f64>),
-    ) -> Option<(f64, usize)> {
-        let mut at = |this: &mut Self, time: f64, found: &mut Vec<f64>| {
-            let state = this.at(problem, time);
-            numbers(problem, time, &state, found);
-        };
-        // Of two falls close together the earlier one may lie between the places looked at: look again up to the later.
-        let mut first = None;
-        let mut end = self.time;
-        while let Some((time, index)) = self.falls(noise, end, &mut at) {
-            first = Some((time, index));
-            if time >= end - SAME_TIME * (end - self.before) {
-                break;
-            }
-            end = time;
-        }
-        first
-    }
-
-    /// The first fall that is seen at equal parts of the last step up to a time.
-    fn falls(
-        &mut self,
-        noise: f64,
-        end: f64,
-        at: &mut impl FnMut(&mut Self, f64, &mut Vec<f64>),
-    ) -> Option<(f64, usize)> {
-        let before = self.before;
-        let (mut last, mut here) = (Vec::new(), Vec::new());
-        at(self, before, &mut last);
-        let mut from = before;
-        for number in &mut last {
-            *number = if *number > noise { *number } else { 0.0 };
-        }
-        for part in 1..=PARTS {
-            let to = if part == PARTS {
-                end
-            } else {
-                before + (end - before) * f64::from(part) / f64::from(PARTS)
-            };
-            at(self, to, &mut here);
-            let mut first: Option<(f64, usize)> = None;
-            for index in 0..last.len() {
-                let mut found = Vec::new();
-                let mut number = |time: f64| {
-                    at(self, time, &mut found);
-                    found[index]
-                };
-                let from = if last[index] > 0.0 && here[index] <= 0.0 {
-                    Some(from)
-                } else if last[index] == 0.0 && here[index] < -noise {
-                    // It may have risen for a moment that is shorter than the part of the step.
-                    let mut moments =
-                        (1..RISES).map(|halvings| before + (to - before) * 0.5f64.powi(halvings));
-                    moments.find(|&time| number(time) > noise)
-                } else {
-                    continue;
-                };
-                let zero =
-                    |from| roots::find(number, [from, to], |_| ControlFlow::Continue(())).unwrap_or(to);
-                let fallen = from.map_or(before, zero);
-                if first.is_none_or(|(time, _)| fallen < time) {
-                    first = Some((fallen, index));
-                }
-            }
-            if first.is_some() {
-                return first;
-            }
-            for (last, here) in last.iter_mut().zip(&here) {
-                if *last != 0.0 || *here > noise {
-                    *last = *here;
-                }
-            }
-            from = to;
-        }
-        None
     }
 
     /// The stages and the result of a step; false if some slope is not finite.
@@ -497,6 +390,16 @@ impl Integrator {
 
     fn sum(&self, sum: Sum, n: usize) -> f64 {
         sum.iter().map(|&(slope, weight)| weight * self.slopes[slope][n]).sum()
+    }
+
+    /// Makes the polynomial over a step: its last term over what is usual.
+    fn look_between<P: Problem>(&mut self, problem: &mut P, step: f64) -> f64 {
+        let between = self.polynomial(problem, step);
+        let [.., last] = &between;
+        let parts = last.iter().zip(&self.allowed).map(|(last, allowed)| (last / allowed).abs());
+        let most = parts.fold(0.0, |most: f64, part| if part > most || part.is_nan() { part } else { most });
+        self.between = Some(between);
+        most * LAST_TERM / USUAL
     }
 
     /// The coefficients of the polynomial over the last step.
@@ -569,7 +472,8 @@ impl Integrator {
         } else {
             100.0 * first
         };
-        Ok(second.min(100.0 * first).min(whole).max(1e-12 * whole))
+        // The estimate may be too good for a step too long; from a short one it leads up.
+        Ok((second / LENGTHEN).min(100.0 * first).min(whole).max(1e-12 * whole))
     }
 }
 

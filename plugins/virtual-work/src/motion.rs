@@ -286,7 +286,7 @@ impl Solved<'_> {
             let acceleration = sheet.found(
                 ("α0", row),
                 "rad/s^2",
-                without_rounding(accelerations[row - 1][2], largest),
+                without_error(accelerations[row - 1][2], largest),
                 (Text::new(reason).with("name", &part.name), HAUG.at("ch. 6")),
             );
             sheet.answer(("initial_acceleration", row), "Angular acceleration at the start", acceleration);
@@ -423,7 +423,7 @@ impl Solved<'_> {
             let angle = sheet.found(
                 ("θ", row),
                 "deg",
-                without_rounding(positions[body][2], turned),
+                without_error(positions[body][2], turned),
                 named("Angle of {name} at the end"),
             );
             sheet.answer(("angle", row), "Angle of the body", angle);
@@ -431,7 +431,7 @@ impl Solved<'_> {
             let speed = sheet.found(
                 ("ω", row),
                 "rad/s",
-                without_rounding(velocities[body][2], fastest),
+                without_error(velocities[body][2], fastest),
                 named("Angular velocity of {name} at the end"),
             );
             sheet.answer(("angular_velocity", row), "Angular velocity of the body", speed);
@@ -439,7 +439,7 @@ impl Solved<'_> {
             let acceleration = sheet.found(
                 ("α", row),
                 "rad/s^2",
-                without_rounding(accelerations[body][2], quickest),
+                without_error(accelerations[body][2], quickest),
                 named("Angular acceleration of {name} at the end"),
             );
             sheet.answer(("angular_acceleration", row), "Angular acceleration of the body", acceleration);
@@ -451,7 +451,7 @@ impl Solved<'_> {
             let [position, velocity, acceleration] =
                 self.system.point(self.parts.point(followed.point), &last.state);
             let vector = |[x, y]: [f64; 2], least: f64| {
-                let clean = |part| without_rounding(part, f64::hypot(x, y).max(least));
+                let clean = |part| without_error(part, f64::hypot(x, y).max(least));
                 Vector3::new(clean(x), clean(y), 0.0)
             };
             let named = |reason: &'static str| Text::new(reason).with("name", name);
@@ -512,7 +512,7 @@ impl Solved<'_> {
         let gained = sheet.found(
             "V",
             "J",
-            without_rounding(last.stored - start, size),
+            without_error(last.stored - start, size),
             "Energy gained by weights, springs and constant forces since the start",
         );
         sheet.answer("stored_energy", "Energy stored since the start", gained);
@@ -542,7 +542,7 @@ impl Solved<'_> {
     }
 }
 
-/// What is rounding alone beside the largest is zero.
-fn without_rounding(value: f64, largest: f64) -> f64 {
-    if value.abs() > 1e-12 * largest { value } else { 0.0 }
+/// What is less than the error of a step beside the largest is zero.
+fn without_error(value: f64, largest: f64) -> f64 {
+    if value.abs() > TOLERANCE * largest { value } else { 0.0 }
 }

@@ -98,6 +98,9 @@ impl System {
             samples.push(first);
         }
         let mut integrator = Integrator::new(&mut machine, 0.0, &state, run.duration, run.most_steps)?;
+        if run.samples > 2 || machine.has_friction() {
+            integrator = integrator.looked_between();
+        }
         let gaps = run.samples.saturating_sub(1);
         let time_of = |index: usize| {
             if index == gaps { run.duration } else { run.duration * index as f64 / gaps as f64 }
@@ -134,7 +137,14 @@ impl System {
             }
             let mut next = None;
             if used.is_some() || ended.is_some() {
-                integrator.shorten(&mut machine, until)?;
+                integrator.back();
+                while integrator.time() < until {
+                    integrator.advance(&mut machine, until).map_err(|error| machine.explained(error))?;
+                    let time = integrator.time();
+                    if let Some(state) = machine.renewed(time, integrator.state()) {
+                        integrator.restart(&mut machine, time, &state)?;
+                    }
+                }
                 next = Some(integrator.state().to_vec());
             }
             if let (Some(state), true) = (&mut next, machine.has_friction()) {

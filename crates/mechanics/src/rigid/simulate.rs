@@ -272,7 +272,8 @@ pub fn simulate(body: &Body, start: &Turning, loads: &Loads, run: &Run) -> Resul
     }
     let mut machine = Machine::new(body, start, loads, run)?;
     let state = machine.state(start);
-    let mut integrator = Integrator::new(&mut machine, 0.0, &state, run.duration, run.most_steps)?;
+    let mut integrator =
+        Integrator::new(&mut machine, 0.0, &state, run.duration, run.most_steps)?.looked_between();
     let gaps = run.samples.saturating_sub(1).max(1);
     let time_of = |n: usize| if n == gaps { run.duration } else { run.duration * n as f64 / gaps as f64 };
     let mut samples = Vec::with_capacity(run.samples);

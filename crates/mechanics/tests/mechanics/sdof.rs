@@ -194,7 +194,10 @@ proptest! {
         let other = sdof::extraneous_damping_ratio_from_peak(peak).unwrap();
         close(zeta.powi(2) + other.powi(2), 1.0, ROUNDING);
         prop_assert!(other > FRAC_1_SQRT_2);
-        close(sdof::peak_magnification(other), peak, 1e-6);
+        // Of light damping, 1 − ζ²/2 keeps no more than the rounding of one leaves of it.
+        if zeta > 1e-4 {
+            close(sdof::peak_magnification(other), peak, f64::EPSILON / zeta.powi(2) + ROUNDING);
+        }
     }
 
     #[test]

@@ -27,7 +27,7 @@ pub enum Fault {
     Slow,
     /// `long`: takes 10 s, and looks for a stop every 5 ms; for the solver thread.
     Long,
-    /// `stubborn`: takes 1 s and never looks; for the solver thread.
+    /// `stubborn`: takes 3 s and never looks; for the solver thread.
     Stubborn,
 }
 
@@ -108,7 +108,7 @@ pub fn fault(fault: Fault, stopped: impl Fn() -> bool) {
                 thread::sleep(Duration::from_millis(5));
             }
         }
-        Fault::Stubborn => thread::sleep(LONG),
+        Fault::Stubborn => thread::sleep(3 * LONG),
     }
 }
 

@@ -19,6 +19,9 @@ use signal_hook::{
 
 use super::shared::Shared;
 
+/// Two signals sent one right after the other come no later than this.
+const SOON_AFTER: Duration = Duration::from_millis(20);
+
 /// Starts both threads. They live as long as the process: once a handler is installed, the default action of its
 /// signal is gone, so a signal after the session still has to end the process here.
 pub(super) fn watch(shared: &Arc<Shared>, guard: Option<Pid>) -> io::Result<()> {
@@ -27,6 +30,11 @@ pub(super) fn watch(shared: &Arc<Shared>, guard: Option<Pid>) -> io::Result<()> 
     thread::Builder::new().name("signals".into()).spawn(move || {
         loop {
             let mut batch: Vec<i32> = signals.wait().collect();
+            if batch.contains(&SIGCONT) {
+                // The signal that a stopped process is continued for (`kill %1`) may be handled after it.
+                thread::sleep(SOON_AFTER);
+                batch.extend(signals.pending());
+            }
             if for_signals.lent.load(SeqCst) {
                 // They are for the program that has the terminal; that it stops stops us all.
                 if batch.contains(&SIGTSTP) && !batch.contains(&SIGCONT) {

@@ -197,7 +197,7 @@ pub fn roll(
     let rate = omega.iter().fold(fall, |most, x| most.max(x.abs())).max(1.0 / duration);
     let mut problem = Following { disc, rate, cancelled };
     let start = [inclination, heading, 0.0, omega[0], omega[1], omega[2], 0.0, 0.0];
-    let mut integrator = Integrator::new(&mut problem, 0.0, &start, duration, STEPS)?;
+    let mut integrator = Integrator::new(&mut problem, 0.0, &start, duration, STEPS)?.looked_between();
     let gaps = samples.saturating_sub(1).max(1);
     let time_of = |n: usize| if n == gaps { duration } else { duration * n as f64 / gaps as f64 };
     let mut moments = vec![disc.moment(0.0, &start)];
