@@ -14,6 +14,7 @@
 //! folder of their own, which is removed in the end.
 
 mod keys;
+mod modes;
 
 use std::{
     collections::BTreeMap,
@@ -29,11 +30,12 @@ use std::{
     time::{Duration, Instant},
 };
 
+use self::modes::Before;
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
 pub use rustix::process::Signal;
 use rustix::{
     process::{Pid, kill_process, kill_process_group},
-    termios::{OptionalActions, Termios, tcgetattr, tcsetattr},
+    termios::{OptionalActions, tcgetattr, tcsetattr},
 };
 
 /// How long [`Pty::expect`] and [`Pty::exit_code`] wait. Long enough for a machine that is busy with a build.
@@ -161,12 +163,6 @@ pub struct Pty {
     /// When the program, or the shell before it, was started.
     pub started: Instant,
     home: tempfile::TempDir,
-}
-
-/// What the terminal was before the program had it.
-struct Before {
-    termios: Termios,
-    modes: Vec<String>,
 }
 
 /// What came from the program.
@@ -417,39 +413,6 @@ impl Pty {
         }
         self.seen.output().raw.pop_if(|last| *last == 0);
     }
-
-    /// What the program left changed: modes of the line, of the screen, of the mouse; nothing if it was clean.
-    pub fn leftovers(&self) -> Vec<String> {
-        let now = self.termios();
-        let was = &self.before.termios;
-        let mut left = self.modes();
-        left.retain(|mode| !self.before.modes.contains(mode));
-        for (name, now, was) in [
-            ("input modes", now.input_modes.bits(), was.input_modes.bits()),
-            ("output modes", now.output_modes.bits(), was.output_modes.bits()),
-            ("control modes", now.control_modes.bits(), was.control_modes.bits()),
-            ("local modes", now.local_modes.bits(), was.local_modes.bits()),
-        ] {
-            if now != was {
-                left.push(format!("{name}: {was:#x} became {now:#x}"));
-            }
-        }
-        left
-    }
-
-    /// The private modes (`CSI ? … h`) that are on, and the cursor if it is hidden.
-    fn modes(&self) -> Vec<String> {
-        let modes = private_modes(&self.seen.output().raw);
-        let on = modes.into_iter().filter_map(|(mode, on)| match mode {
-            25 => (!on).then(|| "hidden cursor".to_owned()),
-            _ => on.then(|| format!("mode {mode}")),
-        });
-        on.collect()
-    }
-
-    fn termios(&self) -> Termios {
-        tcgetattr(&self.line).expect("the line has modes")
-    }
 }
 
 impl Drop for Pty {
@@ -548,21 +511,6 @@ fn built(name: &str, arguments: &[&str]) -> PathBuf {
     path
 }
 
-/// The last word on every private mode in a stream of bytes.
-fn private_modes(raw: &[u8]) -> BTreeMap<u16, bool> {
-    let mut modes = BTreeMap::new();
-    for part in String::from_utf8_lossy(raw).split("\x1b[?").skip(1) {
-        let end = part.find(|c: char| !c.is_ascii_digit() && c != ';').unwrap_or(part.len());
-        let on = match part[end..].chars().next() {
-            Some('h') => true,
-            Some('l') => false,
-            _ => continue,
-        };
-        modes.extend(part[..end].split(';').filter_map(|mode| Some((mode.parse().ok()?, on))));
-    }
-    modes
-}
-
 fn children(process: i32) -> Vec<i32> {
     let listed = fs::read_to_string(format!("/proc/{process}/task/{process}/children")).unwrap_or_default();
     listed.split_whitespace().filter_map(|child| child.parse().ok()).collect()
@@ -575,15 +523,6 @@ fn pid(process: i32) -> Pid {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_last_word_on_a_mode_counts() {
-        let modes = private_modes(b"\x1b[?1049h\x1b[?25l text \x1b[?1000;1006h\x1b[?1049l\x1b[?2026$p");
-        assert_eq!(
-            modes.into_iter().collect::<Vec<_>>(),
-            [(25, false), (1000, true), (1006, true), (1049, false)]
-        );
-    }
 
     #[test]
     fn a_program_that_leaves_modes_on_is_found_out() {
