@@ -8,9 +8,9 @@ use crate::roots;
 /// The places of a step between which a change of sign is looked for, in parts of it: just before its end too, since
 /// where several numbers fall at once their signs are lost.
 const PLACES: [f64; 7] = [1.0 / 6.0, 2.0 / 6.0, 3.0 / 6.0, 4.0 / 6.0, 5.0 / 6.0, 0.998, 1.0];
-/// Two falls less than this part of a step apart are at the same time.
-const SAME_TIME: f64 = 1e-9;
-/// Halvings of such a part towards the begin in which a short rise is looked for.
+/// Two moments less than this part of a step apart are the same.
+pub(crate) const SAME_TIME: f64 = 1e-9;
+/// Halvings of the way from the begin to such a place in which a short rise is looked for.
 const RISES: i32 = 24;
 
 impl Integrator {

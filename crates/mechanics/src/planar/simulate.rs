@@ -6,10 +6,7 @@
 //! *Solving Ordinary Differential Equations II*, §VII.2).
 
 use super::{Contact, Measure, PlanarError, State, System, machine::Machine};
-use crate::ode::{self, Integrator, OdeError};
-
-/// An end this part of a step after a joint has come to rest, or has begun to slide, is at the same time.
-const SAME_TIME: f64 = 1e-9;
+use crate::ode::{self, Integrator, OdeError, SAME_TIME};
 
 /// How far and how exactly a motion is followed: the tolerance is in parts of the size of the mechanism and of its
 /// fastest velocity.
@@ -98,7 +95,7 @@ impl System {
             samples.push(first);
         }
         let mut integrator = Integrator::new(&mut machine, 0.0, &state, run.duration, run.most_steps)?;
-        if run.samples > 2 || machine.has_friction() {
+        if run.samples > 2 || !run.ends.is_empty() || machine.has_friction() {
             integrator = integrator.looked_between();
         }
         let gaps = run.samples.saturating_sub(1);
