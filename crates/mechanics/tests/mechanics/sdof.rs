@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use crate::close::{ROUNDING, close, found, printed};
 
 /// The place of the largest value of a function with one peak, by golden sections, to about `1e-8`.
-fn largest(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+pub(crate) fn largest(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let golden = (5f64.sqrt() - 1.0) / 2.0;
     for _ in 0..200 {
         let (p, q) = (high - golden * (high - low), low + golden * (high - low));
