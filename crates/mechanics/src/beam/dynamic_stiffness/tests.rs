@@ -230,10 +230,12 @@ proptest! {
             prop_assert_eq!((below, above), (beam.rigid_motions() + n, beam.rigid_motions() + n + 1));
             let quotient = shape.rayleigh_quotient();
             prop_assert!((quotient / root.powi(4) - 1.0).abs() < 1e-12, "{} {}", quotient, root.powi(4));
-            for other in &shapes[..n] {
+            for (other_root, other) in roots.iter().zip(&shapes[..n]) {
                 let size = (shape.inertia_product(shape) * other.inertia_product(other)).sqrt();
                 let product = shape.inertia_product(other);
-                prop_assert!(product.abs() < 1e-10 * size, "{} {}", product, size);
+                // Shapes of close roots are known less well.
+                let apart = 1.0 - (other_root / root).powi(4);
+                prop_assert!(product.abs() * apart < 1e-10 * size, "{} {} {}", product, size, apart);
             }
         }
     }
