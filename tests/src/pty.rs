@@ -519,21 +519,3 @@ fn children(process: i32) -> Vec<i32> {
 fn pid(process: i32) -> Pid {
     Pid::from_raw(process).expect("a process has a positive number")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_program_that_leaves_modes_on_is_found_out() {
-        let mut pty =
-            Launch::new("unused").in_script("printf '\\033[?1049h\\033[?25l'; stty -echo; exit 3").start();
-        assert_eq!(pty.exit_code(), Some(3));
-        let left = pty.leftovers();
-        assert_eq!(left.len(), 3, "{left:?}");
-        assert!(
-            left[0] == "hidden cursor" && left[1] == "mode 1049" && left[2].starts_with("local modes"),
-            "{left:?}"
-        );
-    }
-}

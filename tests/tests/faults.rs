@@ -228,7 +228,6 @@ fn jobs_in_the_background(program: &Path) {
         pty.types("jobs<enter>");
     }
     pty.expect("Exit 143");
-    pty.idle(Duration::from_millis(200));
     assert_eq!(pty.leftovers(), [""; 0], "ended while stopped");
 
     pty.types("clear; \"$PROGRAM\"<enter>");

@@ -125,7 +125,7 @@ fn clippy(root: &Path) -> Found {
 }
 
 fn tests(root: &Path) -> Found {
-    let seed = env::var(SEED).unwrap_or_else(|_| of_the_commit(root).to_string());
+    let seed = env::var(SEED).unwrap_or_else(|_| seed_of_commit(root).to_string());
     let mut tests = cargo(root)
         .args(["test", "--workspace", "--locked", "--no-fail-fast"])
         .env(SEED, &seed)
@@ -152,7 +152,7 @@ fn tests(root: &Path) -> Found {
 const SEED: &str = "PROPTEST_RNG_SEED";
 
 /// The same seed for the same commit, so that a verdict can be had again, and other draws with the next one.
-fn of_the_commit(root: &Path) -> u64 {
+fn seed_of_commit(root: &Path) -> u64 {
     let commit =
         output(Command::new("git").current_dir(root).args(["rev-parse", "HEAD"])).unwrap_or_default();
     commit.get(..15).and_then(|digits| u64::from_str_radix(digits, 16).ok()).unwrap_or_default()

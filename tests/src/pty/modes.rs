@@ -84,6 +84,7 @@ fn private_modes(raw: &[u8]) -> BTreeMap<u16, bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pty::Launch;
 
     #[test]
     fn the_last_word_on_a_mode_counts() {
@@ -91,6 +92,19 @@ mod tests {
         assert_eq!(
             modes.into_iter().collect::<Vec<_>>(),
             [(25, false), (1000, true), (1006, true), (1049, false)]
+        );
+    }
+
+    #[test]
+    fn a_program_that_leaves_modes_on_is_found_out() {
+        let mut pty =
+            Launch::new("unused").in_script("printf '\\033[?1049h\\033[?25l'; stty -echo; exit 3").start();
+        assert_eq!(pty.exit_code(), Some(3));
+        let left = pty.leftovers();
+        assert_eq!(left.len(), 3, "{left:?}");
+        assert!(
+            left[0] == "hidden cursor" && left[1] == "mode 1049" && left[2].starts_with("local modes"),
+            "{left:?}"
         );
     }
 }

@@ -118,6 +118,7 @@ impl Integrator {
     }
 }
 
+/// The times of these places in a part of a step.
 fn places(begin: f64, end: f64) -> [f64; 7] {
     PLACES.map(|part| if part == 1.0 { end } else { begin + part * (end - begin) })
 }
