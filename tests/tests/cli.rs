@@ -505,6 +505,7 @@ fn every_kind_of_field_refuses_nonsense() {
         help: "",
         symbol: "m",
         default: None,
+        default_before: None,
         shape: Shape::Quantity(KILOGRAM),
     }];
     const KILOGRAM: Measure =

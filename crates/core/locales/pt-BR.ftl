@@ -110,6 +110,8 @@ the-analysis-must-be-a-text-such-as-vibration-rotating-unbalance = a análise de
 there-is-no-analysis-id-did-you-mean-near = não há análise `{ $id }`; seria `{ $near }`?
 there-is-no-analysis-id-see-dalembert-list = não há análise `{ $id }`; veja `dalembert list`
 this-file-is-of-format-found-this-program-reads-formats-up-to-known-update-it = este arquivo é do formato { $found }; este programa lê formatos até { $known }: atualize-o
+this-is-not-a-format-write-format-known = isto não é um formato; escreva `format = { $known }`
+path-is-left-out-value-the-default-of-files-without-format-2 = { $path } não foi informado: { $value }, o padrão dos arquivos sem `format = 2`
 the-key-key-stands-here-a-second-time-keep-one-of-the-two = a chave `{ $key }` aparece aqui pela segunda vez: mantenha uma das duas
 the-file-nests-too-deeply-to-be-a-problem-a-problem-has-a-handful-of-levels = o arquivo tem níveis demais para ser um problema: um problema tem poucos níveis
 a-unit-must-be-a-text-such-as-mm = uma unidade deve ser um texto como "mm"

@@ -5,7 +5,7 @@ use toml_edit::{Item, TableLike};
 
 use crate::{
     Answer, AnswerValue, Draft, Entry, Locale, Number, Record, Refusal, Solution, SolveError, Stop, Text,
-    file::{self, FileError},
+    file::{self, FileError, Format, Reading},
 };
 
 /// A problem with printed answers.
@@ -192,9 +192,9 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
         Some(other) => return Err(format!("{name}: `{other}` is no kind of truth")),
     };
     let inputs = table.get("inputs").ok_or_else(|| format!("{name}: there are no inputs"))?;
-    let mut errors = Vec::new();
-    let draft = file::draft_of(inputs, &entry.shape(), "inputs", &mut errors);
-    if let Some(err) = errors.first() {
+    let mut reading = Reading { format: Format::LATEST, errors: Vec::new(), notes: Vec::new() };
+    let draft = file::draft_of(inputs, &entry.shape(), "inputs", &mut reading);
+    if let Some(err) = reading.errors.first() {
         return Err(format!("{name}: {}", err.why.english()));
     }
     let mut expect = Vec::new();

@@ -15,6 +15,8 @@ pub struct Field {
     pub symbol: &'static str,
     /// What is written there when nothing is; `None` where an answer must be given.
     pub default: Option<&'static str>,
+    /// The default of the first format of problem files, where it was another.
+    pub default_before: Option<&'static str>,
     /// What may stand there.
     pub shape: Shape,
 }

@@ -1,6 +1,7 @@
 //! Problem files: TOML in, a [`Draft`] out, and back without losing a comment.
 //!
 //! ```toml
+//! format = 2
 //! analysis = "vibration/rotating-unbalance"
 //! title = "Fan of the paint shop"
 //!
@@ -8,18 +9,19 @@
 //! mass = "40 kg"
 //! ```
 
+mod format;
+
 use std::ops::Range;
 
 use toml_edit::{ArrayOfTables, Document, DocumentMut, InlineTable, Item, Table, TableLike, Value as Toml};
 
+pub use self::format::Format;
 use crate::{Draft, Entry, FieldError, Shape, Text, find, path, path::Segment, registry};
 
-/// The version of the file format that is written; older ones are read.
-const FORMAT: i64 = 1;
 /// The keys a problem file may have at the top.
 const KEYS: [&str; 5] = ["format", "analysis", "title", "inputs", "show"];
 
-/// A problem as it stands in a file.
+/// The contents of a problem file.
 #[derive(Clone, Debug)]
 pub struct Problem {
     /// Its analysis.
@@ -30,6 +32,15 @@ pub struct Problem {
     pub draft: Draft,
     /// How answers are shown: `(answer, unit and digits)`, see [`Display`](crate::Display).
     pub show: Vec<(String, String)>,
+    /// What an older format left unsaid and was filled in as that format has it.
+    pub notes: Vec<Text>,
+}
+
+/// The errors and notes of reading a file of a format.
+pub(crate) struct Reading {
+    pub(crate) format: Format,
+    pub(crate) errors: Vec<FileError>,
+    pub(crate) notes: Vec<Text>,
 }
 
 /// What is wrong with a problem file, and where.
@@ -48,17 +59,7 @@ pub fn parse(text: &str) -> Result<Problem, Vec<FileError>> {
     let root = document.as_table();
     let mut errors = Vec::new();
     check_keys(root, &KEYS, &mut errors);
-    if let Some(format) = root.get("format").and_then(Item::as_integer)
-        && format > FORMAT
-    {
-        let why =
-            Text::new("this file is of format {found}; this program reads formats up to {known}: update it");
-        errors.push(FileError {
-            why: why.with("found", format).with("known", FORMAT),
-            span: span(root, "format"),
-        });
-        return Err(errors);
-    }
+    let format = Format::of(root).map_err(|error| vec![error])?;
     let entry = match root.get("analysis").map(|item| (item, item.as_str())) {
         Some((_, Some(id))) => find(id).ok_or_else(|| no_such_analysis(id)),
         Some((_, None)) => {
@@ -73,11 +74,10 @@ pub fn parse(text: &str) -> Result<Problem, Vec<FileError>> {
             return Err(errors);
         }
     };
-    let shape = entry.shape();
-    let draft = match root.get("inputs") {
-        Some(inputs) => draft_of(inputs, &shape, "inputs", &mut errors),
-        None => Draft::blank(&shape),
-    };
+    let mut reading = Reading { format, errors, notes: Vec::new() };
+    let no_inputs = Item::Table(Table::new());
+    let draft = draft_of(root.get("inputs").unwrap_or(&no_inputs), &entry.shape(), "inputs", &mut reading);
+    let Reading { mut errors, notes, .. } = reading;
     let title = text_at(root, "title", &mut errors).unwrap_or_default();
     let mut show = Vec::new();
     if let Some(table) = root.get("show").and_then(Item::as_table_like) {
@@ -91,13 +91,15 @@ pub fn parse(text: &str) -> Result<Problem, Vec<FileError>> {
             }
         }
     }
-    if errors.is_empty() { Ok(Problem { entry, title, draft, show }) } else { Err(errors) }
+    if errors.is_empty() { Ok(Problem { entry, title, draft, show, notes }) } else { Err(errors) }
 }
 
-/// Writes a problem over the text of its file, keeping comments, order and everything that has not changed.
+/// Writes a problem over the text of its file, in the latest format, keeping comments, order and everything that has
+/// not changed.
 pub fn write(problem: &Problem, over: &str) -> String {
     let mut document: DocumentMut = over.parse().unwrap_or_default();
     let root = document.as_table_mut();
+    Format::LATEST.write(root);
     set_text(root, "analysis", problem.entry.about.id);
     if !problem.title.is_empty() || root.contains_key("title") {
         set_text(root, "title", &problem.title);
@@ -170,24 +172,26 @@ pub(crate) fn document(text: &str) -> Result<Document<&str>, Vec<FileError>> {
 }
 
 /// What an item of a file says, in the shape of the inputs.
-pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, errors: &mut Vec<FileError>) -> Draft {
+pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Reading) -> Draft {
     let mut fail = |why: Text, span: Option<Range<usize>>| {
-        errors.push(FileError {
+        reading.errors.push(FileError {
             why: Text::new("{path}: {why}").with("path", path).with_text("why", why),
             span,
         });
         Draft::blank(shape)
     };
     match shape {
-        Shape::Optional(inner) => draft_of(item, inner(), path, errors),
+        Shape::Optional(inner) => draft_of(item, inner(), path, reading),
         Shape::Group(fields) => match item.as_table_like() {
             Some(table) => {
                 let names: Vec<&str> = fields().iter().map(|field| field.name).collect();
-                check_keys(table, &names, errors);
+                check_keys(table, &names, &mut reading.errors);
                 let Draft::Group(mut drafts) = Draft::blank(shape) else { return Draft::Absent };
                 for (field, draft) in fields().iter().zip(&mut drafts) {
-                    if let Some(item) = table.get(field.name) {
-                        *draft = draft_of(item, &field.shape, &format!("{path}.{}", field.name), errors);
+                    let path = format!("{path}.{}", field.name);
+                    match table.get(field.name) {
+                        Some(item) => *draft = draft_of(item, &field.shape, &path, reading),
+                        None => format::left_out(draft, field, &path, reading),
                     }
                 }
                 Draft::Group(drafts)
@@ -213,10 +217,14 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, errors: &mut Vec<
                         let group = Shape::Group(variants()[at].fields);
                         Draft::OneOf(
                             at,
-                            Box::new(draft_of(fields, &group, &format!("{path}.{name}"), errors)),
+                            Box::new(draft_of(fields, &group, &format!("{path}.{name}"), reading)),
                         )
                     }
-                    None => Draft::alternative(shape, at),
+                    None => {
+                        let mut draft = Draft::alternative(shape, at);
+                        format::left_out_fields(&mut draft, shape, path, reading);
+                        draft
+                    }
                 },
                 None => fail(path::unknown("", name, names()).why, item.span()),
             }
@@ -231,7 +239,7 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, errors: &mut Vec<
             };
             let rows = rows.iter().enumerate();
             Draft::Rows(
-                rows.map(|(n, row)| draft_of(row, inner(), &format!("{path}[{}]", n + 1), errors)).collect(),
+                rows.map(|(n, row)| draft_of(row, inner(), &format!("{path}[{}]", n + 1), reading)).collect(),
             )
         }
         Shape::Table(_) | Shape::Vector(..) => match item.as_value() {

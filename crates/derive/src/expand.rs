@@ -46,10 +46,12 @@ impl Group {
             let arguments = Arguments::of(&field.attrs)?;
             let asks = Asks::of(&field.ty, &arguments)?;
             let (name, symbol) = (ident.to_string(), arguments.symbol());
-            let (shape, default) = (asks.shape(&arguments)?, arguments.default_text());
+            let shape = asks.shape(&arguments)?;
+            let (default, before) = (arguments.text("default"), arguments.text("default_before"));
             described.push(code! {
                 dalembert_core::Field {
-                    name: #name, label: #label, help: #help, symbol: #symbol, default: #default, shape: #shape,
+                    name: #name, label: #label, help: #help, symbol: #symbol, default: #default,
+                    default_before: #before, shape: #shape,
                 }
             });
             names.push(ident.clone());

@@ -242,7 +242,8 @@ impl Arguments {
                             return Err(Error::new_spanned(&argument, "expected `name = value`"));
                         };
                         let name = left.path.require_ident()?.to_string();
-                        let known = ["above", "below", "min", "max", "kind", "default", "rows"];
+                        let known =
+                            ["above", "below", "min", "max", "kind", "default", "default_before", "rows"];
                         if !known.contains(&name.as_str()) {
                             return Err(Error::new_spanned(
                                 &argument,
@@ -274,8 +275,8 @@ impl Arguments {
     }
 
     /// `Option<&'static str>`
-    pub(crate) fn default_text(&self) -> Tokens {
-        self.value("default").map_or_else(|| code! { None }, |text| code! { Some(#text) })
+    pub(crate) fn text(&self, name: &str) -> Tokens {
+        self.value(name).map_or_else(|| code! { None }, |text| code! { Some(#text) })
     }
 
     fn error(&self, message: &str) -> Error {

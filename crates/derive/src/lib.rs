@@ -25,7 +25,8 @@ use proc_macro::TokenStream;
 /// | another type that derives `Inputs` | its fields in place (struct), or a choice among its alternatives (enum); `#[input("A")]` gives the symbols inside an index: `r_A` |
 ///
 /// Arguments of a quantity: `positive`, `nonnegative`, `above = x`, `below = x`, `min = x`, `max = x` (in the unit
-/// of the field), `kind = "Amplitude"` where the unit does not tell the kind, `default = "9.81 m/s^2"`.
+/// of the field), `kind = "Amplitude"` where the unit does not tell the kind, `default = "9.81 m/s^2"`,
+/// `default_before = "…"` the default of files of the first format, where it was another.
 ///
 /// The first line of documentation is the label in the form, the rest its help. With the struct comes
 /// `NameGiven<W>`: the same inputs as numbers of a worksheet. Texts, flags, counts, references and tables are not

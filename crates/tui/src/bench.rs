@@ -300,7 +300,7 @@ impl Bench {
             Some(case) if self.title.is_empty() && case.draft == form.draft => case.name.clone(),
             _ => self.title.clone(),
         };
-        Problem { entry, title, draft: form.draft.clone(), show: show.clone() }
+        Problem { entry, title, draft: form.draft.clone(), show: show.clone(), notes: Vec::new() }
     }
 
     /// What it is called: its title, or the case it began as, which it is no more once an input was changed.

@@ -33,7 +33,7 @@ fn of(entry: &Entry, locale: &Locale) -> Json {
         "additionalProperties": false,
         "required": ["analysis", "inputs"],
         "properties": {
-            "format": { "type": "integer", "maximum": 1 },
+            "format": { "type": "integer", "minimum": 1, "maximum": 2 },
             "analysis": { "const": about.id },
             "title": { "type": "string" },
             "inputs": inputs,

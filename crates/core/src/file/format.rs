@@ -1,0 +1,86 @@
+//! The formats of problem files. What an older format leaves unsaid is written out as that format has it, so that the
+//! draft, and every file written from it, says the same in the latest one.
+
+use toml_edit::{Item, Table};
+
+use super::{FileError, Reading, span};
+use crate::{Draft, Field, Shape, Text};
+
+/// A format of problem files. A file that names none is of the first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Format {
+    /// `format = 1`, or none named.
+    First = 1,
+    /// `format = 2`: with the defaults of today.
+    Second = 2,
+}
+
+impl Format {
+    /// The one that is written.
+    pub const LATEST: Format = Format::Second;
+
+    /// The format that a file names.
+    pub(super) fn of(root: &Table) -> Result<Self, FileError> {
+        let wrong = |why: Text| FileError { why, span: span(root, "format") };
+        match root.get("format").map(Item::as_integer) {
+            None | Some(Some(1)) => Ok(Format::First),
+            Some(Some(2)) => Ok(Format::Second),
+            Some(Some(found)) if found > Format::LATEST as i64 => Err(wrong(
+                Text::new(
+                    "this file is of format {found}; this program reads formats up to {known}: update it",
+                )
+                .with("found", found)
+                .with("known", Format::LATEST as i64),
+            )),
+            Some(_) => Err(wrong(
+                Text::new("this is not a format; write `format = {known}`")
+                    .with("known", Format::LATEST as i64),
+            )),
+        }
+    }
+
+    /// Writes it at the top of a file.
+    pub(super) fn write(self, root: &mut Table) {
+        if root.get("format").and_then(Item::as_integer) != Some(self as i64) {
+            root.insert("format", toml_edit::value(self as i64));
+        }
+    }
+}
+
+/// Fills a field that a file leaves out, in a blank draft of it, with the default of the file's format.
+pub(super) fn left_out(draft: &mut Draft, field: &Field, path: &str, reading: &mut Reading) {
+    if reading.format >= Format::Second {
+        return;
+    }
+    match field.default_before {
+        Some(before) => {
+            *draft = Draft::Leaf(before.to_owned());
+            let note = Text::new("{path} is left out: {value}, the default of files without `format = 2`");
+            reading.notes.push(note.with("path", path).with("value", before));
+        }
+        None => left_out_fields(draft, &field.shape, path, reading),
+    }
+}
+
+/// The same for each field inside a blank draft of a shape.
+pub(super) fn left_out_fields(draft: &mut Draft, shape: &Shape, path: &str, reading: &mut Reading) {
+    match (shape.present(), draft) {
+        (Shape::Group(fields), Draft::Group(drafts)) => {
+            for (field, draft) in fields().iter().zip(drafts) {
+                left_out(draft, field, &format!("{path}.{}", field.name), reading);
+            }
+        }
+        (Shape::OneOf(variants), Draft::OneOf(at, fields)) => {
+            if let Some(variant) = variants().get(*at) {
+                let path = format!("{path}.{}", variant.name);
+                left_out_fields(fields, &Shape::Group(variant.fields), &path, reading);
+            }
+        }
+        (Shape::Rows { item, .. }, Draft::Rows(rows)) => {
+            for (n, row) in rows.iter_mut().enumerate() {
+                left_out_fields(row, item(), &format!("{path}[{}]", n + 1), reading);
+            }
+        }
+        _ => {}
+    }
+}
