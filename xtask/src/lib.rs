@@ -8,6 +8,7 @@ pub mod docs;
 pub mod new_analysis;
 pub mod new_plugin;
 pub mod pictures;
+pub mod soak;
 pub mod tidy;
 pub mod verify;
 

@@ -2,7 +2,7 @@
 
 use std::{env, process::ExitCode};
 
-use xtask::{bench, docs, new_analysis, new_plugin, pictures, root, tidy, verify};
+use xtask::{bench, docs, new_analysis, new_plugin, pictures, root, soak, tidy, verify};
 
 const USAGE: &str = "\
 usage: cargo xtask COMMAND
@@ -13,6 +13,7 @@ usage: cargo xtask COMMAND
   new-plugin NAME            begin a family of analyses
   docs [--check]             write the reference in docs/, or see that it is up to date
   pictures [--check]         draw the pictures in docs/pictures/ from their sessions, or see that they are up to date
+  soak mutants               the result of each function of mechanics times 1.01: does the catalogue notice?
   bench [PART]...            measure; parts: plain units solve keys tui
 ";
 
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         ["docs", "--check"] => docs::check(&root()),
         ["pictures"] => pictures::write(&root()),
         ["pictures", "--check"] => pictures::check(&root()).map(|_| ()),
+        ["soak", words @ ..] => soak::run(&root(), words),
         ["bench", parts @ ..] => bench::run(&root(), parts),
         ["help" | "--help" | "-h"] => {
             print!("{USAGE}");
