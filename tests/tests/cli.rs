@@ -506,6 +506,7 @@ fn every_kind_of_field_refuses_nonsense() {
         symbol: "m",
         default: None,
         default_before: None,
+        kept_in: None,
         shape: Shape::Quantity(KILOGRAM),
     }];
     const KILOGRAM: Measure =

@@ -10,7 +10,7 @@ use std::{
 
 use crate::{
     Field, FieldError, Inputs, Name, Plain, Record, Shape, Sheet, Solution, Source, Text, Trail, Value,
-    Worksheet, input::Lift,
+    Worksheet, input::Lift, kept,
 };
 
 /// What a person reads before picking an analysis.
@@ -226,7 +226,11 @@ fn prepare<A: Analysis>(
     vary: &[&str],
     wanted: &[&str],
 ) -> Result<Box<dyn Evaluate>, SolveError> {
-    let mut problem = A::read_all(&Value::Group(record.clone())).map_err(SolveError::Fields)?;
+    let mut record = record.clone();
+    for path in vary {
+        kept::keep(&mut record, path);
+    }
+    let mut problem = A::read_all(&Value::Group(record)).map_err(SolveError::Fields)?;
     let shape = A::SHAPE;
     let unknown =
         |path: &str, why: &'static str| SolveError::Fields(vec![FieldError::new(path, Text::from(why))]);

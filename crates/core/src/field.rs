@@ -17,6 +17,9 @@ pub struct Field {
     pub default: Option<&'static str>,
     /// The default of the first format of problem files, where it was another.
     pub default_before: Option<&'static str>,
+    /// The optional field beside it that keeps its first value when it is changed alone: a mechanism is drawn with one
+    /// value of a driver and moved to others.
+    pub kept_in: Option<&'static str>,
     /// What may stand there.
     pub shape: Shape,
 }

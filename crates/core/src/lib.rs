@@ -16,6 +16,7 @@ pub mod exhibit;
 mod field;
 pub mod file;
 mod input;
+mod kept;
 mod names;
 mod path;
 pub mod printer;

@@ -3,7 +3,7 @@
 use dalembert_units::{self as units, Dim, Kind, Unit};
 
 use crate::{
-    Entry, Evaluate, Limit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value,
+    Entry, Evaluate, Limit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value, kept,
     path::{Segment, segments},
     reading,
 };
@@ -67,6 +67,7 @@ pub fn inputs(record: &Record) -> Vec<Input> {
 /// The record with another number at a path of [`inputs`]; `None` where there is none.
 pub fn changed(record: &Record, path: &str, si: f64) -> Option<Record> {
     let mut record = record.clone();
+    kept::keep(&mut record, path);
     let mut place = Place::Record(&mut record);
     for segment in segments(path).ok()? {
         place = match (place, segment) {

@@ -149,9 +149,11 @@ fn change(draft: &mut Draft, shape: &Shape, changes: &[String]) -> Vec<Text> {
         let path = path.trim();
         match from_file(draft, shape, path, value) {
             Ok(text) => {
-                if let Err(err) = draft.set(shape, path, text.as_deref().unwrap_or(value)) {
-                    errors
-                        .push(Text::new("--set {path}: {why}").with("path", path).with_text("why", err.why));
+                let before = draft.clone();
+                match draft.set(shape, path, text.as_deref().unwrap_or(value)) {
+                    Ok(()) => draft.keep_first(&before, shape),
+                    Err(err) => errors
+                        .push(Text::new("--set {path}: {why}").with("path", path).with_text("why", err.why)),
                 }
             }
             Err(err) => errors.push(Text::new("--set {path}: {why}").with("path", path).with("why", err)),

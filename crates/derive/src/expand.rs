@@ -48,10 +48,11 @@ impl Group {
             let (name, symbol) = (ident.to_string(), arguments.symbol());
             let shape = asks.shape(&arguments)?;
             let (default, before) = (arguments.text("default"), arguments.text("default_before"));
+            let kept_in = arguments.text("kept_in");
             described.push(code! {
                 dalembert_core::Field {
                     name: #name, label: #label, help: #help, symbol: #symbol, default: #default,
-                    default_before: #before, shape: #shape,
+                    default_before: #before, kept_in: #kept_in, shape: #shape,
                 }
             });
             names.push(ident.clone());

@@ -242,8 +242,17 @@ impl Arguments {
                             return Err(Error::new_spanned(&argument, "expected `name = value`"));
                         };
                         let name = left.path.require_ident()?.to_string();
-                        let known =
-                            ["above", "below", "min", "max", "kind", "default", "default_before", "rows"];
+                        let known = [
+                            "above",
+                            "below",
+                            "min",
+                            "max",
+                            "kind",
+                            "default",
+                            "default_before",
+                            "kept_in",
+                            "rows",
+                        ];
                         if !known.contains(&name.as_str()) {
                             return Err(Error::new_spanned(
                                 &argument,

@@ -26,7 +26,8 @@ use proc_macro::TokenStream;
 ///
 /// Arguments of a quantity: `positive`, `nonnegative`, `above = x`, `below = x`, `min = x`, `max = x` (in the unit
 /// of the field), `kind = "Amplitude"` where the unit does not tell the kind, `default = "9.81 m/s^2"`,
-/// `default_before = "…"` the default of files of the first format, where it was another.
+/// `default_before = "…"` the default of files of the first format, where it was another;
+/// `kept_in = "drawn"` names the optional field beside it that keeps its first value when it is changed alone.
 ///
 /// The first line of documentation is the label in the form, the rest its help. With the struct comes
 /// `NameGiven<W>`: the same inputs as numbers of a worksheet. Texts, flags, counts, references and tables are not

@@ -40,7 +40,7 @@ pub use load::{Effort, Load};
 pub use measure::{Frame, Measure, Point, Pose, Slope};
 pub use simulate::{End, Moved, Run, Snapshot};
 pub use sweep::{Sweep, Swept};
-pub use system::{Mobility, State, System};
+pub use system::{Mobility, Placed, State, System};
 
 /// A plane mechanism.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -104,6 +104,9 @@ pub enum PlanarError {
     UnderDriven {
         /// How many are left.
         free: usize,
+        /// Whether Grübler's count of bodies and joints leaves no more than there are drivers: in this position alone the
+        /// joints leave more.
+        singular: bool,
     },
     /// A driver is not free to move: the joints or the other drivers hold it already.
     #[error("driver {driver} is held already by the joints or by other drivers")]

@@ -423,6 +423,7 @@ impl Form {
         if by(&mut self.draft, &self.shape).is_none() || before == self.draft {
             return false;
         }
+        self.draft.keep_first(&before, &self.shape);
         self.remember(before, what);
         true
     }

@@ -80,7 +80,7 @@ impl Analysis for Equilibrium {
 
     fn solve<W: Worksheet>(&self, _: &EquilibriumGiven<W>, sheet: W) -> Result<(), Refusal> {
         let parts = self.parts();
-        let (system, rows, positions) = parts.assembled()?;
+        let (system, rows, positions) = parts.assembled(sheet)?;
         let refuse = |error: PlanarError| parts.refusal(&error, &rows);
         let turns = matches!(self.drivers[0].what, Driven::Angle { .. });
         let range = match self.search {
@@ -116,7 +116,7 @@ impl Analysis for Equilibrium {
         if let Some(end) = short {
             sheet.warn(|| {
                 Text::new("the mechanism goes no further than {end}: beyond it nothing was looked for")
-                    .with_quantity("end", end, self.unit(0))
+                    .with_quantity("end", end, self.parts().unit(0))
             });
         }
         if found.is_empty() {
@@ -149,14 +149,6 @@ impl Equilibrium {
         }
     }
 
-    /// The unit of a coordinate.
-    fn unit(&self, driver: usize) -> &'static str {
-        match self.drivers[driver].what {
-            Driven::Angle { .. } => "deg",
-            Driven::Position { .. } | Driven::Distance { .. } => "mm",
-        }
-    }
-
     /// The unit of the stiffness of a coordinate.
     fn of_stiffness(&self, driver: usize) -> &'static str {
         match self.drivers[driver].what {
@@ -171,7 +163,7 @@ impl Equilibrium {
             let row = if self.drivers.len() > 1 { driver + 1 } else { number };
             let value = sheet.found(
                 ("q", row),
-                self.unit(driver),
+                self.parts().unit(driver),
                 here.values[driver],
                 (
                     Text::new("Value of {name} where the virtual power of all loads is zero, −Σ Q ∂q/∂m = dV/dm = 0")
@@ -239,7 +231,7 @@ impl Equilibrium {
     fn table(&self, found: &[Found]) -> TableExhibit {
         let mut columns = vec![Column { heading: "Equilibrium".into(), unit: "" }];
         for (driver, drive) in self.drivers.iter().enumerate() {
-            columns.push(Column { heading: verbatim(&drive.name), unit: self.unit(driver) });
+            columns.push(Column { heading: verbatim(&drive.name), unit: self.parts().unit(driver) });
         }
         columns.push(Column { heading: "Stability".into(), unit: "" });
         let row = |(number, here): (usize, &Found)| {
@@ -256,7 +248,7 @@ impl Equilibrium {
     }
 
     fn plots<W: Worksheet>(&self, system: &System, samples: &[Sample], found: &[Found], sheet: W) {
-        let axis = || Axis::linear(verbatim(&self.drivers[0].name), self.unit(0));
+        let axis = || Axis::linear(verbatim(&self.drivers[0].name), self.parts().unit(0));
         let energies: Option<Vec<(f64, f64)>> =
             samples.iter().map(|sample| Some((sample.value, sample.potential?))).collect();
         if let Some(energies) = energies {

@@ -96,7 +96,7 @@ impl Analysis for Mechanism {
 
     fn solve<W: Worksheet>(&self, given: &MechanismGiven<W>, sheet: W) -> Result<(), Refusal> {
         let parts = self.parts();
-        let (system, rows, positions) = parts.assembled()?;
+        let (system, rows, positions) = parts.assembled(sheet)?;
         let refuse = |error: PlanarError| parts.refusal(&error, &rows);
         let mobility = system.mobility(&positions).map_err(refuse)?;
         let (state, dynamics) = system.solved(&positions).map_err(refuse)?;
@@ -220,12 +220,7 @@ impl Mechanism {
     fn through<W: Worksheet>(&self, this: &Solved<'_>, sheet: W) -> Result<Vec<Sample>, Refusal> {
         const STEPS: usize = 120;
         let Some(first) = self.drivers.first() else { return Ok(Vec::new()) };
-        let here = |drive: &Drive| match drive.what {
-            Driven::Angle { value, .. } | Driven::Position { value, .. } | Driven::Distance { value, .. } => {
-                value
-            }
-        };
-        let start = here(first);
+        let start = first.what.value();
         let turns = matches!(first.what, Driven::Angle { .. });
         let (from, to, closed) = match self.range {
             Range::Turn if turns => (start, start + TAU, true),
@@ -239,8 +234,19 @@ impl Mechanism {
             let values: Vec<f64> =
                 (0..=STEPS).map(|step| from + (to - from) * step as f64 / STEPS as f64).collect();
             let mut swept = Swept::default();
-            // Where the mechanism goes no further the picture ends.
-            let _end = this.system.sweep(positions, 0).map_err(refuse)?.over(&values, &mut swept);
+            let end = this.system.sweep(positions, 0).map_err(refuse)?.over(&values, &mut swept);
+            // A whole turn goes as far as the mechanism does.
+            if let Err(error) = end
+                && !(closed && matches!(error, PlanarError::Limit { .. }))
+            {
+                sheet.warn(|| {
+                    let reached = swept.reached().checked_sub(1).map_or(from, |last| values[last]);
+                    let Refusal::NoAnswer(why) = refuse(error) else { return Text::from("") };
+                    Text::new("the plots end at {end}: {why}")
+                        .with_quantity("end", reached, this.parts.unit(0))
+                        .with_text("why", why)
+                });
+            }
             let sample = |n: usize| Sample {
                 value: values[n],
                 state: swept.state(n),
@@ -250,7 +256,7 @@ impl Mechanism {
         };
         let positions = &this.state.positions;
         if !closed {
-            let values: Vec<f64> = self.drivers.iter().map(here).collect();
+            let values: Vec<f64> = self.drivers.iter().map(|drive| drive.what.value()).collect();
             let there = this.system.follow(positions, &[&[from], &values[1..]].concat()).map_err(refuse)?;
             return one_way(&there.positions, from, to);
         }

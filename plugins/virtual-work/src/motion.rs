@@ -76,8 +76,13 @@ pub enum Moving {
         /// Part against which it turns.
         against: Carrier,
         /// Angle.
-        #[input("θ", "deg")]
+        #[input("θ", "deg", kept_in = "drawn")]
         value: f64,
+        /// Angle in the drawn position.
+        /// The drawn position fixes how gears mesh, how far wheels have rolled, how long cords are, and on which side a
+        /// linkage is assembled; the mechanism moves from there. Left out, it is drawn with the angle above.
+        #[input("θ_d", "deg")]
+        drawn: Option<f64>,
         /// Angular velocity.
         #[input("ω", "rad/s", default = "0 rad/s")]
         velocity: f64,
@@ -94,8 +99,12 @@ pub enum Moving {
         #[input("φ", "deg", default = "0 deg")]
         direction: f64,
         /// Position.
-        #[input("s", "mm")]
+        #[input("s", "mm", kept_in = "drawn")]
         value: f64,
+        /// Position in the drawn position.
+        /// The mechanism is drawn with this value and moves from there. Left out, it is drawn with the position above.
+        #[input("s_d", "mm")]
+        drawn: Option<f64>,
         /// Velocity.
         #[input("v", "m/s", default = "0 m/s")]
         velocity: f64,
@@ -171,7 +180,7 @@ impl Analysis for Motion {
         // The start is assembled as if it were driven there.
         let held: Vec<Drive> =
             self.drivers.iter().cloned().chain(self.starts.iter().map(Start::held)).collect();
-        let (_, rows, positions) = Parts { drivers: &held, ..self.parts() }.assembled()?;
+        let (_, rows, positions) = Parts { drivers: &held, ..self.parts() }.assembled(sheet)?;
         let parts = self.parts();
         let refuse = |error: PlanarError| parts.refusal(&error, &rows);
         let (mechanism, _) = parts.mechanism()?;
@@ -247,11 +256,11 @@ impl Start {
     /// The driver that would hold the start.
     fn held(&self) -> Drive {
         let what = match self.what.clone() {
-            Moving::Angle { body, against, value, velocity } => {
-                Driven::Angle { body, against, value, velocity, acceleration: 0.0 }
+            Moving::Angle { body, against, value, drawn, velocity } => {
+                Driven::Angle { body, against, value, drawn, velocity, acceleration: 0.0 }
             }
-            Moving::Position { from, to, direction, value, velocity } => {
-                Driven::Position { from, to, direction, value, velocity, acceleration: 0.0 }
+            Moving::Position { from, to, direction, value, drawn, velocity } => {
+                Driven::Position { from, to, direction, value, drawn, velocity, acceleration: 0.0 }
             }
         };
         Drive { name: self.name.clone(), what }

@@ -29,6 +29,11 @@ pub struct Part {
     /// Settles on which side a linkage is assembled; the joints correct it.
     #[input("θ_0", "deg", default = "0 deg")]
     pub angle: f64,
+    /// About where the origin of its axes lies.
+    /// Needed where joints and drivers leave it open, as for a weight at the end of a cord, and to choose on which side a
+    /// slider is assembled.
+    #[input("O", "mm", planar)]
+    pub place: Option<Vector3<f64>>,
 }
 
 /// A named point of a body or of the ground.
@@ -249,8 +254,13 @@ pub enum Driven {
         /// Part against which it turns.
         against: Carrier,
         /// Angle.
-        #[input("θ", "deg")]
+        #[input("θ", "deg", kept_in = "drawn")]
         value: f64,
+        /// Angle in the drawn position.
+        /// The drawn position fixes how gears mesh, how far wheels have rolled, how long cords are, and on which side a
+        /// linkage is assembled; the mechanism moves from there. Left out, it is drawn with the angle above.
+        #[input("θ_d", "deg")]
+        drawn: Option<f64>,
         /// Angular velocity.
         #[input("ω", "rad/s", default = "0 rad/s")]
         velocity: f64,
@@ -270,8 +280,12 @@ pub enum Driven {
         #[input("φ", "deg", default = "0 deg")]
         direction: f64,
         /// Position.
-        #[input("s", "mm")]
+        #[input("s", "mm", kept_in = "drawn")]
         value: f64,
+        /// Position in the drawn position.
+        /// The mechanism is drawn with this value and moves from there. Left out, it is drawn with the position above.
+        #[input("s_d", "mm")]
+        drawn: Option<f64>,
         /// Velocity.
         #[input("v", "m/s", default = "0 m/s")]
         velocity: f64,
@@ -288,8 +302,12 @@ pub enum Driven {
         #[input(rows = "points")]
         to: Reference,
         /// Distance.
-        #[input("s", "mm", positive)]
+        #[input("s", "mm", positive, kept_in = "drawn")]
         value: f64,
+        /// Distance in the drawn position.
+        /// The mechanism is drawn with this value and moves from there. Left out, it is drawn with the distance above.
+        #[input("s_d", "mm", positive)]
+        drawn: Option<f64>,
         /// Velocity.
         #[input("v", "m/s", default = "0 m/s")]
         velocity: f64,
@@ -297,6 +315,26 @@ pub enum Driven {
         #[input("a", "m/s^2", default = "0 m/s^2")]
         acceleration: f64,
     },
+}
+
+impl Driven {
+    /// The value of the measure.
+    pub(crate) fn value(&self) -> f64 {
+        match *self {
+            Driven::Angle { value, .. } | Driven::Position { value, .. } | Driven::Distance { value, .. } => {
+                value
+            }
+        }
+    }
+
+    /// Its value in the drawn position.
+    pub(crate) fn drawn(&self) -> f64 {
+        match *self {
+            Driven::Angle { drawn, .. } | Driven::Position { drawn, .. } | Driven::Distance { drawn, .. } => {
+                drawn.unwrap_or_else(|| self.value())
+            }
+        }
+    }
 }
 
 /// A load, by its name.

@@ -42,12 +42,18 @@ impl System {
     /// A step that Newton's method would change much, or that would turn the sign of `det Φ_q`, is halved: so a
     /// linkage never flips to its other branch. Where no step leads on, the mechanism has reached its limit.
     ///
+    /// Values that differ from those of the positions by rounding alone are reached already.
+    ///
     /// # Errors
     /// `Limit` with the last value that can be reached; `TooFar` beyond some thirty turns; as for [`motion`](System::motion) if it cannot even start.
     pub fn follow(&self, positions: &[[f64; 3]], values: &[f64]) -> Result<Followed, PlanarError> {
         let from: Vec<f64> =
             self.mechanism.drivers.iter().map(|driver| self.value(&driver.measure, positions)).collect();
         let way: Vec<f64> = values.iter().zip(&from).map(|(to, from)| to - from).collect();
+        if largest(&way) <= 4.0 * f64::EPSILON * self.reach(positions) {
+            self.closed_at(positions, values)?;
+            return Ok(Followed { positions: positions.to_vec(), passed: Vec::new() });
+        }
         let still = vec![0.0; way.len()];
         let at =
             |done: f64| -> Vec<f64> { from.iter().zip(&way).map(|(from, way)| from + done * way).collect() };
@@ -106,6 +112,20 @@ impl System {
         }
         self.closed_at(&here.positions, values)?;
         Ok(here)
+    }
+
+    /// The same mechanism with its drivers at other values, and its positions there, reached by continuation.
+    ///
+    /// # Errors
+    /// As for [`follow`](System::follow).
+    pub fn taken_to(
+        mut self,
+        positions: &[[f64; 3]],
+        values: &[f64],
+    ) -> Result<(Self, Vec<[f64; 3]>), PlanarError> {
+        let reached = self.follow(positions, values)?.positions;
+        self.driven_to(values);
+        Ok((self, reached))
     }
 
     fn closed_at(&self, positions: &[[f64; 3]], values: &[f64]) -> Result<(), PlanarError> {

@@ -9,6 +9,8 @@ use crate::{Real, lanes::Numbers, linalg::Elimination};
 
 /// What a closed joint may be open by, in parts of the size of the mechanism.
 const CLOSED: f64 = 1e-14;
+/// A component of a motion above this part of its largest is no rounding.
+const FREE: f64 = 1e-6;
 /// Steps of the assembly before it is given up.
 const STEPS: usize = 200;
 
@@ -21,6 +23,15 @@ pub struct State {
     pub velocities: Vec<[f64; 3]>,
     /// Accelerations.
     pub accelerations: Vec<[f64; 3]>,
+}
+
+/// Where bodies are before the mechanism is assembled.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placed {
+    /// `(x, y, θ)` of each body.
+    pub drawn: Vec<[f64; 3]>,
+    /// The bodies whose origin was not given and does not follow from the joints and drivers.
+    pub unplaced: Vec<usize>,
 }
 
 /// In how many ways a mechanism can move.
@@ -84,12 +95,16 @@ impl System {
         Ok(system)
     }
 
-    /// About where the bodies are when only their angles are known: their origins as the joints want them while no
-    /// body turns, by least squares. What a joint takes from the drawn position is left out.
+    /// About where the bodies are when their angles are known, and the origins of some of them: the origins as the joints
+    /// want them while no body turns, by least squares. What a joint takes from the drawn position is left out.
     ///
     /// # Errors
     /// As for [`new`](System::new); `NotFinite`.
-    pub fn place(mechanism: &Mechanism, angles: &[f64]) -> Result<Vec<[f64; 3]>, PlanarError> {
+    pub fn place(
+        mechanism: &Mechanism,
+        angles: &[f64],
+        origins: &[Option<[f64; 2]>],
+    ) -> Result<Placed, PlanarError> {
         // Not all in one place: distances between coinciding points have no direction.
         let apart = |(body, &angle): (usize, &f64)| {
             let turn = 2.4 * (body + 1) as f64;
@@ -97,18 +112,18 @@ impl System {
         };
         let mut drawn: Vec<[f64; 3]> = angles.iter().enumerate().map(apart).collect();
         let system = Self::new(mechanism, &drawn)?;
-        for at in &mut drawn {
-            (at[0], at[1]) = (at[0] * 0.01 * system.length, at[1] * 0.01 * system.length);
+        for (at, origin) in drawn.iter_mut().zip(origins) {
+            [at[0], at[1]] = origin.unwrap_or([at[0] * 0.01 * system.length, at[1] * 0.01 * system.length]);
         }
         let wanted: Vec<usize> = {
             let joints = mechanism.joints.iter().flat_map(super::Joint::equations);
             let asked = joints.enumerate().filter(|(_, equation)| equation.sum.is_some());
             asked.map(|(row, _)| row).chain(system.first_driver()..system.equations.len()).collect()
         };
-        let origins: Vec<usize> = (0..3 * angles.len()).filter(|column| column % 3 != 2).collect();
+        let columns: Vec<usize> = (0..3 * angles.len()).filter(|column| column % 3 != 2).collect();
         for _ in 0..20 {
             let (gaps, slopes) = system.levelled(&drawn)?;
-            let slopes = slopes.select_rows(&wanted).select_columns(&origins);
+            let slopes = slopes.select_rows(&wanted).select_columns(&columns);
             let right = nalgebra::DVector::from_iterator(wanted.len(), wanted.iter().map(|&row| gaps[row]));
             let mut normal = slopes.tr_mul(&slopes);
             for at in 0..normal.nrows() {
@@ -122,7 +137,13 @@ impl System {
                 break;
             }
         }
-        Ok(drawn)
+        let (_, slopes) = system.levelled(&drawn)?;
+        let left = Elimination::new(&slopes.select_rows(&wanted).select_columns(&columns))?.null_space()?;
+        let is_free =
+            |body: usize| left.iter().any(|motion| motion[2 * body..][..2].iter().any(|x| x.abs() > FREE));
+        let unplaced =
+            (0..angles.len()).filter(|&body| is_free(body) && origins.get(body).is_none_or(Option::is_none));
+        Ok(Placed { unplaced: unplaced.collect(), drawn })
     }
 
     /// The size of the mechanism, m: its longest arm, rod or reach.
@@ -267,12 +288,13 @@ impl System {
         if elimination.rank() == unknowns && elimination.dependent_rows().is_empty() {
             return Ok(elimination);
         }
-        let free = self.mobility(positions)?.free;
+        let Mobility { counted, free, .. } = self.mobility(positions)?;
         if elimination.rank() == unknowns && drivers == free {
             return Ok(elimination);
         }
         if drivers < free {
-            return Err(PlanarError::UnderDriven { free: free - drivers });
+            let singular = counted <= drivers as i64;
+            return Err(PlanarError::UnderDriven { free: free - drivers, singular });
         }
         // Of the motions that the joints leave, which driver moves none that the others do not?
         let joints = Elimination::new(&slopes.rows(0, self.first_driver()).into_owned())?;

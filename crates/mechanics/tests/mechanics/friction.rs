@@ -269,7 +269,7 @@ fn five_bar(coefficients: &[f64], radius: f64) -> (System, Vec<[f64; 3]>) {
         gravity: [0.0, -G],
         ..Mechanism::default()
     };
-    let drawn = found(System::place(&mechanism, &[1.8, 0.9, -0.9, 1.3]));
+    let drawn = found(System::place(&mechanism, &[1.8, 0.9, -0.9, 1.3], &[])).drawn;
     let system = found(System::new(&mechanism, &drawn));
     let positions = found(system.assemble(&drawn));
     (system, positions)

@@ -236,7 +236,7 @@ fn what_is_wrong_is_named() {
         let positions = found(system.assemble(&at));
         (system, positions)
     };
-    assert_eq!(system.motion(&positions), Err(PlanarError::UnderDriven { free: 1 }));
+    assert_eq!(system.motion(&positions), Err(PlanarError::UnderDriven { free: 1, singular: false }));
     let mut twice = good.clone();
     let rocker = found(System::new(&good, &positions)).value(
         &Measure::Angle { of: Some(2), against: None },

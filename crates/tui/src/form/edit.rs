@@ -59,6 +59,7 @@ impl Form {
         };
         // What is edited is a leaf of the draft.
         let _ = self.draft.write(&self.shape, &edit.path, text);
+        self.draft.keep_first(&edit.before, &self.shape);
     }
 
     /// Ends the edit and keeps its text.

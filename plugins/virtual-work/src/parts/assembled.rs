@@ -1,7 +1,7 @@
 //! The mechanism that its parts make.
 
-use dalembert_core::{Reference, Refusal, Text};
-use dalembert_mechanics::planar::{self, Measure, PlanarError, Profile, System};
+use dalembert_core::{Reference, Refusal, Text, Worksheet};
+use dalembert_mechanics::planar::{self, Measure, Placed, PlanarError, Profile, System};
 use nalgebra::Vector3;
 
 use super::{Connection, Drive, Driven, Joint, Load, NamedLoad, Part, Spot};
@@ -112,15 +112,15 @@ impl Parts<'_> {
 
     fn driver(&self, what: &Driven) -> planar::Driver {
         match *what {
-            Driven::Angle { body, ref against, value, velocity, acceleration } => {
+            Driven::Angle { body, ref against, value, velocity, acceleration, .. } => {
                 let measure = Measure::Angle { of: Some(body.0), against: against.frame() };
                 planar::Driver { measure, value, velocity, acceleration }
             }
-            Driven::Position { from, to, direction, value, velocity, acceleration } => {
+            Driven::Position { from, to, direction, value, velocity, acceleration, .. } => {
                 let measure = self.along(from, to, direction);
                 planar::Driver { measure, value, velocity, acceleration }
             }
-            Driven::Distance { from, to, value, velocity, acceleration } => {
+            Driven::Distance { from, to, value, velocity, acceleration, .. } => {
                 planar::Driver { measure: self.distance(from, to), value, velocity, acceleration }
             }
         }
@@ -166,12 +166,22 @@ impl Parts<'_> {
         planar::Load::Effort { measure, effort }
     }
 
-    /// The mechanism, assembled.
-    pub(crate) fn assembled(&self) -> Result<(System, Vec<usize>, Vec<[f64; 3]>), Refusal> {
+    /// The mechanism, assembled in the drawn position and taken from there to the values of its drivers by continuation.
+    ///
+    /// The drawn position fixes how gears mesh, how far wheels have rolled, how long cords are, and on which side a
+    /// linkage is assembled.
+    pub(crate) fn assembled<W: Worksheet>(
+        &self,
+        sheet: W,
+    ) -> Result<(System, Vec<usize>, Vec<[f64; 3]>), Refusal> {
         if self.bodies.is_empty() {
             return Err(Refusal::because("there is no body: write down at least one"));
         }
-        let (mechanism, rows) = self.mechanism()?;
+        let (mut mechanism, rows) = self.mechanism()?;
+        let values: Vec<f64> = mechanism.drivers.iter().map(|driver| driver.value).collect();
+        for (driver, drive) in mechanism.drivers.iter_mut().zip(self.drivers) {
+            driver.value = drive.what.drawn();
+        }
         let mut angles: Vec<f64> = self.bodies.iter().map(|body| body.angle).collect();
         for driver in &mechanism.drivers {
             if let Measure::Angle { of: Some(body), against: None } = driver.measure {
@@ -179,9 +189,30 @@ impl Parts<'_> {
             }
         }
         let refuse = |error: PlanarError| self.refusal(&error, &rows);
-        let drawn = System::place(&mechanism, &angles).map_err(refuse)?;
+        // The origin of a body is its mass centre here, and of its own axes in the form.
+        let origin = |(body, angle): (&Part, &f64)| {
+            let [sin, cos] = [angle.sin(), angle.cos()];
+            let centre = body.centre;
+            let at = body.place?;
+            Some([at.x + cos * centre.x - sin * centre.y, at.y + sin * centre.x + cos * centre.y])
+        };
+        let origins: Vec<Option<[f64; 2]>> = self.bodies.iter().zip(&angles).map(origin).collect();
+        let Placed { drawn, unplaced } = System::place(&mechanism, &angles, &origins).map_err(refuse)?;
+        if !unplaced.is_empty() {
+            sheet.warn(|| {
+                let names: Vec<&str> = unplaced.iter().map(|body| self.bodies[*body].name.as_str()).collect();
+                Text::new(
+                    "joints and drivers leave open where it lies: give the place of {names}; any is assumed",
+                )
+                .with("names", names.join(", "))
+            });
+        }
         let system = System::new(&mechanism, &drawn).map_err(refuse)?;
         let positions = system.assemble(&drawn).map_err(refuse)?;
+        if self.drivers.iter().all(|drive| drive.what.drawn() == drive.what.value()) {
+            return Ok((system, rows, positions));
+        }
+        let (system, positions) = system.taken_to(&positions, &values).map_err(refuse)?;
         Ok((system, rows, positions))
     }
 }

@@ -6,14 +6,19 @@ use dalembert_mechanics::{ode::OdeError, planar::PlanarError};
 use super::{Driven, Parts};
 
 impl Parts<'_> {
+    /// The unit of what a driver drives.
+    pub(crate) fn unit(&self, driver: usize) -> &'static str {
+        match self.drivers[driver].what {
+            Driven::Angle { .. } => "deg",
+            Driven::Position { .. } | Driven::Distance { .. } => "mm",
+        }
+    }
+
     /// What is wrong, in the names of the form.
     pub(crate) fn refusal(&self, error: &PlanarError, rows: &[usize]) -> Refusal {
         let drive = |driver: usize| self.drivers[driver].name.as_str();
         let joint = |joint: usize| rows.get(joint).map_or("", |row| self.joints[*row].name.as_str());
-        let unit = |driver: usize| match self.drivers[driver].what {
-            Driven::Angle { .. } => "deg",
-            Driven::Position { .. } | Driven::Distance { .. } => "mm",
-        };
+        let unit = |driver: usize| self.unit(driver);
         Refusal::because(match error {
             PlanarError::DoesNotClose { joint: at, gap } if *at < rows.len() => Text::new(
                 "the mechanism cannot be assembled: {joint} stays open by {gap}; look at the lengths, the driven values and the angles at which the bodies lie",
@@ -24,7 +29,10 @@ impl Parts<'_> {
                 Text::new("the mechanism does not reach the value of {driver}; choose another")
                     .with("driver", drive(at - rows.len()))
             }
-            PlanarError::UnderDriven { free } => Text::new(
+            PlanarError::UnderDriven { singular: true, .. } => Text::new(
+                "in this position the joints let the mechanism move in more ways than it has drivers, although their number fits: a singular position; draw it in another one",
+            ),
+            PlanarError::UnderDriven { free, .. } => Text::new(
                 "{free} degrees of freedom have no driver: add a driver, or a joint, for each",
             )
             .with("free", free.to_string()),
