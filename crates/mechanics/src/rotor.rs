@@ -137,6 +137,12 @@ impl Coefficients {
         Self { stiffness: [[k[0], 0.0], [0.0, k[1]]], damping: [[c[0], 0.0], [0.0, c[1]]] }
     }
 
+    /// Whether `kxy` and `kyx` are equal but for the rounding of a change of units.
+    fn is_symmetric(&self) -> bool {
+        let [[_, xy], [yx, _]] = self.stiffness;
+        (xy - yx).abs() <= 4.0 * f64::EPSILON * xy.abs().max(yx.abs())
+    }
+
     fn between(self, other: Self, share: f64) -> Self {
         let mix = |a: [[f64; 2]; 2], b: [[f64; 2]; 2]| {
             [0, 1].map(|i| [0, 1].map(|j| a[i][j] + share * (b[i][j] - a[i][j])))
@@ -191,19 +197,46 @@ impl Rotor {
     /// Whether nothing dissipates or feeds energy, and no bearing depends on speed: then natural frequencies are
     /// those of a Hermitian problem and critical speeds can be found directly.
     pub fn is_conservative(&self) -> bool {
-        let bearing = |support: &Support| match &support.hold {
-            Hold::Bearing(table) => {
-                table.len() == 1
-                    && table[0].1.stiffness[0][1] == table[0].1.stiffness[1][0]
-                    && table[0].1.damping == [[0.0; 2]; 2]
-            }
-            _ => true,
-        };
-        let material = |element: &element::Element| {
-            element.material.viscous_damping == 0.0 && element.material.loss_factor == 0.0
-        };
-        self.supports.iter().all(bearing) && self.elements.iter().all(material)
+        self.is_undamped() && self.supports.iter().all(Support::is_constant)
     }
+
+    /// Whether nothing dissipates or feeds energy at any speed: then no mode grows or dies away.
+    pub fn is_undamped(&self) -> bool {
+        let undamped = |here: &Coefficients| here.is_symmetric() && here.damping == [[0.0; 2]; 2];
+        !self.has_internal_damping() && self.coefficients().all(undamped)
+    }
+
+    /// Whether nothing can feed energy at any speed: every bearing has a symmetric stiffness that pulls back and a
+    /// damping that only takes energy, and the shaft has no damping that turns with it. The total energy then never
+    /// rises, and without compression no motion grows.
+    pub fn cannot_grow(&self) -> bool {
+        !self.has_internal_damping()
+            && self.tension >= 0.0
+            && self
+                .coefficients()
+                .all(|here| here.is_symmetric() && pulls(here.stiffness) && pulls(here.damping))
+    }
+
+    fn has_internal_damping(&self) -> bool {
+        self.elements
+            .iter()
+            .any(|element| element.material.viscous_damping != 0.0 || element.material.loss_factor != 0.0)
+    }
+
+    /// Every row of every bearing table.
+    fn coefficients(&self) -> impl Iterator<Item = &Coefficients> {
+        let rows = |support| match support {
+            &Support { hold: Hold::Bearing(ref table), .. } => table.as_slice(),
+            _ => &[],
+        };
+        self.supports.iter().flat_map(rows).map(|(_, here)| here)
+    }
+}
+
+/// Whether the symmetric part of a matrix is not negative in any direction.
+fn pulls([[xx, xy], [yx, yy]]: [[f64; 2]; 2]) -> bool {
+    let cross = 0.5 * (xy + yx);
+    xx >= 0.0 && yy >= 0.0 && cross * cross <= xx * yy
 }
 
 #[cfg(test)]

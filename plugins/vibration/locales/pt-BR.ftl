@@ -1363,10 +1363,8 @@ the-inner-diameter-of-a-shaft-segment-is-not-below-the-outer-one-write-the-large
 place-is-not-on-the-shaft-which-is-length-long-place-discs-supports-and-unbalances-on-it = { $place } não está no eixo, que tem { $length } de comprimento: ponha discos, apoios e desbalanceamentos sobre ele
 the-speeds-of-a-bearing-table-must-rise-from-row-to-row-and-there-must-be-one-row-at-least = as rotações da tabela de um mancal devem crescer de linha a linha, e deve haver ao menos uma linha
 damped-natural-frequency-of-mode-n-eigenvalue-i-of-m-c-g-k-shaft-elements-discs-and-supports-added-up = Frequência natural amortecida do modo { $n }: autovalor λ = σ + iω de λ²M + λ(C + ΩG) + K, somados os elementos do eixo, os discos e os apoios
-the-frequency-from-the-equations-of-all-nodes-is-that-from-a-few-shapes-of-the-shaft = a frequência das equações de todos os nós é a de poucas formas do eixo
 the-same-in-hertz = A mesma em hertz
 growth-the-real-part-of-the-eigenvalue-negative-where-the-motion-dies-away = Crescimento: a parte real do autovalor; negativa quando o movimento se extingue
-the-growth-from-the-equations-of-all-nodes-is-that-from-a-few-shapes-of-the-shaft = o crescimento das equações de todos os nós é o de poucas formas do eixo
 damping-ratio-from-growth-and-size-of-the-eigenvalue = Razão de amortecimento, do crescimento e do módulo do autovalor
 logarithmic-decrement-what-is-lost-in-one-turn-2 = Decremento logarítmico: o que se perde em um período 2π/ω
 the-decrement-from-the-damping-ratio-2-1 = o decremento pela razão de amortecimento, δ = 2πζ/√(1 − ζ²)
@@ -1374,13 +1372,41 @@ whirl-short-over-long-axis-of-the-orbit-where-it-is-largest-positive-with-the-sp
 short-over-long-axis-of-the-orbit-with-the-spin = Eixo menor sobre eixo maior da órbita, + no sentido da rotação
 critical-speed-with-s-free-whirl-obeys-k-m-ig-s-v-0-an-eigenproblem-for-the-whirl-direction = Velocidade crítica: com ω = sΩ a precessão livre obedece a (K − ω²(M − iG/s)) v = 0, um problema de autovalor em ω; a precessão { $direction }
 critical-speed-where-a-damped-natural-frequency-meets-s-the-whirl-direction = Velocidade crítica: onde uma frequência natural amortecida encontra sΩ; a precessão { $direction }
-at-this-speed-a-natural-frequency-is-the-wanted-multiple-of-the-speed = nesta rotação uma frequência natural é o múltiplo pedido da rotação
 there-is-no-critical-speed-up-to-the-highest-speed-of-the-diagrams = não há velocidade crítica até a maior rotação dos diagramas
 a-motion-without-swing-grows-the-bearings-push-the-shaft-away-at-some-of-the-speeds = um movimento sem oscilação cresce: os mancais repelem o eixo em algumas das rotações
-every-mode-dies-away-up-to-the-highest-speed-of-the-diagrams-the-rotor-is-stable-there = todo modo se extingue até a maior rotação dos diagramas: o rotor é estável ali
-a-mode-grows-even-at-rest-the-rotor-is-unstable-at-every-speed-from-rest-on = um modo cresce mesmo em repouso: o rotor é instável desde o repouso
-threshold-of-stability-the-lowest-speed-at-which-the-damping-of-a-mode-is-zero-the-whirl-direction = Limiar de estabilidade: a menor rotação em que o amortecimento de um modo é nulo; a precessão { $direction }
-at-the-threshold-the-mode-neither-grows-nor-dies-away = no limiar o modo não cresce nem se extingue
+mode-n-near-frequency-could-not-be-refined-on-the-equations-of-all-nodes-it-is-not-answered = o modo { $n }, perto de { $frequency }, não pôde ser refinado nas equações de todos os nós: fica sem resposta
+the-frequency-balances-the-powers-of-inertia-rotation-damping-and-stiffness-in-the-shape-of-the-mode = a frequência equilibra as potências de inércia, rotação, amortecimento e rigidez na forma do modo
+the-growth-balances-the-powers-of-inertia-rotation-damping-and-stiffness-in-the-shape-of-the-mode = o crescimento equilibra as potências de inércia, rotação, amortecimento e rigidez na forma do modo
+at-this-speed-a-natural-frequency-of-the-equations-of-all-nodes-is-the-wanted-multiple-of-the-speed = nesta rotação uma frequência natural das equações de todos os nós é o múltiplo pedido da rotação
+the-critical-speed-near-speed-could-not-be-refined-on-the-equations-of-all-nodes-it-is-not-answered = a velocidade crítica perto de { $speed } não pôde ser refinada nas equações de todos os nós: fica sem resposta
+no-mode-can-grow-up-to-the-highest-speed-of-the-diagrams-every-stiffness-is-symmetric-and-damping = nenhum modo pode crescer até a maior rotação dos diagramas: toda rigidez é simétrica, e o amortecimento só retira energia
+the-limit-of-stability-near-speed-could-not-be-refined-on-the-equations-of-all-nodes-it-is-not = o limite de estabilidade perto de { $speed } não pôde ser refinado nas equações de todos os nós: fica sem resposta
+no-mode-grows-at-the-count-speeds-examined-up-to-the-highest-speed-of-the-diagrams = nenhum modo cresce nas { $count } rotações examinadas até a maior rotação dos diagramas
+at-the-limit-of-stability-the-mode-neither-grows-nor-dies-away = no limite de estabilidade o modo não cresce nem se extingue
+uniform-rotor-on-soft-bearings-bending-alone = Rotor uniforme sobre mancais moles, só flexão
+the-same-rotor-with-more-elements = O mesmo rotor com mais elementos
+the-same-rotor-on-bearings-ten-times-as-stiff-at-rest = O mesmo rotor sobre mancais dez vezes mais rígidos, em repouso
+a-thick-shaft-on-soft-bearings-at-rest = Um eixo grosso sobre mancais moles, em repouso
+two-springs-that-pull-back-and-no-compression-it-cannot-be-statically-unstable = Duas molas que puxam de volta e nenhuma compressão: não pode ser estaticamente instável.
+two-discs-on-very-soft-bearings-bending-alone-forty-elements-in-a-stretch = Dois discos sobre mancais muito moles, só flexão, quarenta elementos em cada trecho
+two-discs-on-very-soft-bearings-twenty-elements-in-a-stretch = Dois discos sobre mancais muito moles, vinte elementos em cada trecho
+two-discs-on-damped-bearings = Dois discos sobre mancais amortecidos
+the-rotor-of-ex-5-9-5-of-friswell-et-al = O rotor do ex. 5.9.5 de Friswell et al.
+a-band-of-instability-between-two-speeds-of-the-diagrams = Uma faixa de instabilidade entre duas rotações dos diagramas
+the-same-rotor-far-below-the-band = O mesmo rotor muito abaixo da faixa
+a-threshold-of-stability-far-below-the-highest-speed-7200-rpm = Um limiar de estabilidade muito abaixo da maior rotação, 7200 rpm
+a-threshold-of-stability-far-below-the-highest-speed-30000-rpm = Um limiar de estabilidade muito abaixo da maior rotação, 30000 rpm
+the-same-elements-added-up-by-crates-mechanics-tests-reference-rotors-py-mpmath-1-4-1-40-digits = Os mesmos elementos montados por crates/mechanics/tests/reference/rotors.py (mpmath 1.4.1, 40 algarismos)
+the-same-elements-added-up-in-closed-form-eigenvalues-by-lapack-numpy-2-4-6 = Os mesmos elementos montados em forma fechada, autovalores por LAPACK (NumPy 2.4.6)
+threshold-of-stability-from-this-speed-on-a-mode-grows-the-whirl-direction = Limiar de estabilidade: a partir desta rotação um modo cresce; a precessão { $direction }
+threshold-of-stability-again = Limiar de estabilidade, de novo
+a-mode-grows-even-at-rest-the-rotor-is-unstable-at-every-speed-examined = um modo cresce mesmo em repouso: o rotor é instável em todas as rotações examinadas
+a-mode-grows-even-at-rest = um modo cresce mesmo em repouso
+upper-end-of-the-instability-above-this-speed-the-mode-dies-away-again-the-whirl-direction = Fim superior da instabilidade: acima desta rotação o modo volta a se extinguir; a precessão { $direction }
+upper-end-of-the-instability = Fim superior da instabilidade
+a-mode-grows-between-from-and-to-the-rotor-is-unstable-there = um modo cresce entre { $from } e { $to }: o rotor é instável ali
+the-search-for-the-modes-of-this-rotor-did-not-converge-that-is-a-limit-of-the-program-not-of-the = a busca dos modos deste rotor não convergiu; isso é um limite do programa, não do rotor: outro número de elementos pode contorná-lo
+limit-of-stability-0 = limite de estabilidade, δ = 0
 threshold-of-stability = Limiar de estabilidade
 the-speed-lies-above-the-threshold-of-stability-threshold-the-whirl-grows-until-something-else-limits = a rotação está acima do limiar de estabilidade, { $threshold }: a precessão cresce até que outra coisa a limite
 unbalance-response-m-i-c-g-k-q-m-e-e-i-motion-along-x-in-phase-with-the-mark-on-the-shaft = Resposta ao desbalanceamento (−Ω²M + iΩ(C + ΩG) + K) q = Ω² m e e^(iδ): movimento ao longo de x em fase com a marca no eixo
@@ -1433,7 +1459,6 @@ change = variação
 campbell-diagram = Diagrama de Campbell
 critical-speed-n = velocidade crítica { $n }
 stability-map = Mapa de estabilidade
-threshold = limiar
 mode-n = modo { $n }
 unbalance-response-zero-to-peak = Resposta ao desbalanceamento, zero a pico
 half-axes-of-the-orbit = semieixos da órbita

@@ -6,13 +6,14 @@ use std::f64::consts::TAU;
 use dalembert_core::{About, Analysis, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real,
+    linalg::LinalgError,
     rotor::{
-        Assembled, Disc, Hold, Rotor, RotorError, Support as Held,
+        Assembled, Complex, Disc, Hold, Rotor, RotorError, Support as Held,
         campbell::{Campbell, campbell},
-        critical::{self, Critical},
+        critical::{self, Critical, Criticals},
         element::{Material, Theory as Bending},
         mesh::{Segment, mesh},
-        modes::{self, Direction, Mode, Reduced, Spectrum},
+        modes::{self, Direction, Mode, Polished, Reduced, Spectrum},
         response::{Unbalance, residual, unbalance_response},
     },
 };
@@ -78,12 +79,16 @@ pub struct RotorDynamics {
 
 register!(RotorDynamics);
 
+/// The agreement that a check asks for where rounding leaves that many digits.
+const AGREEMENT: f64 = 1e-9;
 /// Speeds of the Campbell diagram.
 const SPEEDS: usize = 14;
 /// The most elements of the whole shaft.
 const MOST_ELEMENTS: usize = 400;
-/// A real part that is this share of its eigenvalue is rounding.
-const STILL: f64 = 1e-10;
+/// A real part below so many times what rounding changes of an eigenvalue is rounding.
+const STILL: f64 = 32.0;
+/// The most bands of instability that are answered.
+const MOST_BANDS: usize = 4;
 
 impl Analysis for RotorDynamics {
     const ABOUT: About = About {
@@ -135,17 +140,22 @@ impl Analysis for RotorDynamics {
 
         let asked = [self.speed, self.highest_speed.max(self.speed)];
         let reduced = Reduced::new(&all, self.modes, &asked).map_err(refusal)?;
-        let spectrum = reduced.modes(self.speed).map_err(refusal)?;
+        let mut spectrum = reduced.modes(self.speed).map_err(refusal)?;
         if spectrum.modes.is_empty() {
             return Err(Refusal::because(
                 "no mode oscillates: every motion is overdamped; lower the damping of the bearings",
             ));
         }
         let conservative = rotor.is_conservative();
-        for (n, mode) in spectrum.modes.iter().enumerate() {
-            self.answer_mode(&all, n + 1, mode, conservative, sheet)?;
+        let mut grows = false;
+        for (n, mode) in spectrum.modes.iter_mut().enumerate() {
+            // What is shown of a mode is what is answered.
+            if let Some(lambda) = self.answer_mode(&rotor, &all, n + 1, mode, sheet) {
+                mode.lambda = lambda;
+                grows |= lambda.re > critical::NEUTRAL * lambda.norm();
+            }
         }
-        warn_of_modes(&spectrum, sheet);
+        warn_of_modes(&spectrum, grows, sheet);
         sheet.keep_going()?;
 
         let diagram = std::cell::OnceCell::new();
@@ -153,21 +163,21 @@ impl Analysis for RotorDynamics {
             if let Some(made) = diagram.get() {
                 return Ok(made);
             }
-            let (lowest, range) = (self.lowest_speed(), self.highest_speed - self.lowest_speed());
-            let speeds: Vec<f64> = (0..=SPEEDS).map(|n| lowest + range * n as f64 / SPEEDS as f64).collect();
-            let made = campbell(&reduced, &speeds).map_err(refusal)?;
+            let made = campbell(&reduced, &self.speeds(conservative)).map_err(refusal)?;
             Ok(diagram.get_or_init(|| made))
         };
-        let mut criticals = if conservative {
+        // A free shaft has no stiffness of its own to divide by.
+        let directly = conservative && !reduced.is_free();
+        let Criticals { found: mut criticals, lost } = if directly {
             critical::direct(&reduced, self.slope, self.highest_speed).map_err(refusal)?
         } else {
             critical::crossings(&reduced, campbell_diagram()?, self.slope).map_err(refusal)?
         };
         criticals.truncate(self.modes);
-        self.answer_criticals(&all, &reduced, &criticals, conservative, sheet);
+        self.answer_criticals(&all, &criticals, &lost, directly, sheet);
         sheet.keep_going()?;
         if !conservative {
-            self.answer_threshold(&reduced, campbell_diagram()?, sheet)?;
+            self.answer_stability(&rotor, &all, &reduced, campbell_diagram()?, grows, sheet)?;
         }
         self.answer_response(given, &all, &stations, sheet)?;
         self.warn_of_inputs(&sizes, sheet);
@@ -296,17 +306,26 @@ impl RotorDynamics {
 
     fn answer_mode<W: Worksheet>(
         &self,
+        rotor: &Rotor,
         all: &Assembled,
         n: usize,
         mode: &Mode,
-        conservative: bool,
         sheet: W,
-    ) -> Result<(), Refusal> {
-        let exact = modes::polished(all, mode, self.speed).map_err(refusal)?;
+    ) -> Option<Complex<f64>> {
+        let Ok(Polished { mode: exact, rounding }) = modes::polished(all, mode, self.speed) else {
+            sheet.warn(|| {
+                Text::new("mode {n}, near {frequency}, could not be refined on the equations of all nodes: it is not answered")
+                    .with("n", n)
+                    .with_quantity("frequency", mode.frequency(), "Hz")
+            });
+            return None;
+        };
         let mut lambda = exact.lambda;
-        if conservative || lambda.re.abs() < STILL * lambda.norm() {
+        if rotor.is_undamped() || lambda.re.abs() <= STILL * rounding * lambda.norm() {
             lambda.re = 0.0;
         }
+        // What this rotor leaves of the digits of an eigenvalue, as the scale against which two of them are compared.
+        let scale = lambda.norm() * (STILL * rounding / AGREEMENT).max(1.0);
         let how = (
             Text::new(
                 "Damped natural frequency of mode {n}: eigenvalue λ = σ + iω of λ²M + λ(C + ΩG) + K, shaft elements, \
@@ -316,55 +335,55 @@ impl RotorDynamics {
             FRISWELL.at("ch. 5"),
         );
         let frequency = sheet.found(("ω", n), "rad/s", lambda.im, how);
+        let by_energy = modes::energy_eigenvalue(all, &exact, self.speed);
+        let by_energy = by_energy.unwrap_or(Complex::new(f64::NAN, f64::NAN));
         sheet.verify(|| {
-            sheet.check(
-                "the frequency from the equations of all nodes is that from a few shapes of the shaft",
-                W::Num::from(mode.lambda.im),
-                frequency,
+            sheet.check_zero(
+                "the frequency balances the powers of inertia, rotation, damping and stiffness in the shape of the mode",
+                frequency - by_energy.im,
+                scale,
             );
         });
         let cycles = sheet.step(("f", n), "Hz", frequency, "The same in hertz");
         sheet.answer(("frequency", n), "Damped natural frequency", cycles);
-        if !conservative {
-            let growth = sheet.found(
-                ("σ", n),
-                "s^-1",
-                lambda.re,
-                (
-                    "Growth: the real part of the eigenvalue; negative where the motion dies away",
-                    FRISWELL.at("ch. 5"),
-                ),
+        let growth = sheet.found(
+            ("σ", n),
+            "s^-1",
+            lambda.re,
+            (
+                "Growth: the real part of the eigenvalue; negative where the motion dies away",
+                FRISWELL.at("ch. 5"),
+            ),
+        );
+        sheet.verify(|| {
+            sheet.check_zero(
+                "the growth balances the powers of inertia, rotation, damping and stiffness in the shape of the mode",
+                growth - by_energy.re,
+                scale,
             );
-            sheet.verify(|| {
-                sheet.check_zero(
-                    "the growth from the equations of all nodes is that from a few shapes of the shaft",
-                    W::Num::from(lambda.re - mode.lambda.re),
-                    lambda.norm(),
-                );
-            });
-            let natural = (growth.powi(2) + frequency.powi(2)).sqrt();
-            let zeta = sheet.step(
-                ("ζ", n),
-                "1",
-                -growth / natural,
-                ("Damping ratio, from growth and size of the eigenvalue", FRISWELL.at("ch. 5")),
+        });
+        let natural = (growth.powi(2) + frequency.powi(2)).sqrt();
+        let zeta = sheet.step(
+            ("ζ", n),
+            "1",
+            -growth / natural,
+            ("Damping ratio, from growth and size of the eigenvalue", FRISWELL.at("ch. 5")),
+        );
+        let decrement = sheet.step(
+            ("δ", n),
+            "1",
+            -(growth / frequency) * TAU,
+            ("Logarithmic decrement: what is lost in one turn 2π/ω", FRISWELL.at("ch. 5")),
+        );
+        sheet.verify(|| {
+            sheet.check_zero(
+                "the decrement from the damping ratio, δ = 2πζ/√(1 − ζ²)",
+                decrement - zeta * TAU / (W::Num::from(1.0) - zeta.powi(2)).sqrt(),
+                1.0,
             );
-            let decrement = sheet.step(
-                ("δ", n),
-                "1",
-                -(growth / frequency) * TAU,
-                ("Logarithmic decrement: what is lost in one turn 2π/ω", FRISWELL.at("ch. 5")),
-            );
-            sheet.verify(|| {
-                sheet.check_zero(
-                    "the decrement from the damping ratio, δ = 2πζ/√(1 − ζ²)",
-                    decrement - zeta * TAU / (W::Num::from(1.0) - zeta.powi(2)).sqrt(),
-                    1.0,
-                );
-            });
-            sheet.answer(("damping_ratio", n), "Damping ratio", zeta);
-            sheet.answer(("log_decrement", n), "Logarithmic decrement", decrement);
-        }
+        });
+        sheet.answer(("damping_ratio", n), "Damping ratio", zeta);
+        sheet.answer(("log_decrement", n), "Logarithmic decrement", decrement);
         if self.speed > 0.0 {
             let orbit = (0..all.nodes())
                 .map(|node| exact.orbit(node))
@@ -382,14 +401,30 @@ impl RotorDynamics {
             let whirl = sheet.found(("b/a", n), "1", ratio, how);
             sheet.answer(("whirl", n), "Short over long axis of the orbit, + with the spin", whirl);
         }
-        Ok(())
+        Some(lambda)
+    }
+
+    /// The speeds of the diagrams. Where stability is asked for, the speed that is asked for and every row of every table
+    /// are among them.
+    fn speeds(&self, conservative: bool) -> Vec<f64> {
+        let (lowest, highest) = (self.lowest_speed(), self.highest_speed);
+        let mut speeds: Vec<f64> =
+            (0..=SPEEDS).map(|n| lowest + (highest - lowest) * n as f64 / SPEEDS as f64).collect();
+        if !conservative {
+            speeds.extend(
+                self.table_speeds().chain([self.speed]).filter(|here| (lowest..=highest).contains(here)),
+            );
+            speeds.sort_by(f64::total_cmp);
+            speeds.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * highest);
+        }
+        speeds
     }
 
     fn answer_criticals<W: Worksheet>(
         &self,
         all: &Assembled,
-        reduced: &Reduced<'_>,
         criticals: &[Critical],
+        lost: &[f64],
         conservative: bool,
         sheet: W,
     ) {
@@ -405,81 +440,131 @@ impl RotorDynamics {
             let how = (how.with_text("direction", in_words(critical.mode.direction())), NELSON.at(""));
             let speed = sheet.found(("Ω_c", n + 1), "rpm", critical.speed, how);
             sheet.verify(|| {
-                let frequency = if conservative {
-                    critical::rayleigh_frequency(all, critical, self.slope)
+                // From the other side in each case: the free whirl at this spin, or the powers in the shape that was found.
+                let there = if conservative {
+                    modes::polished(all, &critical.mode, critical.speed).ok().map(|there| there.mode.lambda)
                 } else {
-                    nearest(reduced, critical)
+                    modes::energy_eigenvalue(all, &critical.mode, critical.speed)
                 };
-                sheet.check(
-                    "at this speed a natural frequency is the wanted multiple of the speed",
-                    W::Num::from(frequency),
-                    speed * self.slope,
+                let rounding = modes::polished(all, &critical.mode, critical.speed).map_or(0.0, |there| there.rounding);
+                sheet.check_zero(
+                    "at this speed a natural frequency of the equations of all nodes is the wanted multiple of the speed",
+                    speed * self.slope - there.map_or(f64::NAN, |lambda| lambda.im),
+                    self.slope * critical.speed * (STILL * rounding / AGREEMENT).max(1.0),
                 );
             });
             sheet.answer(("critical_speed", n + 1), "Critical speed", speed);
         }
-        if criticals.is_empty() {
+        for &speed in lost {
+            sheet.warn(|| {
+                Text::new("the critical speed near {speed} could not be refined on the equations of all nodes: it is not answered")
+                    .with_quantity("speed", speed, "rpm")
+            });
+        }
+        if criticals.is_empty() && lost.is_empty() {
             sheet.warn(|| Text::new("there is no critical speed up to the highest speed of the diagrams"));
         }
     }
 
-    fn answer_threshold<W: Worksheet>(
+    fn answer_stability<W: Worksheet>(
         &self,
+        rotor: &Rotor,
+        all: &Assembled,
         reduced: &Reduced<'_>,
         diagram: &Campbell,
+        grows: bool,
         sheet: W,
     ) -> Result<(), Refusal> {
-        let found = critical::threshold(reduced, diagram).map_err(refusal)?;
-        let static_growth = diagram.overdamped.iter().flatten().any(|&root| root > 0.0);
-        if static_growth {
+        let creeps = diagram.spectra.iter().flat_map(|spectrum| &spectrum.overdamped).any(|&root| root > 0.0);
+        if creeps {
             sheet.warn(|| {
                 Text::new(
                     "a motion without swing grows: the bearings push the shaft away at some of the speeds",
                 )
             });
         }
-        let Some(Critical { speed, mode }) = found else {
+        if rotor.cannot_grow() {
             sheet.warn(|| {
                 Text::new(
-                    "every mode dies away up to the highest speed of the diagrams: the rotor is stable there",
+                    "no mode can grow up to the highest speed of the diagrams: every stiffness is symmetric, and damping \
+                     only takes energy away",
                 )
             });
             return Ok(());
-        };
-        if speed == self.lowest_speed() {
-            sheet.warn(|| {
-                if speed == 0.0 {
-                    Text::new("a mode grows even at rest: the rotor is unstable at every speed from rest on")
-                } else {
-                    Text::new(
-                        "a mode grows even at the lowest speed of the bearing tables, {speed}: the threshold of \
-                         stability lies below it",
-                    )
-                    .with_quantity("speed", speed, "rpm")
-                }
-            });
-            return Ok(());
         }
-        let how = (
-            Text::new("Threshold of stability: the lowest speed at which the damping of a mode is zero; the whirl {direction}")
-                .with_text("direction", in_words(mode.direction())),
-            ZORZI.at(""),
-        );
-        let threshold = sheet.found("Ω_s", "rpm", speed, how);
-        sheet.verify(|| {
-            let off = reduced.modes(speed).map_or(f64::NAN, |spectrum| {
-                let closest = spectrum.modes.iter().min_by(|a, b| {
-                    (a.lambda - mode.lambda).norm().total_cmp(&(b.lambda - mode.lambda).norm())
-                });
-                closest.map_or(f64::NAN, |mode| mode.lambda.re / mode.lambda.norm())
+        let critical::Instability { bands, lost, examined } =
+            critical::instability(reduced, diagram).map_err(refusal)?;
+        for &speed in &lost {
+            sheet.warn(|| {
+                Text::new("the limit of stability near {speed} could not be refined on the equations of all nodes: it is not answered")
+                    .with_quantity("speed", speed, "rpm")
             });
-            sheet.check_zero("at the threshold the mode neither grows nor dies away", W::Num::from(off), 1.0);
-        });
-        sheet.answer("stability_threshold", "Threshold of stability", threshold);
-        if self.speed > speed {
+        }
+        if bands.is_empty() && !grows && !creeps {
+            sheet.warn(|| {
+                Text::new(
+                    "no mode grows at the {count} speeds examined up to the highest speed of the diagrams",
+                )
+                .with("count", examined)
+            });
+        }
+        let edge = |symbol: (&'static str, usize), edge: &Critical, words: &'static str| {
+            let how =
+                (Text::new(words).with_text("direction", in_words(edge.mode.direction())), ZORZI.at(""));
+            let speed = sheet.found(symbol, "rpm", edge.speed, how);
+            sheet.verify(|| {
+                let there = modes::energy_eigenvalue(all, &edge.mode, edge.speed);
+                sheet.check_zero(
+                    "at the limit of stability the mode neither grows nor dies away",
+                    W::Num::from(there.map_or(f64::NAN, |lambda| lambda.re)),
+                    edge.mode.lambda.norm(),
+                );
+            });
+            speed
+        };
+        for (n, band) in (1..).zip(bands.iter().take(MOST_BANDS)) {
+            if let Some(from) = &band.from {
+                let words = "Threshold of stability: from this speed on a mode grows; the whirl {direction}";
+                let speed = edge(("Ω_s", n), from, words);
+                if n == 1 {
+                    sheet.answer("stability_threshold", "Threshold of stability", speed);
+                } else {
+                    sheet.answer(("stability_lost", n), "Threshold of stability, again", speed);
+                }
+            } else if n == 1 && lost.is_empty() {
+                sheet.warn(|| {
+                    let lowest = self.lowest_speed();
+                    match (lowest == 0.0, &band.to) {
+                        (true, None) => Text::new("a mode grows even at rest: the rotor is unstable at every speed examined"),
+                        (true, Some(_)) => Text::new("a mode grows even at rest"),
+                        (false, _) => Text::new(
+                            "a mode grows even at the lowest speed of the bearing tables, {speed}: the threshold of \
+                             stability lies below it",
+                        )
+                        .with_quantity("speed", lowest, "rpm"),
+                    }
+                });
+            }
+            if let Some(to) = &band.to {
+                let words = "Upper end of the instability: above this speed the mode dies away again; the whirl {direction}";
+                let speed = edge(("Ω_r", n), to, words);
+                sheet.answer(("stability_regained", n), "Upper end of the instability", speed);
+                if let Some(from) = &band.from {
+                    sheet.warn(|| {
+                        Text::new("a mode grows between {from} and {to}: the rotor is unstable there")
+                            .with_quantity("from", from.speed, "rpm")
+                            .with_quantity("to", to.speed, "rpm")
+                    });
+                }
+            }
+        }
+        let below = |edge: &Option<Critical>| edge.as_ref().is_none_or(|edge| edge.speed < self.speed);
+        let above = |edge: &Option<Critical>| edge.as_ref().is_none_or(|edge| edge.speed > self.speed);
+        let around = bands.iter().find(|band| below(&band.from) && above(&band.to));
+        if let Some(threshold) = around.and_then(|band| band.from.as_ref()) {
             sheet.warn(|| {
                 Text::new("the speed lies above the threshold of stability, {threshold}: the whirl grows until something else limits it")
-                    .with_quantity("threshold", speed, "rpm")
+                    .with_quantity("threshold", threshold.speed, "rpm")
             });
         }
         Ok(())
@@ -639,15 +724,14 @@ fn warn_of_mesh<W: Worksheet>(spectrum: &Spectrum, finer: Option<&Spectrum>, she
     }
 }
 
-fn warn_of_modes<W: Worksheet>(spectrum: &Spectrum, sheet: W) {
+fn warn_of_modes<W: Worksheet>(spectrum: &Spectrum, grows: bool, sheet: W) {
     if !spectrum.overdamped.is_empty() {
         sheet.warn(|| {
             Text::new("{count} motions at this speed are overdamped: they creep back with hardly a swing and are not among the modes")
                 .with("count", spectrum.overdamped.len())
         });
     }
-    let grows = |mode: &&Mode| mode.lambda.re > STILL * mode.lambda.norm();
-    if spectrum.modes.iter().any(|mode| grows(&mode)) {
+    if grows {
         sheet.warn(|| Text::new("a mode grows at this speed: the rotor is unstable there"));
     }
 }
@@ -660,13 +744,6 @@ pub(super) fn in_words(direction: Direction) -> Text {
         Direction::Mixed => Text::new("turns with the spin at some places and against it at others"),
         Direction::Planar => Text::new("stays in a plane"),
     }
-}
-
-/// The natural frequency at a critical speed, from all modes there.
-fn nearest(reduced: &Reduced<'_>, critical: &Critical) -> f64 {
-    let off = |f: &f64| (f - critical.mode.lambda.im).abs();
-    let modes = reduced.modes(critical.speed).map(|spectrum| spectrum.modes).unwrap_or_default();
-    modes.iter().map(Mode::frequency).min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0.0)
 }
 
 /// Mass of a rotor from its mass matrix, its fixed nodes freed.
@@ -695,6 +772,10 @@ pub(super) fn refusal(error: RotorError) -> Refusal {
                 "{speed} is a critical speed without damping: the unbalance response is unbounded and grows with time",
             )
             .with_quantity("speed", speed, "rpm"),
+        ),
+        RotorError::Linalg(LinalgError::NotConverged) => Refusal::because(
+            "the search for the modes of this rotor did not converge; that is a limit of the program, not of the rotor: \
+             another number of elements may lead round it",
         ),
         RotorError::Value { .. } | RotorError::Node { .. } | RotorError::Linalg(_) => Refusal::because(
             "the numbers of this rotor cannot be computed with: check units, diameters and stiffnesses",

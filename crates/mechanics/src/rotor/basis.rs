@@ -10,12 +10,18 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::{Assembled, Plane, RotorError, plane, stiffness::Node};
-use crate::linalg;
+use super::{Assembled, Plane, RotorError, assembled::Bending, plane, stiffness::Node};
+use crate::linalg::{self, LinalgError};
 
 /// Below this share of the largest modal mass of shapes of unit energy a shape counts as massless: its frequency
 /// would be millions of times the lowest.
 const MASSLESS: f64 = 1e-14;
+
+/// A pivot of the stiffness below this share of its diagonal entry tells so few digits that some mass is added first.
+const FIRM: f64 = 1e-11;
+
+/// A static energy below zero by less than this share of what was added up is rounding.
+const NEGATIVE: f64 = 1e-11;
 
 /// Ritz modes of one plane.
 pub(super) struct Basis {
@@ -23,14 +29,17 @@ pub(super) struct Basis {
     pub(super) vectors: DMatrix<f64>,
     /// Natural frequencies of the Ritz modes on the mean bearings, shift included, rad/s, ascending.
     pub(super) frequencies: Vec<f64>,
-    /// What was added to the stiffness as a multiple of the mass, s⁻².
+    /// What was added to the stiffness as a multiple of the mass where that alone is hard to factor, s⁻².
     pub(super) shift: f64,
-    /// The mean stiffness of each bearing that was counted, by node.
-    pub(super) mean: Vec<(usize, f64)>,
+    /// Whether the supports leave a rigid motion.
+    pub(super) free: bool,
+    /// Stiffness of the shaft without its bearings.
+    pub(super) shaft: DMatrix<f64>,
     pub(super) gyroscopic: DMatrix<f64>,
     pub(super) viscous: DMatrix<f64>,
     pub(super) hysteretic: DMatrix<f64>,
-    stiffness: Plane,
+    /// The mean stiffness of each bearing, by node.
+    mean: Vec<(usize, f64)>,
     factors: plane::Factors,
     /// The shapes before they became Ritz modes, orthonormal in the stiffness.
     shapes: Vec<DVector<f64>>,
@@ -49,16 +58,17 @@ impl Basis {
             .map(|(node, here)| (node, 0.5 * (here.stiffness[0][0] + here.stiffness[1][1])))
             .map(|(node, k)| (node, k.max(0.0)))
             .collect();
-        let (stiffness, shift, factors) = supported(rotor, &mean)?;
+        let (shift, factors) = supported(rotor, &mean)?;
         let mut basis = Self {
             vectors: DMatrix::zeros(0, 0),
             frequencies: Vec::new(),
             shift,
-            mean,
+            free: rotor.is_free(&mean),
+            shaft: DMatrix::zeros(0, 0),
             gyroscopic: DMatrix::zeros(0, 0),
             viscous: DMatrix::zeros(0, 0),
             hysteretic: DMatrix::zeros(0, 0),
-            stiffness,
+            mean,
             factors,
             shapes: Vec::new(),
             weighted: Vec::new(),
@@ -78,7 +88,7 @@ impl Basis {
         let rigid = [level, tilted].map(|shape| rotor.mass.times(&shape));
         let loads: Vec<DVector<f64>> = bearings.chain(discs).chain(rigid).collect();
         let answers = loads.iter().map(|load| basis.factors.solve(load));
-        let answers = answers.map(|shape| &shape / basis.energy(&shape).sqrt()).collect();
+        let answers = answers.map(|shape| &shape / basis.energy(rotor, &shape).sqrt()).collect();
         if basis.improve(rotor, answers, 1e-14)? { Ok(basis) } else { Err(RotorError::Rigid) }
     }
 
@@ -89,8 +99,18 @@ impl Basis {
 
     /// The share by which the square of a natural frequency is still off, from the residual of its mode in the full
     /// equations; and the shapes that would take the residual away, each with its part of that share as energy.
-    pub(super) fn error(&self, shape: &[Node], residual: &[Node]) -> (f64, [DVector<f64>; 4]) {
-        let whole: f64 = parts(shape).iter().map(|part| self.energy(part)).sum();
+    pub(super) fn error(
+        &self,
+        rotor: &Assembled,
+        lambda: Complex<f64>,
+        shape: &[Node],
+        residual: &[Node],
+    ) -> (f64, [DVector<f64>; 4]) {
+        let shapes = parts(shape);
+        let elastic: f64 = shapes.iter().map(|part| self.energy(rotor, part)).sum();
+        let kinetic: f64 = shapes.iter().map(|part| part.dot(&rotor.mass.times(part))).sum();
+        // Mass that was added is no energy of the mode.
+        let whole = if self.shift > 0.0 { elastic.min(lambda.norm_sqr() * kinetic) } else { elastic };
         let loads = parts(residual);
         let answers = loads.each_ref().map(|load| self.factors.solve(load));
         let off: f64 = loads.iter().zip(&answers).map(|(load, answer)| load.dot(answer)).sum();
@@ -113,14 +133,14 @@ impl Basis {
                 self.part_from(parted, answer);
             }
             parted = self.len();
-            let energies = answers.iter().map(|answer| self.energy(answer));
+            let energies = answers.iter().map(|answer| self.energy(rotor, answer));
             let Some((most, energy)) = energies.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)) else { break };
             if energy < least || parted == self.factors.size() {
                 break;
             }
             let mut shape = answers.swap_remove(most);
             self.part_from(0, &mut shape);
-            let weighted = self.stiffness.times(&shape);
+            let weighted = self.stiffness_times(rotor, &shape);
             let size = shape.dot(&weighted).sqrt();
             if size > 0.0 && size.is_finite() {
                 self.shapes.push(shape / size);
@@ -143,7 +163,7 @@ impl Basis {
     ) -> Result<(), RotorError> {
         let shapes = modes.iter().flat_map(|mode| {
             let parts = parts(mode);
-            let whole: f64 = parts.iter().map(|part| self.energy(part)).sum();
+            let whole: f64 = parts.iter().map(|part| self.energy(rotor, part)).sum();
             parts.map(|part| part / whole.sqrt())
         });
         let shapes = shapes.collect();
@@ -160,9 +180,21 @@ impl Basis {
         }
     }
 
+    /// The stiffness on the mean bearings, shift included, times a shape.
+    fn stiffness_times(&self, rotor: &Assembled, shape: &DVector<f64>) -> DVector<f64> {
+        let mut force = rotor.shaft_times(shape);
+        for &(node, k) in &self.mean {
+            force[2 * node] += k * shape[2 * node];
+        }
+        if self.shift > 0.0 {
+            force.axpy(self.shift, &rotor.mass.times(shape), 1.0);
+        }
+        force
+    }
+
     /// Twice the strain energy of a shape on the mean bearings.
-    fn energy(&self, shape: &DVector<f64>) -> f64 {
-        shape.dot(&self.stiffness.times(shape)).max(0.0)
+    fn energy(&self, rotor: &Assembled, shape: &DVector<f64>) -> f64 {
+        shape.dot(&self.stiffness_times(rotor, shape)).max(0.0)
     }
 
     /// Makes Ritz modes of the shapes; what has next to no mass has none.
@@ -181,18 +213,30 @@ impl Basis {
         if order.is_empty() {
             return Err(RotorError::Rigid);
         }
-        let masses: Vec<f64> = order.iter().map(|&n| eigen.values[n] * scale).collect();
         self.vectors = shapes * eigen.vectors.select_columns(&order);
-        for (mut vector, mass) in self.vectors.column_iter_mut().zip(&masses) {
-            vector /= mass.sqrt();
-        }
-        self.frequencies = masses.iter().map(|mass| mass.sqrt().recip()).collect();
+        orthonormal(&mut self.vectors, &rotor.mass);
+        let images = self.images(|shape| self.stiffness_times(rotor, shape));
+        self.frequencies =
+            (0..order.len()).map(|n| self.vectors.column(n).dot(&images.column(n)).sqrt()).collect();
+        self.shaft = self.vectors.tr_mul(&self.images(|shape| rotor.shaft_times(shape)));
         self.gyroscopic = project(&rotor.gyroscopic, &self.vectors);
         if rotor.internal {
-            self.viscous = project(&rotor.viscous, &self.vectors);
-            self.hysteretic = project(&rotor.hysteretic, &self.vectors);
+            let bent = |factor: fn(&Bending) -> f64| {
+                let times = |shape: &DVector<f64>| {
+                    DVector::from_vec(rotor.bent(shape.as_slice(), 0.0, |of, force| factor(of) * force))
+                };
+                self.vectors.tr_mul(&self.images(times))
+            };
+            (self.viscous, self.hysteretic) = (bent(|of| of.viscous), bent(|of| of.hysteretic));
         }
         Ok(())
+    }
+
+    /// What a matrix makes of the vectors.
+    fn images(&self, times: impl Fn(&DVector<f64>) -> DVector<f64>) -> DMatrix<f64> {
+        let images: Vec<DVector<f64>> =
+            self.vectors.column_iter().map(|column| times(&column.into_owned())).collect();
+        DMatrix::from_columns(&images)
     }
 }
 
@@ -211,24 +255,65 @@ pub(super) fn project(plane: &Plane, vectors: &DMatrix<f64>) -> DMatrix<f64> {
     vectors.tr_mul(&DMatrix::from_columns(&columns))
 }
 
-/// The stiffness on the mean bearings, shifted by so much mass that it is positive where the supports leave the
-/// rotor free.
-fn supported(rotor: &Assembled, mean: &[(usize, f64)]) -> Result<(Plane, f64, plane::Factors), RotorError> {
+/// Makes columns orthonormal in the mass, each against those before it: an eigenvector of a mode with little mass has
+/// lost digits that its neighbours have.
+fn orthonormal(vectors: &mut DMatrix<f64>, mass: &Plane) {
+    let mut weighted: Vec<DVector<f64>> = Vec::with_capacity(vectors.ncols());
+    for n in 0..vectors.ncols() {
+        let mut vector = vectors.column(n).into_owned();
+        for _ in 0..2 {
+            for (other, weighted) in weighted.iter().enumerate() {
+                let share = weighted.dot(&vector);
+                vector.axpy(-share, &vectors.column(other), 1.0);
+            }
+            let size = vector.dot(&mass.times(&vector)).sqrt();
+            vector /= size;
+        }
+        weighted.push(mass.times(&vector));
+        vectors.set_column(n, &vector);
+    }
+}
+
+/// Factors of the stiffness on the mean bearings, some mass added where that has to be: soft supports or none leave so
+/// little of it that rounding would decide.
+fn supported(rotor: &Assembled, mean: &[(usize, f64)]) -> Result<(f64, plane::Factors), RotorError> {
     let mut stiffness = rotor.stiffness.clone();
     for &(node, k) in mean {
         stiffness.diagonal[node][(0, 0)] += k;
     }
-    if let Some(factors) = stiffness.factors() {
-        return Ok((stiffness, 0.0, factors));
+    if let Some(factors) = stiffness.factors(FIRM) {
+        return Ok((0.0, factors));
     }
     // The square of a frequency that is low for this shaft: end stiffness over the whole mass.
     let mass: f64 = rotor.mass.diagonal.iter().map(|block| block[(0, 0)]).sum();
     let softest = rotor.stiffness.diagonal.iter().map(|block| block[(0, 0)]).fold(f64::INFINITY, f64::min);
-    let nodes = rotor.nodes() as f64;
-    let shift = softest / mass / nodes.powi(3);
-    let shifted = stiffness.plus(&rotor.mass, shift);
-    match shifted.factors() {
-        Some(factors) if shift > 0.0 && shift.is_finite() => Ok((shifted, shift, factors)),
-        _ => Err(RotorError::Buckled),
+    let mut shift = softest / mass / (rotor.nodes() as f64).powi(3);
+    if !(shift > 0.0 && shift.is_finite()) {
+        return Err(if mass > 0.0 { RotorError::Buckled } else { RotorError::Rigid });
     }
+    let factors = loop {
+        if let Some(factors) = stiffness.plus(&rotor.mass, shift).factors(FIRM) {
+            break factors;
+        }
+        shift *= 32.0;
+        if !shift.is_finite() {
+            return Err(LinalgError::NotConverged.into());
+        }
+    };
+    // Only compression takes energy out of a deflection: the shape to which the rotor yields most tells whether too much.
+    if rotor.tension.is_some() {
+        let mut shape = DVector::from_fn(2 * rotor.nodes(), |n, _| (1.0 + 1.7 * n as f64).sin());
+        for _ in 0..60 {
+            shape = factors.solve(&rotor.mass.times(&shape));
+            shape /= shape.amax();
+        }
+        let bent = rotor.bent(shape.as_slice(), 0.0, |element, force| element.direct * force);
+        let bearings: f64 = mean.iter().map(|(node, k)| k * shape[2 * node].powi(2)).sum();
+        let elastic = shape.dot(&DVector::from_vec(bent)) + bearings;
+        let all = shape.dot(&rotor.shaft_times(&shape)) + bearings;
+        if all < -NEGATIVE * (elastic + (all - elastic).abs()) {
+            return Err(RotorError::Buckled);
+        }
+    }
+    Ok((shift, factors))
 }

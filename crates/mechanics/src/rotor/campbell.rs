@@ -2,7 +2,7 @@
 
 use super::{
     RotorError,
-    modes::{Mode, Reduced},
+    modes::{Mode, Reduced, Spectrum},
 };
 
 /// Modes over speeds.
@@ -12,8 +12,8 @@ pub struct Campbell {
     pub speeds: Vec<f64>,
     /// The modes, each at every speed where it oscillates and is among those computed.
     pub branches: Vec<Vec<Option<Mode>>>,
-    /// Real eigenvalues at every speed, s⁻¹.
-    pub overdamped: Vec<Vec<f64>>,
+    /// All that was found at every speed.
+    pub spectra: Vec<Spectrum>,
 }
 
 /// Follows the modes over ascending speeds.
@@ -25,13 +25,13 @@ pub struct Campbell {
 /// `Linalg`.
 pub fn campbell(reduced: &Reduced<'_>, speeds: &[f64]) -> Result<Campbell, RotorError> {
     let mut branches: Vec<Vec<Option<Mode>>> = Vec::new();
-    let mut overdamped = vec![Vec::new(); speeds.len()];
+    let mut spectra = Vec::with_capacity(speeds.len());
     // The last sight of every branch.
     let mut seen: Vec<Option<Mode>> = Vec::new();
     for at in (0..speeds.len()).rev() {
         let spectrum = reduced.modes(speeds[at])?;
-        let mut modes: Vec<Option<Mode>> = spectrum.modes.into_iter().map(Some).collect();
-        overdamped[at] = spectrum.overdamped;
+        let mut modes: Vec<Option<Mode>> = spectrum.modes.iter().cloned().map(Some).collect();
+        spectra.push(spectrum);
         if let Some(&above) = speeds.get(at + 1) {
             let places = follow(reduced, &seen, (above, speeds[at]), &modes, 5)?;
             for (branch, place) in places.into_iter().enumerate() {
@@ -49,7 +49,8 @@ pub fn campbell(reduced: &Reduced<'_>, speeds: &[f64]) -> Result<Campbell, Rotor
     let first =
         |branch: &Vec<Option<Mode>>| branch.iter().flatten().next().map_or(f64::INFINITY, Mode::frequency);
     branches.sort_by(|a, b| first(a).total_cmp(&first(b)));
-    Ok(Campbell { speeds: speeds.to_vec(), branches, overdamped })
+    spectra.reverse();
+    Ok(Campbell { speeds: speeds.to_vec(), branches, spectra })
 }
 
 /// For each branch, the place of its mode among `modes`, one step of speed further on.

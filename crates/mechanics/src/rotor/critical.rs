@@ -1,14 +1,17 @@
-//! Speeds at which a multiple of the speed meets a natural frequency, and the speed at which a rotor turns unstable.
+//! Speeds at which a multiple of the speed meets a natural frequency, and the speeds between which a rotor is unstable.
+//!
+//! A zero is looked for only between two speeds at which the function differs in sign, on the reduced model first and
+//! then, in a narrow range around that zero, on all equations. What cannot be refined is named and costs nothing else.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{
     Assembled, RotorError,
     campbell::Campbell,
-    modes::{Mode, Reduced, polished},
-    stiffness::Stiffness,
+    modes::{Mode, Reduced, Spectrum, polished},
+    stiffness::{Node, Powers, Stiffness},
 };
-use crate::linalg::{self, LinalgError};
+use crate::linalg;
 
 /// A critical speed: a mode whose frequency is the wanted multiple of the speed.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +22,47 @@ pub struct Critical {
     pub mode: Mode,
 }
 
+/// What was found, and what was not.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Criticals {
+    /// By ascending speed.
+    pub found: Vec<Critical>,
+    /// Speeds (rad/s) near which there is another one that could not be refined on all equations.
+    pub lost: Vec<f64>,
+}
+
+/// Speeds between which a mode grows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    /// Where it begins; `None` where a mode grows at the lowest speed already.
+    pub from: Option<Critical>,
+    /// Where it ends; `None` where a mode still grows at the highest speed.
+    pub to: Option<Critical>,
+}
+
+/// Where a rotor is unstable.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Instability {
+    /// By ascending speed.
+    pub bands: Vec<Band>,
+    /// Speeds near which an end of a band could not be refined on all equations.
+    pub lost: Vec<f64>,
+    /// The number of speeds that were looked at.
+    pub examined: usize,
+}
+
+/// A mode that grows by less than this share of its eigenvalue in a reduced model neither grows nor dies away: several
+/// times what the eigenvalues of a full matrix lose.
+pub const NEUTRAL: f64 = 1e-9;
+
+impl Criticals {
+    fn sorted(mut self) -> Self {
+        self.found.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        self.lost.sort_by(f64::total_cmp);
+        self
+    }
+}
+
 /// The critical speeds of a conservative rotor up to a speed, the lowest of them, as many as the reduced model has
 /// modes; without going over the speeds.
 ///
@@ -27,17 +71,20 @@ pub struct Critical {
 ///
 /// # Errors
 /// `Buckled` where `K` is not positive; `Linalg`.
-pub fn direct(reduced: &Reduced<'_>, slope: f64, highest: f64) -> Result<Vec<Critical>, RotorError> {
+pub fn direct(reduced: &Reduced<'_>, slope: f64, highest: f64) -> Result<Criticals, RotorError> {
     let (stiffness, _) = reduced.matrices(0.0);
     let n = stiffness.nrows();
     let m = n / 2;
-    let scale = stiffness.amax();
-    let eigen = linalg::symmetric_eigen(&(stiffness / scale))?;
-    if eigen.values.iter().any(|&value| value <= 0.0) {
+    // In units in which the shapes on their mean bearings have a stiffness of one, what is left of a soft one shows.
+    let unit = |i: usize| 1.0 / reduced.frequencies()[i % m];
+    let scaled = DMatrix::from_fn(n, n, |i, j| stiffness[(i, j)] * (unit(i) * unit(j)));
+    let eigen = linalg::symmetric_eigen(&scaled)?;
+    let rounding = f64::EPSILON * n as f64 * scaled.amax();
+    if eigen.values.iter().any(|&value| value <= rounding) {
         return Err(RotorError::Buckled);
     }
     // Coordinates in which the stiffness is one.
-    let whole = DMatrix::from_fn(n, n, |i, j| eigen.vectors[(i, j)] / eigen.values[j].sqrt());
+    let whole = DMatrix::from_fn(n, n, |i, j| unit(i) * eigen.vectors[(i, j)] / eigen.values[j].sqrt());
     let mut gyroscopic = DMatrix::zeros(n, n);
     for i in 0..m {
         for j in 0..m {
@@ -55,15 +102,15 @@ pub fn direct(reduced: &Reduced<'_>, slope: f64, highest: f64) -> Result<Vec<Cri
         (false, true) => -0.5 * (cross[(i - n, j)] - cross[(j, i - n)]),
     });
     let pairs = linalg::symmetric_eigen(&double)?;
-    let mut found: Vec<Critical> = Vec::new();
+    let mut all = Criticals::default();
     // Largest first: they belong to the lowest speeds. Equal frequencies of both planes stand four times.
     let mut basis: Vec<DVector<Complex<f64>>> = Vec::new();
     for at in (0..2 * n).rev() {
         let value = pairs.values[at];
-        if value <= 0.0 || found.len() == reduced.count {
+        if value <= 0.0 || all.found.len() + all.lost.len() == reduced.count {
             break;
         }
-        let frequency = (scale / value).sqrt();
+        let frequency = value.sqrt().recip();
         if frequency / slope > highest * (1.0 + 1e-6) {
             break;
         }
@@ -81,11 +128,272 @@ pub fn direct(reduced: &Reduced<'_>, slope: f64, highest: f64) -> Result<Vec<Cri
         let coordinates = whole.map(|x| Complex::new(x, 0.0)) * &vector;
         basis.push(vector);
         let mode = reduced.mode(Complex::new(0.0, frequency), &coordinates);
-        found.push(refined(reduced.rotor, frequency / slope, mode, slope)?);
+        match whirl(reduced.rotor, &mode, slope) {
+            Some(mode) => all.found.push(Critical { speed: mode.lambda.im / slope, mode }),
+            None => all.lost.push(frequency / slope),
+        }
     }
-    found.retain(|critical| critical.speed <= highest);
-    found.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-    Ok(found)
+    all.found.retain(|critical| critical.speed <= highest);
+    Ok(all.sorted())
+}
+
+/// The free whirl `(K − ω²N) v = 0`, `N = M − iG/s`, nearest to a mode of a reduced model: inverse iteration on all
+/// equations, its frequency by the Rayleigh quotient, which errs by the square of the error of the shape.
+fn whirl(rotor: &Assembled, mode: &Mode, slope: f64) -> Option<Mode> {
+    let first = mode.lambda.im;
+    let image = |shape: &[Node], omega: f64, still: f64| {
+        let lambda = Complex::new(0.0, omega);
+        let powers = Powers { mass: lambda * lambda, damping: lambda, stiffness: Complex::new(still, 0.0) };
+        Stiffness::of(rotor, powers, omega / slope).times(shape)
+    };
+    let form = |shape: &[Node], image: &[Node]| -> f64 {
+        shape.iter().flatten().zip(image.iter().flatten()).map(|(a, b)| (a.conj() * b).re).sum()
+    };
+    let mut omega = first;
+    let mut shape = mode.shape.clone();
+    for offset in [1e-4, -1e-4, 1e-4] {
+        // −ω²N v, and with the same sign what the inverse iteration is given.
+        let near = omega * (1.0 + offset);
+        let dynamic = Stiffness::new(rotor, Complex::new(0.0, near), near / slope);
+        let mut next = dynamic.solve(&image(&shape, near, 0.0))?;
+        let size = next.iter().flatten().map(|x| x.norm()).fold(0.0, f64::max);
+        next.iter_mut().flatten().for_each(|x| *x /= size);
+        shape = next;
+        let inertia = -form(&shape, &image(&shape, near, 0.0)) / (near * near);
+        let powers = Powers {
+            mass: Complex::new(0.0, 0.0),
+            damping: Complex::new(0.0, 0.0),
+            stiffness: Complex::new(1.0, 0.0),
+        };
+        let elastic = form(&shape, &Stiffness::of(rotor, powers, 0.0).times(&shape));
+        let before = omega;
+        omega = (elastic / inertia).sqrt();
+        // Also where it is not a number.
+        if !((omega - first).abs() < 1e-2 * first) {
+            return None;
+        }
+        if (omega - before).abs() < 1e-13 * omega {
+            break;
+        }
+    }
+    Some(Mode { lambda: Complex::new(0.0, omega), shape, coordinates: mode.coordinates.clone() })
+}
+
+/// The critical speeds at which a natural frequency of a Campbell diagram meets the line `ω = s Ω`: where the `k`-th of
+/// them by size passes it.
+///
+/// # Errors
+/// `Linalg`.
+pub fn crossings(reduced: &Reduced<'_>, campbell: &Campbell, slope: f64) -> Result<Criticals, RotorError> {
+    let above = |mode: &Mode, speed: f64| mode.frequency() - slope * speed;
+    let mut all = Criticals::default();
+    let mut steps: Vec<(Spectrum, Spectrum)> =
+        campbell.spectra.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())).collect();
+    let narrow = 1e-3 * campbell.speeds.last().copied().unwrap_or(0.0);
+    while let Some((left, right)) = steps.pop() {
+        // A motion that begins or ends to swing changes the places of all others.
+        let even = left.modes.len() == right.modes.len() && left.overdamped.len() == right.overdamped.len();
+        if !even && right.speed - left.speed > narrow {
+            let middle = reduced.modes(0.5 * (left.speed + right.speed))?;
+            steps.push((left, middle.clone()));
+            steps.push((middle, right));
+            continue;
+        }
+        for (k, (one, other)) in left.modes.iter().zip(&right.modes).enumerate() {
+            let ends = [(left.speed, above(one, left.speed)), (right.speed, above(other, right.speed))];
+            if (ends[0].1 > 0.0) == (ends[1].1 > 0.0) {
+                continue;
+            }
+            let at = |speed: f64| Ok(reduced.modes(speed)?.modes.into_iter().nth(k));
+            let found = zero(reduced, ends, at, above, |lambda, speed| lambda.im - slope * speed)?;
+            match found {
+                Found::Refined(critical) => all.found.push(critical),
+                Found::Lost(speed) => all.lost.push(speed),
+                Found::Jump => {}
+            }
+        }
+    }
+    Ok(all.sorted())
+}
+
+/// The speeds between which a mode grows. Between the speeds of a diagram others are looked at wherever the growth bends
+/// so much that it could pass zero there and come back.
+///
+/// # Errors
+/// `Linalg`.
+pub fn instability(reduced: &Reduced<'_>, campbell: &Campbell) -> Result<Instability, RotorError> {
+    // Where the last of the lowest modes is one of a pair, either may be the one that is looked at, and what grows would
+    // come and go: then more of them are.
+    for more in 0..MOST_MORE {
+        let (found, jumps) = bands(reduced, &campbell.speeds, reduced.count + more)?;
+        if !jumps {
+            return Ok(found);
+        }
+    }
+    Ok(bands(reduced, &campbell.speeds, reduced.count + MOST_MORE)?.0)
+}
+
+/// So many modes more are looked at for stability at most.
+const MOST_MORE: usize = 4;
+
+/// The bands of the lowest modes, and whether a change of sign was no zero.
+fn bands(reduced: &Reduced<'_>, speeds: &[f64], count: usize) -> Result<(Instability, bool), RotorError> {
+    let mut jumps = false;
+    let of = |spectrum: &Spectrum| (spectrum.speed, growth(most_unstable(spectrum)));
+    let look = |speed: f64| Ok::<_, RotorError>(of(&reduced.lowest(speed, count)?));
+    let mut seen: Vec<(f64, f64)> = speeds.iter().map(|&speed| look(speed)).collect::<Result<_, _>>()?;
+    let mut steps: Vec<([(f64, f64); 2], u8)> =
+        seen.windows(2).map(|pair| ([pair[0], pair[1]], BISECTIONS)).collect();
+    while let Some(([left, right], depth)) = steps.pop() {
+        let middle = look(0.5 * (left.0 + right.0))?;
+        seen.push(middle);
+        let bend = (middle.1 - 0.5 * (left.1 + right.1)).abs();
+        let nearest = left.1.abs().min(middle.1.abs()).min(right.1.abs());
+        if depth > 0 && bend > 0.5 * nearest && bend > NEUTRAL && seen.len() < MOST_EXAMINED {
+            steps.extend([([left, middle], depth - 1), ([middle, right], depth - 1)]);
+        }
+    }
+    seen.sort_by(|a, b| a.0.total_cmp(&b.0));
+
+    let mut all = Instability { examined: seen.len(), ..Instability::default() };
+    let mut open: Option<Option<Critical>> = seen.first().filter(|(_, g)| *g > 0.0).map(|_| None);
+    for pair in seen.windows(2) {
+        let ends = [pair[0], pair[1]];
+        if (ends[0].1 > 0.0) == (ends[1].1 > 0.0) {
+            continue;
+        }
+        let at = |speed: f64| Ok(most_unstable(&reduced.lowest(speed, count)?).cloned());
+        let function = |mode: &Mode, _| growth(Some(mode));
+        let end = match zero(reduced, ends, at, function, |lambda, _| lambda.re)? {
+            Found::Refined(critical) => Some(critical),
+            Found::Lost(speed) => {
+                all.lost.push(speed);
+                None
+            }
+            Found::Jump => {
+                jumps = true;
+                all.lost.push(0.5 * (ends[0].0 + ends[1].0));
+                None
+            }
+        };
+        match open.take() {
+            None => open = Some(end),
+            Some(from) => all.bands.push(Band { from, to: end }),
+        }
+    }
+    if let Some(from) = open {
+        all.bands.push(Band { from, to: None });
+    }
+    Ok((all, jumps))
+}
+
+/// A step between two speeds of a diagram is divided so many times at most.
+const BISECTIONS: u8 = 6;
+
+/// So many speeds are looked at for stability at most.
+const MOST_EXAMINED: usize = 250;
+
+/// The mode that grows most, or dies away least, over the size of its eigenvalue.
+fn most_unstable(spectrum: &Spectrum) -> Option<&Mode> {
+    spectrum.modes.iter().max_by(|a, b| growth(Some(a)).total_cmp(&growth(Some(b))))
+}
+
+/// What a mode grows by over the size of its eigenvalue; below zero where rounding could be the reason.
+fn growth(mode: Option<&Mode>) -> f64 {
+    mode.map_or(-1.0, |mode| mode.lambda.re / mode.lambda.norm() - NEUTRAL)
+}
+
+/// What became of a change of sign.
+enum Found {
+    Refined(Critical),
+    /// A zero of the reduced model near this speed has none on all equations beside it.
+    Lost(f64),
+    /// The function jumps.
+    Jump,
+}
+
+/// The zero of a function of a mode and the speed between two speeds where its signs differ.
+fn zero(
+    reduced: &Reduced<'_>,
+    ends: [(f64, f64); 2],
+    mode_at: impl Fn(f64) -> Result<Option<Mode>, RotorError>,
+    rough: impl Fn(&Mode, f64) -> f64,
+    exact: impl Fn(Complex<f64>, f64) -> f64,
+) -> Result<Found, RotorError> {
+    let highest = ends[1].0;
+    let mut latest = None;
+    let [left, right] = narrowed(ends, 1e-10 * highest, |speed| {
+        let Some(mode) = mode_at(speed)? else { return Ok(f64::NAN) };
+        let value = rough(&mode, speed);
+        latest = Some((speed, mode));
+        Ok(value)
+    })?;
+    let size = ends[0].1.abs().max(ends[1].1.abs());
+    if left.1.abs().min(right.1.abs()) > 1e-3 * size {
+        return Ok(Found::Jump);
+    }
+    let guess = if left.1.abs() < right.1.abs() { left.0 } else { right.0 };
+    let mode = match latest {
+        Some((speed, mode)) if speed == guess => Some(mode),
+        _ => mode_at(guess)?,
+    };
+    let Some(mut mode) = mode else { return Ok(Found::Lost(guess)) };
+    // On all equations the zero lies a little beside: the range around it is widened until the signs differ.
+    let mut at = |speed: f64| -> Result<f64, RotorError> {
+        mode = polished(reduced.rotor, &mode, speed)?.mode;
+        Ok(exact(mode.lambda, speed))
+    };
+    let mut width = 1e-8 * guess;
+    let around = loop {
+        let (from, to) = ((guess - width).max(ends[0].0), (guess + width).min(ends[1].0));
+        let (Ok(f), Ok(g)) = (at(from), at(to)) else { return Ok(Found::Lost(guess)) };
+        if (f > 0.0) != (g > 0.0) {
+            break [(from, f), (to, g)];
+        }
+        width *= 30.0;
+        if width > 0.02 * guess {
+            return Ok(Found::Lost(guess));
+        }
+    };
+    let Ok([left, right]) = narrowed(around, 1e-14 * guess, &mut at) else { return Ok(Found::Lost(guess)) };
+    let speed = if left.1.abs() < right.1.abs() { left.0 } else { right.0 };
+    Ok(match polished(reduced.rotor, &mode, speed) {
+        Ok(polished) => Found::Refined(Critical { speed, mode: polished.mode }),
+        Err(_) => Found::Lost(guess),
+    })
+}
+
+/// Narrows a range whose ends differ in sign: by the straight line between them, one end's value halved where it stays
+/// (Illinois), and by bisection where that does not halve the range twice in a row.
+fn narrowed(
+    mut ends: [(f64, f64); 2],
+    width: f64,
+    mut function: impl FnMut(f64) -> Result<f64, RotorError>,
+) -> Result<[(f64, f64); 2], RotorError> {
+    let mut weights = [1.0, 1.0];
+    let mut kept = usize::MAX;
+    for step in 0..100 {
+        let [(a, fa), (b, fb)] = ends;
+        if b - a <= width || fa == 0.0 || fb == 0.0 {
+            break;
+        }
+        let (wa, wb) = (fa * weights[0], fb * weights[1]);
+        let line = a + (b - a) * (wa / (wa - wb));
+        let middle = 0.5 * (a + b);
+        let next = if step % 4 == 3 || !(line > a && line < b) { middle } else { line };
+        if next <= a || next >= b {
+            break;
+        }
+        // So near to the zero the step goes beyond it on purpose, so that the other end follows.
+        let next = next.clamp(a + 0.25 * width, b - 0.25 * width);
+        let value = function(next)?;
+        let end = usize::from((value > 0.0) == (fb > 0.0));
+        ends[end] = (next, value);
+        weights[end] = 1.0;
+        weights[1 - end] = if kept == 1 - end { 0.5 * weights[1 - end] } else { 1.0 };
+        kept = 1 - end;
+    }
+    Ok(ends)
 }
 
 /// The frequency of a critical speed of a conservative rotor from its shape alone, by the quotient of Rayleigh on all
@@ -102,120 +410,4 @@ pub fn rayleigh_frequency(rotor: &Assembled, critical: &Critical, slope: f64) ->
     let still = form(Complex::new(0.0, omega), 0.0);
     let spinning = form(Complex::new(0.0, omega), omega / slope);
     omega * (elastic / (elastic - still - (spinning - still))).sqrt()
-}
-
-/// The critical speeds that a Campbell diagram shows: where a branch crosses the line `ω = s Ω`.
-///
-/// # Errors
-/// `Linalg`.
-pub fn crossings(
-    reduced: &Reduced<'_>,
-    campbell: &Campbell,
-    slope: f64,
-) -> Result<Vec<Critical>, RotorError> {
-    let above = |mode: &Mode, speed: f64| mode.frequency() - slope * speed;
-    let mut found = on_branches(reduced, campbell, above)?
-        .into_iter()
-        .map(|(speed, mode)| refined(reduced.rotor, speed, mode, slope))
-        .collect::<Result<Vec<_>, _>>()?;
-    found.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-    Ok(found)
-}
-
-/// The lowest speed at which a mode begins to grow, and that mode; `None` where none does. A rotor that is unstable
-/// at the first speed has its threshold there.
-///
-/// # Errors
-/// `Linalg`.
-pub fn threshold(reduced: &Reduced<'_>, campbell: &Campbell) -> Result<Option<Critical>, RotorError> {
-    let growth = |mode: &Mode, _| mode.lambda.re / mode.lambda.norm() - 1e-10;
-    let at_first = campbell
-        .branches
-        .iter()
-        .filter_map(|branch| branch.first()?.as_ref())
-        .find(|mode| growth(mode, 0.0) > 0.0);
-    if let (Some(mode), Some(&speed)) = (at_first, campbell.speeds.first()) {
-        return Ok(Some(Critical { speed, mode: mode.clone() }));
-    }
-    let mut found = Vec::new();
-    for (speed, mode) in on_branches(reduced, campbell, growth)? {
-        let of = |lambda: Complex<f64>, _: f64| lambda.re;
-        found.push(secant(reduced.rotor, speed, mode, of)?);
-    }
-    found.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-    Ok(found.into_iter().next())
-}
-
-/// Rough places where a function of a branch and the speed changes its sign, with the mode there.
-fn on_branches(
-    reduced: &Reduced<'_>,
-    campbell: &Campbell,
-    function: impl Fn(&Mode, f64) -> f64,
-) -> Result<Vec<(f64, Mode)>, RotorError> {
-    let mut found = Vec::new();
-    for branch in &campbell.branches {
-        for (at, pair) in branch.windows(2).enumerate() {
-            let [Some(left), Some(right)] = pair else { continue };
-            let (from, to) = (campbell.speeds[at], campbell.speeds[at + 1]);
-            let (f, g) = (function(left, from), function(right, to));
-            if f == 0.0 && from > 0.0 && at == 0 {
-                found.push((from, left.clone()));
-            }
-            if (f > 0.0) == (g > 0.0) || f == 0.0 {
-                continue;
-            }
-            let speed = from + (to - from) * f / (f - g);
-            let nearer = if speed - from < to - speed && from > 0.0 { left } else { right };
-            let here = reduced.modes(speed)?.modes;
-            let same = here.into_iter().max_by(|a, b| nearer.assurance(a).total_cmp(&nearer.assurance(b)));
-            found.extend(same.map(|mode| (speed, mode)));
-        }
-    }
-    Ok(found)
-}
-
-/// A critical speed to the last digits, on all equations of the rotor.
-fn refined(rotor: &Assembled, speed: f64, mode: Mode, slope: f64) -> Result<Critical, RotorError> {
-    secant(rotor, speed, mode, |lambda, speed| lambda.im - slope * speed)
-}
-
-/// The speed at which a function of an eigenvalue and the speed vanishes, near a first guess.
-fn secant(
-    rotor: &Assembled,
-    speed: f64,
-    mut mode: Mode,
-    function: impl Fn(Complex<f64>, f64) -> f64,
-) -> Result<Critical, RotorError> {
-    let first = mode.lambda;
-    let at = |mode: &mut Mode, speed: f64| -> Result<f64, RotorError> {
-        *mode = polished(rotor, mode, speed)?;
-        Ok(function(mode.lambda, speed))
-    };
-    let mut before = speed;
-    let mut old = at(&mut mode, before)?;
-    let mut here = speed * (1.0 + 1e-4);
-    let mut slope = f64::NAN;
-    let mut last = f64::INFINITY;
-    for _ in 0..20 {
-        let new = at(&mut mode, here)?;
-        // So near to the zero a difference would be rounding: the slope is known well enough by then.
-        if (here - before).abs() > 1e-6 * here {
-            slope = (new - old) / (here - before);
-        }
-        let step = -new / slope;
-        let strayed =
-            (here + step - speed).abs() > 0.5 * speed || (mode.lambda - first).norm() > first.norm();
-        if !step.is_finite() || strayed {
-            break;
-        }
-        (before, old, here) = (here, new, here + step);
-        // What does not shrink any more is rounding.
-        let settled = step.abs() <= 1e-12 * here || (step.abs() <= 1e-8 * here && step.abs() > 0.5 * last);
-        if settled {
-            at(&mut mode, here)?;
-            return Ok(Critical { speed: here, mode });
-        }
-        last = step.abs();
-    }
-    Err(LinalgError::NotConverged.into())
 }

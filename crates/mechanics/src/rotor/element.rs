@@ -4,7 +4,7 @@
 //! the cubic shape functions of a Timoshenko beam, exact for a uniform element at rest. Friswell et al., *Dynamics of
 //! Rotating Machines*, §5.4; Cowper, J. Appl. Mech. 33 (1966) 335–340, for the shear factor.
 
-use nalgebra::{Matrix2x4, Matrix4, Vector4};
+use nalgebra::{Matrix2, Matrix2x4, Matrix4, Vector4};
 
 use super::RotorError;
 use crate::section;
@@ -56,6 +56,8 @@ pub struct Matrices {
     pub gyroscopic: Matrix4<f64>,
     /// Stiffness of the material, without tension.
     pub elastic: Matrix4<f64>,
+    /// The same on the two deformations of the element alone, see [`deformations`].
+    pub bending: Matrix2<f64>,
     /// Stiffness of a tension of 1 N.
     pub geometric: Matrix4<f64>,
 }
@@ -99,21 +101,20 @@ pub fn matrices(element: &Element, theory: Theory) -> Result<Matrices, RotorErro
         (area, moment, sheared)
     };
 
-    // Flexibility of the right end with the left one clamped, under a force and a moment there.
+    // Flexibility under a shear force and the bending moment at the middle. About the middle nothing cancels.
     let mut flexibility = [0.0; 3];
     for (share, weight) in gauss() {
         let (_, moment, sheared) = at(share);
-        let (lever, weight) = (length * (1.0 - share), weight * length);
+        let (lever, weight) = (length * (0.5 - share), weight * length);
         let bend = weight / (material.young * moment);
         flexibility[0] += bend * lever.powi(2) + weight * sheared;
         flexibility[1] += bend * lever;
         flexibility[2] += bend;
     }
     let [f, g, h] = flexibility;
-    let determinant = f * h - g * g;
-    let tip = nalgebra::Matrix2::new(h, -g, -g, f) / determinant;
-    let relative = Matrix2x4::new(-1.0, -length, 1.0, 0.0, 0.0, -1.0, 0.0, 1.0);
-    let elastic = relative.transpose() * tip * relative;
+    let bending = Matrix2::new(h, -g, -g, f) / (f * h - g * g);
+    let deformations = deformations(length);
+    let elastic = deformations.transpose() * bending * deformations;
 
     // Shear over bending flexibility of the mean section, Φ = 12EI/(κGAL²).
     let (_, moment, sheared) = at(0.5);
@@ -130,10 +131,16 @@ pub fn matrices(element: &Element, theory: Theory) -> Result<Matrices, RotorErro
     }
     let all = [mass, gyroscopic, elastic, geometric];
     if all.iter().flat_map(|matrix| matrix.iter()).all(|x| x.is_finite()) {
-        Ok(Matrices { mass, gyroscopic, elastic, geometric })
+        Ok(Matrices { mass, gyroscopic, elastic, bending, geometric })
     } else {
         Err(RotorError::Value { what: "a matrix of the shaft", value: f64::INFINITY })
     }
+}
+
+/// What deforms an element of its end motions `(x₁, φ₁, x₂, φ₂)`: the deflection of one end against the other beyond
+/// the mean slope, and the difference of the slopes. A rigid motion has none.
+pub fn deformations(length: f64) -> Matrix2x4<f64> {
+    Matrix2x4::new(-1.0, -length / 2.0, 1.0, -length / 2.0, 0.0, -1.0, 0.0, 1.0)
 }
 
 pub(super) fn positive(what: &'static str, value: f64) -> Result<(), RotorError> {

@@ -8,7 +8,7 @@ use super::{
     Assembled, RotorError, Support,
     basis::Basis,
     response::Orbit,
-    stiffness::{Node, Stiffness},
+    stiffness::{Node, Powers, Stiffness},
 };
 use crate::linalg;
 
@@ -136,7 +136,7 @@ impl<'a> Reduced<'a> {
                 let mut worst = 0.0f64;
                 for mode in &spectrum.modes {
                     let residual = Stiffness::new(rotor, mode.lambda, speed).times(&mode.shape);
-                    let (error, shapes) = reduced.basis.error(&mode.shape, &residual);
+                    let (error, shapes) = reduced.basis.error(rotor, mode.lambda, &mode.shape, &residual);
                     if error > share {
                         worst = worst.max(error);
                         answers.extend(shapes);
@@ -154,7 +154,7 @@ impl<'a> Reduced<'a> {
         }
         // Bearings that change with speed may ask for other shapes between these speeds, and motions that creep back
         // or away have shapes that no mode holds.
-        let steady = reduced.basis.shift == 0.0 && rotor.supports.iter().all(Support::is_constant);
+        let steady = !reduced.basis.free && rotor.supports.iter().all(Support::is_constant);
         if steady && !creeps && !found.is_empty() {
             reduced.basis.condense(rotor, &found, CONDENSED * share)?;
         }
@@ -171,6 +171,11 @@ impl<'a> Reduced<'a> {
     /// # Errors
     /// `Linalg`.
     pub fn modes(&self, speed: f64) -> Result<Spectrum, RotorError> {
+        self.lowest(speed, self.count)
+    }
+
+    /// So many of the lowest modes at a speed; those beyond the number that the shapes were taken for are less exact.
+    pub(super) fn lowest(&self, speed: f64, count: usize) -> Result<Spectrum, RotorError> {
         let (stiffness, damping) = self.matrices(speed);
         let frequencies = &self.basis.frequencies;
         let m = frequencies.len();
@@ -224,11 +229,11 @@ impl<'a> Reduced<'a> {
                 }));
             }
         }
-        let least = 1e-3 * self.basis.shift.sqrt();
+        let least = if self.basis.free { 1e-3 * self.basis.shift.sqrt() } else { 0.0 };
         let swings = |value: &Complex<f64>| value.im > SWING * value.norm() && value.norm() > least;
         let mut order: Vec<usize> = (0..values.len()).filter(|&n| swings(&values[n])).collect();
         order.sort_by(|&a, &b| values[a].im.total_cmp(&values[b].im));
-        order.truncate(self.count);
+        order.truncate(count);
         let modes: Vec<Mode> = order.iter().map(|&n| self.mode(values[n], &coordinates[n])).collect();
         let largest = modes.iter().fold(0.0, |size: f64, mode| size.max(mode.lambda.norm()));
         let creeps = |value: &&Complex<f64>| {
@@ -244,13 +249,15 @@ impl<'a> Reduced<'a> {
 
     /// Stiffness and damping in the coordinates of the shapes, both planes.
     pub(super) fn matrices(&self, speed: f64) -> (DMatrix<f64>, DMatrix<f64>) {
-        let Basis { vectors, frequencies, shift, mean, gyroscopic, viscous, hysteretic, .. } = &self.basis;
+        let Basis { vectors, frequencies, shaft, gyroscopic, viscous, hysteretic, .. } = &self.basis;
         let m = frequencies.len();
         let mut stiffness = DMatrix::zeros(2 * m, 2 * m);
         let mut damping = DMatrix::zeros(2 * m, 2 * m);
         for i in 0..m {
-            for plane in [0, m] {
-                stiffness[(plane + i, plane + i)] = frequencies[i].powi(2) - shift;
+            for j in 0..m {
+                let both = 0.5 * (shaft[(i, j)] + shaft[(j, i)]);
+                stiffness[(i, j)] = both;
+                stiffness[(m + i, m + j)] = both;
             }
             for j in 0..m {
                 let gyroscopic = speed * gyroscopic[(i, j)];
@@ -266,13 +273,10 @@ impl<'a> Reduced<'a> {
             }
         }
         for (node, here) in self.rotor.bearings(speed) {
-            let counted = mean.iter().find(|(other, _)| *other == node).map_or(0.0, |(_, k)| *k);
-            // Two bearings at one node were counted once each.
             let row = vectors.row(2 * node);
             for p in 0..2 {
                 for q in 0..2 {
-                    let k = here.stiffness[p][q] - if p == q { counted } else { 0.0 };
-                    let c = here.damping[p][q];
+                    let (k, c) = (here.stiffness[p][q], here.damping[p][q]);
                     for i in 0..m {
                         for j in 0..m {
                             let both = row[i] * row[j];
@@ -289,6 +293,16 @@ impl<'a> Reduced<'a> {
     /// The shapes, orthonormal in the mass of one plane.
     pub(super) fn shapes_of_one_plane(&self) -> impl Iterator<Item = DVector<f64>> {
         self.basis.vectors.column_iter().map(nalgebra::Matrix::into_owned)
+    }
+
+    /// Natural frequencies of the shapes on the mean bearings, rad/s: units in which a stiffness is near one.
+    pub(super) fn frequencies(&self) -> &[f64] {
+        &self.basis.frequencies
+    }
+
+    /// Whether the supports leave a rigid motion.
+    pub fn is_free(&self) -> bool {
+        self.basis.free
     }
 
     /// Polar inertia between the planes, in the coordinates of the shapes.
@@ -325,42 +339,129 @@ fn alike(matrix: &DMatrix<f64>) -> bool {
     (0..m).all(|i| (0..m).all(|j| off(i, j) <= least))
 }
 
-/// The mode nearest to one of a reduced model, its eigenvalue and shape (of unit mass) by inverse iteration on all
-/// equations of the rotor at a speed.
+/// A mode on all equations of a rotor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Polished {
+    /// The mode, its shape of unit mass.
+    pub mode: Mode,
+    /// What rounding may have changed of its eigenvalue, over the size of that.
+    pub rounding: f64,
+}
+
+/// Shifts of the inverse iteration, as shares of the eigenvalue. The first is far enough for rounding not to turn modes
+/// of nearly equal frequency into each other; the others serve where elimination meets a poor pivot.
+const OFFSETS: [Complex<f64>; 3] =
+    [Complex::new(1e-4, 0.0), Complex::new(0.0, 1e-4), Complex::new(-7e-4, 7e-4)];
+
+/// A step of the eigenvalue beyond this share of it leads to another mode.
+const ANOTHER: f64 = 1e-2;
+
+/// The mode nearest to one of a reduced model on all equations of the rotor at a speed: inverse iteration for the
+/// right and the left vector, and the eigenvalue that makes their bilinear form of the equations zero (two-sided Rayleigh
+/// quotient), which errs by the product of their errors.
 ///
 /// # Errors
-/// `Linalg` where the equations cannot be factorised.
-pub fn polished(rotor: &Assembled, mode: &Mode, speed: f64) -> Result<Mode, RotorError> {
-    let mut lambda = mode.lambda;
-    let mut shape: Vec<Node> = mode.shape.clone();
-    for offset in [1e-5, 1e-7] {
-        let near = lambda * (1.0 + offset);
-        let right = Stiffness::derivative(rotor, near, speed).times(&shape);
-        let factors = Stiffness::new(rotor, near, speed).factors();
-        let turned = factors.ok_or(linalg::LinalgError::NotConverged)?.solve(&right);
-        let inner = |a: &[Node], b: &[Node]| -> Complex<f64> {
-            let plane = |of: &[Node], plane: usize, part: fn(&Complex<f64>) -> f64| {
-                DVector::from_fn(2 * of.len(), |n, _| part(&of[n / 2][2 * plane + n % 2]))
-            };
-            let mut sum = Complex::new(0.0, 0.0);
-            for p in 0..2 {
-                let (re, im) = (plane(a, p, |x| x.re), plane(a, p, |x| x.im));
-                let weighted_re = rotor.mass.times(&plane(b, p, |x| x.re));
-                let weighted_im = rotor.mass.times(&plane(b, p, |x| x.im));
-                sum += Complex::new(
-                    re.dot(&weighted_re) + im.dot(&weighted_im),
-                    re.dot(&weighted_im) - im.dot(&weighted_re),
-                );
-            }
-            sum
-        };
-        lambda = near - inner(&shape, &shape) / inner(&shape, &turned);
-        let size = inner(&turned, &turned).re.sqrt();
-        shape = turned.into_iter().map(|node| node.map(|x| x / size)).collect();
+/// `NotConverged`.
+pub fn polished(rotor: &Assembled, mode: &Mode, speed: f64) -> Result<Polished, RotorError> {
+    let near = OFFSETS.into_iter().find_map(|offset| {
+        let lambda = mode.lambda * (offset + 1.0);
+        let dynamic = Stiffness::new(rotor, lambda, speed);
+        let right = inverse_iteration(dynamic, rotor, lambda, speed, (mode.lambda, &mode.shape), false)?;
+        let conjugate: Vec<Node> = mode.shape.iter().map(|node| node.map(|x| x.conj())).collect();
+        let left = inverse_iteration(dynamic, rotor, lambda, speed, (mode.lambda, &conjugate), true)?;
+        let (value, rounding) = quotient(rotor, speed, mode.lambda, &left, &right)?;
+        ((value - mode.lambda).norm() < ANOTHER * mode.lambda.norm()).then_some((value, rounding, right))
+    });
+    let (lambda, rounding, shape) = near.ok_or(linalg::LinalgError::NotConverged)?;
+    let mass = Complex::new(1.0, 0.0);
+    let weighted = Stiffness::of(rotor, Powers { mass, damping: ZERO, stiffness: ZERO }, speed).times(&shape);
+    let sum: f64 =
+        shape.iter().flatten().zip(weighted.iter().flatten()).map(|(a, b)| (a.conj() * b).re).sum();
+    let shape = shape.into_iter().map(|node| node.map(|x| x / sum.sqrt())).collect();
+    Ok(Polished { mode: Mode { lambda, shape, coordinates: mode.coordinates.clone() }, rounding })
+}
+
+/// The eigenvalue of a mode from its shape and the powers in it alone, `λ² vᴴMv + λ vᴴ(C + ΩG)v + vᴴKv = 0`, near the one
+/// it is said to have.
+pub fn energy_eigenvalue(rotor: &Assembled, mode: &Mode, speed: f64) -> Option<Complex<f64>> {
+    let [mass, damping, stiffness] = [0, 1, 2].map(|at| {
+        let one = |n: usize| Complex::new(f64::from(u8::from(n == at)), 0.0);
+        let powers = Powers { mass: one(0), damping: one(1), stiffness: one(2) };
+        let image = Stiffness::of(rotor, powers, speed).times(&mode.shape);
+        let power = mode.shape.iter().flatten().zip(image.iter().flatten()).map(|(a, b)| a.conj() * b);
+        power.sum::<Complex<f64>>()
+    });
+    let half = damping / (mass * 2.0);
+    let root = (half * half - stiffness / mass).sqrt();
+    let off = |value: &Complex<f64>| (value - mode.lambda).norm();
+    let [one, other] = [root - half, -root - half];
+    let value = if off(&one) < off(&other) { one } else { other };
+    (value.re.is_finite() && value.im.is_finite()).then_some(value)
+}
+
+const ZERO: Complex<f64> = Complex::new(0.0, 0.0);
+
+/// Two steps towards the eigenvector whose eigenvalue is nearest to `shift`, on displacements and velocities: with
+/// `q̇ = v` they are `(λ²M + λC + K) q′ = −M v − (C + λM) q`, `v′ = q + λ q′`.
+fn inverse_iteration(
+    dynamic: Stiffness<'_>,
+    rotor: &Assembled,
+    shift: Complex<f64>,
+    speed: f64,
+    (lambda, start): (Complex<f64>, &[Node]),
+    transposed: bool,
+) -> Option<Vec<Node>> {
+    let one = Complex::new(1.0, 0.0);
+    let side = |of| if transposed { Stiffness::transposed(of) } else { of };
+    let solver = side(dynamic).solver();
+    let inertia = side(Stiffness::of(rotor, Powers { mass: one, damping: ZERO, stiffness: ZERO }, speed));
+    let momentum = side(Stiffness::of(rotor, Powers { mass: shift, damping: one, stiffness: ZERO }, speed));
+    let mut place = start.to_vec();
+    let mut velocity: Vec<Node> = start.iter().map(|node| node.map(|x| x * lambda)).collect();
+    for _ in 0..2 {
+        let (moving, mut right) = (inertia.times(&velocity), momentum.times(&place));
+        for (right, moving) in right.iter_mut().flatten().zip(moving.iter().flatten()) {
+            *right = -(*right + moving);
+        }
+        let next = solver.solve(&right)?;
+        for (velocity, (next, place)) in
+            velocity.iter_mut().flatten().zip(next.iter().flatten().zip(place.iter().flatten()))
+        {
+            *velocity = place + shift * next;
+        }
+        place = next;
+        let size = place.iter().flatten().map(|x| x.norm()).fold(0.0, f64::max);
+        for x in place.iter_mut().chain(&mut velocity).flatten() {
+            *x /= size;
+        }
     }
-    if lambda.re.is_finite() && lambda.im.is_finite() {
-        Ok(Mode { lambda, shape, coordinates: mode.coordinates.clone() })
-    } else {
-        Err(linalg::LinalgError::NotConverged.into())
+    place.iter().flatten().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(place)
+}
+
+/// The eigenvalue near `lambda` that makes `wᵀ D(λ) v` zero, and what rounding may have changed of it: a share of the
+/// sizes that were added up.
+fn quotient(
+    rotor: &Assembled,
+    speed: f64,
+    mut lambda: Complex<f64>,
+    left: &[Node],
+    right: &[Node],
+) -> Option<(Complex<f64>, f64)> {
+    let one = Complex::new(1.0, 0.0);
+    let form = |powers: Powers| {
+        let image = Stiffness::of(rotor, powers, speed).times(right);
+        let terms = left.iter().flatten().zip(image.iter().flatten()).map(|(a, b)| a * b);
+        terms.fold((ZERO, 0.0), |(sum, size), term| (sum + term, size + term.norm()))
+    };
+    let (mass, mass_size) = form(Powers { mass: one, damping: ZERO, stiffness: ZERO });
+    let (damping, damping_size) = form(Powers { mass: ZERO, damping: one, stiffness: ZERO });
+    let (stiffness, stiffness_size) = form(Powers { mass: ZERO, damping: ZERO, stiffness: one });
+    let slope = |lambda: Complex<f64>| lambda * mass * 2.0 + damping;
+    for _ in 0..4 {
+        lambda -= (lambda * (lambda * mass + damping) + stiffness) / slope(lambda);
     }
+    let size = lambda.norm();
+    let all = size * (size * mass_size + damping_size) + stiffness_size;
+    let rounding = f64::EPSILON * all / (slope(lambda).norm() * size);
+    (lambda.re.is_finite() && lambda.im.is_finite() && rounding < ANOTHER).then_some((lambda, rounding))
 }

@@ -1,5 +1,7 @@
 //! The matrices of a chain of nodes in one plane: symmetric, two freedoms a node, coupled only to neighbours.
 
+use std::ops::{AddAssign, Mul};
+
 use nalgebra::{DVector, Matrix2, Matrix4, Vector2};
 
 /// A symmetric block-tridiagonal matrix of 2 by 2 blocks.
@@ -57,6 +59,21 @@ impl Plane {
         y
     }
 
+    /// The matrix times real or complex numbers, one for each freedom.
+    pub(super) fn product<T: Copy + AddAssign + Mul<f64, Output = T>>(&self, x: &[T], zero: T) -> Vec<T> {
+        let mut y = vec![zero; x.len()];
+        for (n, block) in self.diagonal.iter().enumerate() {
+            for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                y[2 * n + i] += x[2 * n + j] * block[(i, j)];
+                if let Some(above) = self.above.get(n) {
+                    y[2 * n + i] += x[2 * n + 2 + j] * above[(i, j)];
+                    y[2 * n + 2 + j] += x[2 * n + i] * above[(i, j)];
+                }
+            }
+        }
+        y
+    }
+
     /// `xᵀ A x`.
     pub fn energy(&self, x: &[f64]) -> f64 {
         let x = DVector::from_column_slice(x);
@@ -79,8 +96,10 @@ impl Plane {
         self.diagonal[n][(k, k)] = diagonal;
     }
 
-    /// Factors of a positive definite matrix; `None` where it is not.
-    pub(super) fn factors(&self) -> Option<Factors> {
+    /// Factors of a positive definite matrix; `None` where a pivot is not above this share of its diagonal entry.
+    ///
+    /// A share is free of units: deflections and slopes stand side by side, and scaling either changes nothing.
+    pub(super) fn factors(&self, least: f64) -> Option<Factors> {
         let mut pivots: Vec<Matrix2<f64>> = Vec::with_capacity(self.diagonal.len());
         for (n, block) in self.diagonal.iter().enumerate() {
             let mut pivot = *block;
@@ -88,14 +107,14 @@ impl Plane {
                 let above = &self.above[n - 1];
                 pivot -= above.transpose() * pivots[n - 1] * above;
             }
-            let (a, b, d) = (pivot[(0, 0)], 0.5 * (pivot[(0, 1)] + pivot[(1, 0)]), pivot[(1, 1)]);
-            let determinant = a * d - b * b;
-            // What is left of a pivot by rounding alone is no stiffness.
-            let floor = 1e-13 * block[(0, 0)] * block[(1, 1)];
-            if !(a > 0.0 && d > 0.0 && determinant > floor) {
+            let (a, b) = (pivot[(0, 0)], 0.5 * (pivot[(0, 1)] + pivot[(1, 0)]));
+            let rest = pivot[(1, 1)] - b * (b / a);
+            if !(a > least * block[(0, 0)] && rest > least * block[(1, 1)]) {
                 return None;
             }
-            pivots.push(Matrix2::new(d, -b, -b, a) / determinant);
+            let (slant, second) = (b / a, 1.0 / rest);
+            let cross = -slant * second;
+            pivots.push(Matrix2::new(1.0 / a - slant * cross, cross, cross, second));
         }
         Some(Factors { pivots, above: self.above.clone() })
     }

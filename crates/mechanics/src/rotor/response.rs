@@ -59,8 +59,8 @@ pub fn unbalance_response(
 ) -> Result<Vec<[Complex<f64>; 4]>, RotorError> {
     let force = forces(rotor, unbalances, speed)?;
     let unbounded = RotorError::Unbounded { speed };
-    let factors = Stiffness::new(rotor, Complex::new(0.0, speed), speed).factors().ok_or(unbounded)?;
-    let response = factors.solve(&force);
+    let dynamic = Stiffness::new(rotor, Complex::new(0.0, speed), speed);
+    let response = dynamic.solve(&force).ok_or(unbounded)?;
     // At rest the work of the force equals the elastic energy; near an undamped resonance it falls far behind it.
     let work = force.iter().flatten().zip(response.iter().flatten()).map(|(a, b)| a.conj() * b);
     let (work, energy) = (work.sum::<Complex<f64>>().norm(), elastic_energy(rotor, &response));

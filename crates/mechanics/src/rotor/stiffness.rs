@@ -4,7 +4,8 @@ use std::array::from_fn;
 
 use nalgebra::{Complex, Matrix2};
 
-use super::{Assembled, Coefficients, Plane};
+use super::{Assembled, Coefficients, Plane, assembled::Bending};
+use crate::linalg::ComplexBand;
 
 type C = Complex<f64>;
 /// The freedoms of a node: deflection and slope in one plane, then in the other.
@@ -13,47 +14,130 @@ type Block = [[C; 4]; 4];
 
 const ZERO: C = Complex::new(0.0, 0.0);
 
-/// The dynamic stiffness at one `λ` and one speed.
-pub(super) struct Stiffness {
+/// A linear combination of the matrices of a rotor at a speed.
+#[derive(Clone, Copy)]
+pub(super) struct Stiffness<'a> {
+    rotor: &'a Assembled,
+    powers: Powers,
+    speed: f64,
+    transposed: bool,
+}
+
+/// The same as blocks, a row of them for each node.
+struct Blocks {
     diagonal: Vec<Block>,
     above: Vec<Block>,
     below: Vec<Block>,
 }
 
 /// Its factors.
-pub(super) struct Factors {
+struct Factors {
     pivots: Vec<Lu>,
     carried: Vec<Block>,
     below: Vec<Block>,
 }
 
-/// What stands before the matrices of a rotor: `λ²`, `λ`, and `1`, or their derivatives by `λ`.
+/// What stands before the matrices of a rotor: `λ²`, `λ` and `1`, or others.
 #[derive(Clone, Copy)]
-struct Powers {
-    mass: C,
-    damping: C,
-    stiffness: C,
+pub(super) struct Powers {
+    pub(super) mass: C,
+    pub(super) damping: C,
+    pub(super) stiffness: C,
 }
 
-impl Stiffness {
-    pub(super) fn new(rotor: &Assembled, lambda: C, speed: f64) -> Self {
-        Self::of(
-            rotor,
-            Powers { mass: lambda * lambda, damping: lambda, stiffness: Complex::new(1.0, 0.0) },
-            speed,
-        )
+/// The most corrections of a solution.
+const CORRECTIONS: usize = 12;
+
+/// A correction below this share of the solution is rounding.
+const SETTLED: f64 = 1e-13;
+
+/// A solution whose last correction is not below this share is none.
+const LOST: f64 = 1e-9;
+
+impl<'a> Stiffness<'a> {
+    pub(super) fn new(rotor: &'a Assembled, lambda: C, speed: f64) -> Self {
+        let one = Complex::new(1.0, 0.0);
+        Self::of(rotor, Powers { mass: lambda * lambda, damping: lambda, stiffness: one }, speed)
     }
 
-    /// `D′(λ) = 2λM + C + ΩG`.
-    pub(super) fn derivative(rotor: &Assembled, lambda: C, speed: f64) -> Self {
-        Self::of(
-            rotor,
-            Powers { mass: lambda * 2.0, damping: Complex::new(1.0, 0.0), stiffness: ZERO },
-            speed,
-        )
+    /// `a M + b (C + ΩG) + c K`.
+    pub(super) fn of(rotor: &'a Assembled, powers: Powers, speed: f64) -> Self {
+        Self { rotor, powers, speed, transposed: false }
     }
 
-    fn of(rotor: &Assembled, powers: Powers, speed: f64) -> Self {
+    /// Rows become columns.
+    pub(super) fn transposed(self) -> Self {
+        Self { transposed: !self.transposed, ..self }
+    }
+
+    /// Times a motion in which fixed freedoms are at rest. The shaft acts through its deformations, so that a soft motion
+    /// of a fine mesh keeps its digits.
+    pub(super) fn times(&self, x: &[Node]) -> Vec<Node> {
+        let Self { rotor, powers, speed, .. } = *self;
+        let sign = if self.transposed { -1.0 } else { 1.0 };
+        let plane =
+            |p: usize| -> Vec<C> { x.iter().flat_map(|node| [node[2 * p], node[2 * p + 1]]).collect() };
+        let planes = [plane(0), plane(1)];
+        let mut sums = [vec![ZERO; 2 * x.len()], vec![ZERO; 2 * x.len()]];
+        for p in 0..2 {
+            let own = &planes[p];
+            let mut add = |to: usize, image: Vec<C>, factor: C| {
+                sums[to].iter_mut().zip(image).for_each(|(sum, part)| *sum += part * factor);
+            };
+            add(p, rotor.mass.product(own, ZERO), powers.mass);
+            let direct = |element: &Bending, force: C| {
+                force * (powers.stiffness * element.direct + powers.damping * element.viscous)
+            };
+            let one = Complex::new(1.0, 0.0);
+            add(p, rotor.bent(own, ZERO, direct), one);
+            if let Some(tension) = &rotor.tension {
+                add(p, tension.product(own, ZERO), powers.stiffness);
+            }
+            // Of x on y and, with the other sign, of y on x.
+            let turn = if p == 0 { -sign } else { sign };
+            add(1 - p, rotor.gyroscopic.product(own, ZERO), powers.damping * (speed * turn));
+            if rotor.internal {
+                let cross = |element: &Bending, force: C| {
+                    force * (powers.stiffness * (speed * element.viscous + element.hysteretic))
+                };
+                add(1 - p, rotor.bent(own, ZERO, cross), one * turn);
+            }
+        }
+        let mut image: Vec<Node> = (0..x.len())
+            .map(|n| [sums[0][2 * n], sums[0][2 * n + 1], sums[1][2 * n], sums[1][2 * n + 1]])
+            .collect();
+        for (node, here) in rotor.bearings(speed) {
+            let [[xx, xy], [yx, yy]] = self.bearing(here);
+            image[node][0] += xx * x[node][0] + xy * x[node][2];
+            image[node][2] += yx * x[node][0] + yy * x[node][2];
+        }
+        image
+    }
+
+    fn bearing(&self, Coefficients { stiffness, damping }: Coefficients) -> [[C; 2]; 2] {
+        from_fn(|i| {
+            from_fn(|j| {
+                let (row, column) = if self.transposed { (j, i) } else { (i, j) };
+                self.powers.stiffness * stiffness[row][column] + self.powers.damping * damping[row][column]
+            })
+        })
+    }
+
+    /// The solution of `D x = b`, corrected until what [`times`](Self::times) leaves of `b` is rounding. Elimination
+    /// goes node by node; where that meets a poor pivot, rows are exchanged among nodes. `None` where `D` is singular.
+    pub(super) fn solve(&self, right: &[Node]) -> Option<Vec<Node>> {
+        self.solver().solve(right)
+    }
+
+    /// Ready for several right sides.
+    pub(super) fn solver(&self) -> Solver<'a> {
+        let blocks = self.blocks();
+        Solver { of: *self, factors: blocks.factors(), blocks }
+    }
+
+    fn blocks(&self) -> Blocks {
+        let Self { rotor, powers, speed, .. } = *self;
+        let sign = if self.transposed { -1.0 } else { 1.0 };
         let block = |pick: &dyn Fn(&Plane) -> Matrix2<f64>| -> Block {
             let (mass, gyroscopic, stiffness) =
                 (pick(&rotor.mass), pick(&rotor.gyroscopic), pick(&rotor.stiffness));
@@ -72,19 +156,19 @@ impl Stiffness {
                         + powers.stiffness * (speed * viscous[(i, j)] + hysteretic[(i, j)]);
                     block[i][j] = direct;
                     block[i + 2][j + 2] = direct;
-                    block[i][j + 2] = cross;
-                    block[i + 2][j] = -cross;
+                    block[i][j + 2] = cross * sign;
+                    block[i + 2][j] = -cross * sign;
                 }
             }
             block
         };
         let mut diagonal: Vec<Block> =
             (0..rotor.nodes()).map(|n| block(&|plane: &Plane| plane.diagonal[n])).collect();
-        for (node, Coefficients { stiffness, damping }) in rotor.bearings(speed) {
+        for (node, here) in rotor.bearings(speed) {
+            let bearing = self.bearing(here);
             for i in 0..2 {
                 for j in 0..2 {
-                    diagonal[node][2 * i][2 * j] +=
-                        powers.stiffness * stiffness[i][j] + powers.damping * damping[i][j];
+                    diagonal[node][2 * i][2 * j] += bearing[i][j];
                 }
             }
         }
@@ -95,22 +179,7 @@ impl Stiffness {
             .iter()
             .map(|above| from_fn(|i| from_fn(|j| above[2 * (i / 2) + j % 2][2 * (j / 2) + i % 2])))
             .collect();
-        Self { diagonal, above, below }
-    }
-
-    pub(super) fn times(&self, x: &[Node]) -> Vec<Node> {
-        (0..x.len())
-            .map(|n| {
-                let mut sum = product(&self.diagonal[n], &x[n]);
-                if n > 0 {
-                    add(&mut sum, &product(&self.below[n - 1], &x[n - 1]));
-                }
-                if n + 1 < x.len() {
-                    add(&mut sum, &product(&self.above[n], &x[n + 1]));
-                }
-                sum
-            })
-            .collect()
+        Blocks { diagonal, above, below }
     }
 
     /// The largest term of each row of a product, for one freedom of the nodes.
@@ -118,22 +187,25 @@ impl Stiffness {
         let largest = |block: &Block, x: &Node| {
             block[freedom].iter().zip(x).map(|(a, x)| (a * x).norm()).fold(0.0, f64::max)
         };
+        let Blocks { diagonal, above, below } = self.blocks();
         (0..x.len())
             .map(|n| {
-                let mut size = largest(&self.diagonal[n], &x[n]);
+                let mut size = largest(&diagonal[n], &x[n]);
                 if n > 0 {
-                    size = size.max(largest(&self.below[n - 1], &x[n - 1]));
+                    size = size.max(largest(&below[n - 1], &x[n - 1]));
                 }
                 if n + 1 < x.len() {
-                    size = size.max(largest(&self.above[n], &x[n + 1]));
+                    size = size.max(largest(&above[n], &x[n + 1]));
                 }
                 size
             })
             .collect()
     }
+}
 
+impl Blocks {
     /// Factors without exchange of nodes; `None` where a pivot is exactly singular.
-    pub(super) fn factors(self) -> Option<Factors> {
+    fn factors(&self) -> Option<Factors> {
         let nodes = self.diagonal.len();
         let mut pivots = Vec::with_capacity(nodes);
         let mut carried: Vec<Block> = Vec::with_capacity(nodes - 1);
@@ -150,12 +222,95 @@ impl Stiffness {
             }
             pivots.push(pivot);
         }
-        Some(Factors { pivots, carried, below: self.below })
+        Some(Factors { pivots, carried, below: self.below.clone() })
+    }
+}
+
+/// A matrix that is ready to be solved.
+pub(super) struct Solver<'a> {
+    of: Stiffness<'a>,
+    blocks: Blocks,
+    factors: Option<Factors>,
+}
+
+impl Solver<'_> {
+    pub(super) fn solve(&self, right: &[Node]) -> Option<Vec<Node>> {
+        if self.size(right) == 0.0 {
+            return Some(right.to_vec());
+        }
+        let quick = |right: &[Node]| Some(self.factors.as_ref()?.solve(right));
+        self.corrected(right, quick).or_else(|| self.corrected(right, |right| self.with_exchange(right)))
+    }
+
+    fn corrected(&self, right: &[Node], solve: impl Fn(&[Node]) -> Option<Vec<Node>>) -> Option<Vec<Node>> {
+        let mut x = solve(right)?;
+        let mut last = f64::INFINITY;
+        for _ in 0..CORRECTIONS {
+            let mut left = self.of.times(&x);
+            for (left, right) in left.iter_mut().flatten().zip(right.iter().flatten()) {
+                *left = right - *left;
+            }
+            let change = solve(&left)?;
+            let size = self.size(&change) / self.size(&x);
+            // Also where it is not a number.
+            if !(size < 0.5 * last) {
+                break;
+            }
+            for (x, change) in x.iter_mut().flatten().zip(change.iter().flatten()) {
+                *x += change;
+            }
+            last = size;
+            if size < SETTLED {
+                break;
+            }
+        }
+        (last < LOST).then_some(x)
+    }
+
+    /// The largest deflection, slopes times the mean length of an element among them.
+    fn size(&self, x: &[Node]) -> f64 {
+        let unit = self.unit();
+        let of = |node: &Node| {
+            node[0].norm().max(node[2].norm()).max(unit * node[1].norm()).max(unit * node[3].norm())
+        };
+        x.iter().map(of).fold(0.0, f64::max)
+    }
+
+    fn unit(&self) -> f64 {
+        let positions = &self.of.rotor.positions;
+        positions.last().map_or(1.0, |length| length / positions.len() as f64)
+    }
+
+    /// By elimination with exchange of rows, in rotations times the length of an element.
+    fn with_exchange(&self, right: &[Node]) -> Option<Vec<Node>> {
+        let unit = self.unit();
+        let scale = [1.0, 1.0 / unit, 1.0, 1.0 / unit];
+        let mut band = ComplexBand::zeros(4 * right.len(), 7, 7).ok()?;
+        let mut put = |row: usize, column: usize, block: &Block| {
+            for i in 0..4 {
+                for j in 0..4 {
+                    band.add(4 * row + i, 4 * column + j, block[i][j] * (scale[i] * scale[j]));
+                }
+            }
+        };
+        for (n, block) in self.blocks.diagonal.iter().enumerate() {
+            put(n, n, block);
+        }
+        for (n, (above, below)) in self.blocks.above.iter().zip(&self.blocks.below).enumerate() {
+            put(n, n + 1, above);
+            put(n + 1, n, below);
+        }
+        let scaled =
+            |x: &[Node]| -> Vec<Node> { x.iter().map(|node| from_fn(|i| node[i] * scale[i])).collect() };
+        let mut x: Vec<C> = scaled(right).into_iter().flatten().collect();
+        band.solve(&mut x).ok()?;
+        let nodes: Vec<Node> = x.chunks_exact(4).map(|node| from_fn(|i| node[i])).collect();
+        Some(scaled(&nodes))
     }
 }
 
 impl Factors {
-    pub(super) fn solve(&self, right: &[Node]) -> Vec<Node> {
+    fn solve(&self, right: &[Node]) -> Vec<Node> {
         let mut x: Vec<Node> = Vec::with_capacity(right.len());
         for (n, right) in right.iter().enumerate() {
             let mut here = *right;
@@ -241,12 +396,6 @@ impl Lu {
 
 fn product(a: &Block, x: &Node) -> Node {
     a.map(|row| row[0] * x[0] + row[1] * x[1] + row[2] * x[2] + row[3] * x[3])
-}
-
-fn add(a: &mut Node, b: &Node) {
-    for (a, b) in a.iter_mut().zip(b) {
-        *a += b;
-    }
 }
 
 /// `a −= b c`

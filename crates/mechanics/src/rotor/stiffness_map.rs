@@ -57,22 +57,23 @@ impl StiffnessMap {
         let pins = places.iter().map(|(node, _)| Support { node: *node, hold: Hold::Pinned });
         let held = Rotor { supports: fixed.into_iter().chain(pins).collect(), ..rotor.clone() };
         let held = Assembled::new(&held)?;
-        let factors = held.stiffness.factors().ok_or(RotorError::Buckled)?;
+        let factors = held.stiffness.factors(0.0).ok_or(RotorError::Buckled)?;
         let reduced = Reduced::to_within(&held, count + 4, &[0.0, highest], SHARE)?;
         let mut shapes: Vec<DVector<f64>> = Vec::new();
         for (node, _) in &places {
             let mut unit = DVector::zeros(2 * rotor.nodes());
             unit[2 * node] = 1.0;
-            let mut load = -free.stiffness.times(&unit);
+            let mut load = -free.shaft_times(&unit);
             for freedom in &held.fixed {
                 load[*freedom] = 0.0;
             }
             shapes.push(unit + factors.solve(&load));
         }
         shapes.extend(reduced.shapes_of_one_plane());
+        let images: Vec<DVector<f64>> = shapes.iter().map(|shape| free.shaft_times(shape)).collect();
         let shapes = DMatrix::from_columns(&shapes);
         Ok(Self {
-            stiffness: project(&free.stiffness, &shapes),
+            stiffness: shapes.tr_mul(&DMatrix::from_columns(&images)),
             mass: project(&free.mass, &shapes),
             gyroscopic: project(&free.gyroscopic, &shapes),
             bearings: places.into_iter().map(|(_, share)| share).collect(),

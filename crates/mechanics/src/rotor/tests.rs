@@ -69,7 +69,7 @@ fn natural_frequencies_agree_with_another_program_to_eight_digits() {
             for (n, (mode, theirs)) in modes.iter().zip(natural).enumerate() {
                 if *theirs > 0.0 {
                     close(mode.lambda.norm(), *theirs, 5e-9, &format!("mode {n} at {speed} rad/s"));
-                    let exact = modes::polished(rotor, mode, *speed).unwrap().lambda;
+                    let exact = modes::polished(rotor, mode, *speed).unwrap().mode.lambda;
                     assert!((exact - mode.lambda).norm() < 1e-9 * exact.norm());
                 }
                 if let Some(zeta) = damping.get(n) {
@@ -174,8 +174,8 @@ fn critical_speeds_found_directly_are_where_the_branches_cross_the_line() {
         let reduced = Reduced::new(&rotor, 8, &[0.0, highest * rpm]).unwrap();
         let speeds: Vec<f64> = (0..=20).map(|n| f64::from(n) * highest * rpm / 20.0).collect();
         let diagram = campbell(&reduced, &speeds).unwrap();
-        let crossings = critical::crossings(&reduced, &diagram, slope).unwrap();
-        let direct = critical::direct(&reduced, slope, highest * rpm).unwrap();
+        let crossings = critical::crossings(&reduced, &diagram, slope).unwrap().found;
+        let direct = critical::direct(&reduced, slope, highest * rpm).unwrap().found;
         assert_eq!(direct.len(), crossings.len());
         for ((direct, crossing), ours) in direct.iter().zip(&crossings).zip(ours) {
             close(direct.speed, crossing.speed, 1e-9, "critical speed");
@@ -208,9 +208,12 @@ fn internal_damping_turns_a_shaft_unstable_at_its_first_forward_critical_speed()
         let speeds: Vec<f64> = (0..=16).map(|n| f64::from(n) * 1600.0 / 16.0).collect();
         let reduced = Reduced::new(&rotor, 4, &[539.25, 1600.0]).unwrap();
         let diagram = campbell(&reduced, &speeds).unwrap();
-        let threshold = critical::threshold(&reduced, &diagram).unwrap().unwrap();
+        let instability = critical::instability(&reduced, &diagram).unwrap();
+        assert_eq!((instability.bands.len(), instability.lost.len()), (1, 0));
+        assert_eq!(instability.bands[0].to, None);
+        let threshold = instability.bands[0].from.clone().unwrap();
         assert_eq!(threshold.mode.direction(), Direction::Forward);
-        let criticals = critical::crossings(&reduced, &diagram, 1.0).unwrap();
+        let criticals = critical::crossings(&reduced, &diagram, 1.0).unwrap().found;
         let first =
             criticals.iter().find(|critical| critical.mode.direction() == Direction::Forward).unwrap();
         close(threshold.speed, first.speed, 1e-9, "threshold");
@@ -329,6 +332,7 @@ fn a_thin_overhung_disc_has_one_forward_critical_speed() {
     let rpm = std::f64::consts::PI / 30.0;
     let found: Vec<(f64, Direction)> = critical::direct(&reduced, 1.0, 3000.0)
         .unwrap()
+        .found
         .iter()
         .map(|critical| (critical.speed / rpm, critical.mode.direction()))
         .collect();
@@ -350,6 +354,7 @@ fn the_response_at_an_undamped_critical_speed_is_refused() {
     let reduced = Reduced::new(&rotor, 6, &[0.0, 400.0]).unwrap();
     let forward = critical::direct(&reduced, 1.0, 400.0)
         .unwrap()
+        .found
         .into_iter()
         .find(|critical| critical.mode.direction() == Direction::Forward)
         .unwrap();
@@ -372,7 +377,7 @@ fn critical_speeds_over_the_stiffness_of_the_bearings_are_those_found_for_each()
         }
         let all = Assembled::new(&rotor).unwrap();
         let reduced = Reduced::new(&all, 6, &[0.0, 1000.0]).unwrap();
-        let exact = critical::direct(&reduced, 1.0, 1e4).unwrap();
+        let exact = critical::direct(&reduced, 1.0, 1e4).unwrap().found;
         let ours = map.at(stiffness, 1.0).unwrap();
         for (direction, ours) in [(Direction::Forward, ours.forward), (Direction::Backward, ours.backward)] {
             let theirs = exact.iter().filter(|critical| critical.mode.direction() == direction);

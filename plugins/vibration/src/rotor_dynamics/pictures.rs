@@ -299,5 +299,5 @@ fn stability(diagram: Option<&Campbell>) -> Plot {
         Axis::linear("logarithmic decrement", "1"),
         branches(diagram, Mode::log_decrement),
     )
-    .level("threshold", 0.0)
+    .level("limit of stability, δ = 0", 0.0)
 }

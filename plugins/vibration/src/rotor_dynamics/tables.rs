@@ -53,6 +53,11 @@ impl RotorDynamics {
         self.tables().filter_map(|(_, rows)| ends(rows)).map(|(from, _)| from).fold(0.0, f64::max)
     }
 
+    /// The speeds of all rows.
+    pub(super) fn table_speeds(&self) -> impl Iterator<Item = f64> {
+        self.tables().flat_map(|(_, rows)| rows).map(|row| row.speed)
+    }
+
     /// The tables with the numbers of their supports.
     fn tables(&self) -> impl Iterator<Item = (usize, &[SpeedRow])> {
         (1..).zip(&self.supports).filter_map(|(n, support)| match &support.bearing {
