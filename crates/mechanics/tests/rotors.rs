@@ -368,3 +368,92 @@ fn random_rotors_have_the_eigenvalues_of_forty_digits() {
     }
     assert!(held >= 200, "{held}");
 }
+
+/// A shaft of 50 mm with a disc of 40 kg in the middle.
+fn middle(supports: [Hold; 2]) -> Rotor {
+    let material =
+        Material { young: 210e9, shear: 81e9, density: 7850.0, viscous_damping: 0.0, loss_factor: 0.0 };
+    let element = Element { length: 1.0 / 12.0, outer: [0.05; 2], inner: [0.0; 2], material };
+    Rotor {
+        elements: vec![element; 12],
+        theory: Theory::Timoshenko,
+        tension: 0.0,
+        discs: vec![Disc { node: 6, mass: 40.0, diametral: 0.4, polar: 0.8 }],
+        supports: [0, 12].into_iter().zip(supports).map(|(node, hold)| Support { node, hold }).collect(),
+    }
+}
+
+/// Bands of instability, rpm, of a rotor whose diagram has fourteen steps, the rows of its tables and a speed.
+fn bands(rotor: &Rotor, speed: f64, highest: f64, count: usize) -> Vec<[Option<f64>; 2]> {
+    let rpm = PI / 30.0;
+    let all = Assembled::new(rotor).unwrap();
+    let reduced = Reduced::new(&all, count, &[speed * rpm, highest * rpm]).unwrap();
+    let even = (0..=14).map(|n| highest * f64::from(n) / 14.0);
+    let rows = [5100.0, 5300.0, 5600.0].into_iter().filter(|row| *row < highest);
+    let mut speeds: Vec<f64> = even.chain(rows).chain([speed]).map(|speed| speed * rpm).collect();
+    speeds.sort_by(f64::total_cmp);
+    speeds.dedup();
+    let found = critical::instability(&reduced, &campbell(&reduced, &speeds).unwrap()).unwrap();
+    assert!(found.lost.is_empty(), "{:?}", found.lost);
+    let speed = |end: Option<critical::Critical>| end.map(|end| end.speed / rpm);
+    found.bands.into_iter().map(|band| [speed(band.from), speed(band.to)]).collect()
+}
+
+/// Ends of the bands by the eigenvalues of 40 digits, and by LAPACK.
+#[test]
+fn bands_of_instability_have_both_ends_wherever_they_lie() {
+    let row = |kxy: f64, kyy: f64, cxx: f64| Coefficients {
+        stiffness: [[1e8, kxy], [-kxy, kyy]],
+        damping: [[cxx, 0.0], [0.0, cxx]],
+    };
+    let rpm = PI / 30.0;
+    let table = [(0.0, 0.0), (5100.0, 0.0), (5300.0, 5e7), (5600.0, 0.0), (14000.0, 0.0)];
+    let table = table.map(|(speed, kxy)| (speed * rpm, row(kxy, 7.5e7, 1e4))).to_vec();
+    let constant = |here: Coefficients| Hold::Bearing(vec![(0.0, here)]);
+    let rotor = middle([constant(row(0.0, 6e7, 1e4)), Hold::Bearing(table)]);
+    for speed in [4000.0, 5300.0] {
+        let found = bands(&rotor, speed, 14000.0, 4);
+        let [[Some(from), Some(to)]] = found[..] else { panic!("{found:?}") };
+        assert!((from / 5161.740_379_92 - 1.0).abs() < PROMISED, "{from}");
+        assert!((to / 5512.056_619_43 - 1.0).abs() < PROMISED, "{to}");
+    }
+    let rotor = middle([constant(row(2e7, 6e7, 3e3)), constant(row(0.0, 7.5e7, 1e4))]);
+    for highest in [500.0, 1500.0, 7200.0, 30000.0] {
+        let found = bands(&rotor, 100.0, highest, 6);
+        let [[Some(from), None]] = found[..] else { panic!("{found:?} up to {highest}") };
+        assert!((from / 27.219_933_2 - 1.0).abs() < 1e-8, "{from} up to {highest}");
+    }
+}
+
+/// Bending alone on soft bearings, by the eigenvalues of 40 digits, Hz.
+#[test]
+fn soft_bearings_keep_their_digits_on_a_fine_mesh() {
+    for (count, k, speed, theirs) in [
+        (5, 30e3, 600.0, [6.938_368_142, 6.938_368_151, 8.905_936_788, 9.054_820_526]),
+        (8, 30e3, 600.0, [6.938_368_028, 6.938_368_037, 8.905_936_659, 9.054_820_388]),
+        (20, 300e3, 0.0, [21.930_273_51, 21.930_273_51, 28.397_093_53, 28.397_093_53]),
+    ] {
+        let material =
+            Material { young: 207e9, shear: 80e9, density: 7850.0, viscous_damping: 0.0, loss_factor: 0.0 };
+        let stretch = |length: f64| {
+            let element =
+                Element { length: length / count as f64, outer: [0.08; 2], inner: [0.0; 2], material };
+            vec![element; count]
+        };
+        let supports = [count, 2 * count].map(|node| Support::bearing(node, Coefficients::isotropic(k, 0.0)));
+        let rotor = Rotor {
+            elements: [0.1, 0.6, 0.1].into_iter().flat_map(stretch).collect(),
+            theory: Theory::EulerBernoulli,
+            tension: 0.0,
+            discs: Vec::new(),
+            supports: supports.to_vec(),
+        };
+        let all = Assembled::new(&rotor).unwrap();
+        let speed = speed * PI / 30.0;
+        let found = Reduced::new(&all, 4, &[speed, 200.0 * PI]).unwrap().modes(speed).unwrap().modes;
+        for (mode, theirs) in zip_eq(&found, theirs) {
+            let exact = modes::polished(&all, mode, speed).unwrap().mode.frequency() / (2.0 * PI);
+            assert!((exact / theirs - 1.0).abs() < PROMISED, "{exact} is not {theirs}");
+        }
+    }
+}
