@@ -3,6 +3,8 @@
 //!
 //! `ROTOR_DRAWS=2000 cargo test --release --test rotors` looks further.
 
+#![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
+
 use std::f64::consts::PI;
 
 use dalembert_mechanics::{

@@ -395,19 +395,3 @@ fn narrowed(
     }
     Ok(ends)
 }
-
-/// The frequency of a critical speed of a conservative rotor from its shape alone, by the quotient of Rayleigh on all
-/// equations: `ω² = vᴴ K v/vᴴ (M − iG/s) v`, rad/s.
-pub fn rayleigh_frequency(rotor: &Assembled, critical: &Critical, slope: f64) -> f64 {
-    let shape = &critical.mode.shape;
-    let form = |lambda: Complex<f64>, speed: f64| {
-        let image = Stiffness::new(rotor, lambda, speed).times(shape);
-        shape.iter().flatten().zip(image.iter().flatten()).map(|(a, b)| (a.conj() * b).re).sum::<f64>()
-    };
-    // At λ = iω the dynamic stiffness is K − ω²M + iωΩG.
-    let omega = critical.mode.lambda.im;
-    let elastic = form(Complex::new(0.0, 0.0), 0.0);
-    let still = form(Complex::new(0.0, omega), 0.0);
-    let spinning = form(Complex::new(0.0, omega), omega / slope);
-    omega * (elastic / (elastic - still - (spinning - still))).sqrt()
-}
