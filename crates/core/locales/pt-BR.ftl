@@ -265,3 +265,13 @@ analysis-has-no-case-name-did-you-mean-near = { $analysis } não tem o caso `{ $
 analysis-has-no-case-name-dalembert-show-analysis-lists-them = { $analysis } não tem o caso `{ $name }`; `dalembert show { $analysis }` os lista
 answer-does-not-change-with-input = { $answer } não muda com { $input }
 the-heading-gives-unit-for-column-which-has-no-unit = o cabeçalho dá { $unit } para { $column }, que não tem unidade
+line-line-the-unit-of-column-is-known-above-and-unit-here = linha { $line }: a unidade de { $column } é { $known } acima e { $unit } aqui
+the-heading-says-word-but-does-not-part-into-the-columns-write-a-heading-of-as-many-cells-such-as-own = o cabeçalho diz { $word }, mas não se divide nas colunas: escreva um cabeçalho com o mesmo número de células, como { $own }
+the-heading-of-column-says-word-which-is-not-taken-for-its-unit-write-the-unit-in-brackets-such-as = o cabeçalho de { $column } diz { $word }, que não é tomado como a unidade da coluna: escreva a unidade entre colchetes, como [{ $own }]
+the-heading-of-column-says-word-did-you-mean-meant = o cabeçalho de { $column } diz { $word }: seria [{ $meant }]?
+column-unit = { $column } [{ $unit }]
+two-values-of-gravity-in-one-problem-first-at-path-second-at-other = dois valores da gravidade em um problema: { $first } em { $path }, { $second } em { $other }
+table-no-unit-in-the-heading-taken-as-units = { $table }: sem unidade no cabeçalho: tomado como { $units }
+path-no-unit-in-the-heading-taken-as-units-as-in-files-without-format-2 = { $path }: sem unidade no cabeçalho: tomado como { $units }, como em arquivos sem `format = 2`
+this-row-has-no-column-a-row-has-columns = esta linha não tem { $column }; uma linha tem { $columns }
+write-a-table-as-lines-of-text-with-the-heading-heading-or-as-a-list-of-rows-row = escreva uma tabela como linhas de texto com o cabeçalho "{ $heading }", ou como uma lista de linhas { $row }

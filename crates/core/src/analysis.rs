@@ -10,7 +10,7 @@ use std::{
 
 use crate::{
     Field, FieldError, Inputs, Name, Plain, Record, Shape, Sheet, Solution, Source, Text, Trail, Value,
-    Worksheet, input::Lift, kept,
+    Worksheet, assumed, gravity, input::Lift, kept,
 };
 
 /// What a person reads before picking an analysis.
@@ -212,12 +212,15 @@ fn solve<A: Analysis>(record: &Record, stop: &Stop) -> Result<Solution, SolveErr
     let given = problem.given(Lift { sheet: &sheet, value: Some(&value), trail: &Trail::TOP });
     problem.solve(&given, &sheet)?;
     drop(given);
-    Ok(sheet.into_solution()?)
+    let mut solution = sheet.into_solution()?;
+    solution.warnings.splice(0..0, assumed::warnings(record));
+    Ok(solution)
 }
 
 struct Prepared<A> {
     problem: A,
-    vary: Vec<Vec<usize>>,
+    /// The places of each input: several for the gravity of a problem that asks for it more than once.
+    vary: Vec<Vec<Vec<usize>>>,
     wanted: Vec<(usize, Name)>,
 }
 
@@ -236,11 +239,15 @@ fn prepare<A: Analysis>(
         |path: &str, why: &'static str| SolveError::Fields(vec![FieldError::new(path, Text::from(why))]);
     let mut slots = Vec::new();
     for path in vary {
-        let slot = crate::path::indices(&shape, path).map_err(|err| SolveError::Fields(vec![err]))?;
-        if problem.slot(&slot).is_none() {
-            return Err(unknown(path, "is not a quantity of this problem, so it cannot be varied"));
+        let mut places = Vec::new();
+        for place in gravity::shared(record, path) {
+            let slot = crate::path::indices(&shape, &place).map_err(|err| SolveError::Fields(vec![err]))?;
+            if problem.slot(&slot).is_none() {
+                return Err(unknown(path, "is not a quantity of this problem, so it cannot be varied"));
+            }
+            places.push(slot);
         }
-        slots.push(slot);
+        slots.push(places);
     }
     // The places of the answers, from one reading of the problem as it stands.
     let stop = Stop::new();
@@ -269,9 +276,11 @@ impl<A: Analysis> Evaluate for Prepared<A> {
             if n % 1024 == 0 {
                 stop.check()?;
             }
-            for (slot, value) in self.vary.iter().zip(point) {
-                if let Some(place) = self.problem.slot(slot) {
-                    *place = *value;
+            for (slots, value) in self.vary.iter().zip(point) {
+                for slot in slots {
+                    if let Some(place) = self.problem.slot(slot) {
+                        *place = *value;
+                    }
                 }
             }
             plain.clear();

@@ -6,7 +6,7 @@
 use dalembert_units::{self as units, Style};
 
 use crate::{
-    Field, FieldError, Limit, Measure, Record, Shape, Text, Value, names,
+    Field, FieldError, Limit, Measure, Record, Shape, Text, Value, gravity, names,
     path::{segments, step, unknown},
     reading, table,
 };
@@ -30,7 +30,7 @@ pub enum Draft {
 }
 
 impl Draft {
-    /// A draft with every default filled in and everything else empty.
+    /// A draft with every default filled in, but for gravity, which is left to the problem; everything else is empty.
     pub fn blank(shape: &Shape) -> Draft {
         match shape {
             Shape::Group(fields) => Draft::blank_fields(fields()),
@@ -54,7 +54,8 @@ impl Draft {
     /// What was understood, or everything that is wrong. `shape` is that of the whole problem.
     pub fn read(&self, shape: &Shape) -> Result<Record, Vec<FieldError>> {
         let mut errors = Vec::new();
-        let Value::Group(mut record) = read(self, shape, "", &mut errors) else {
+        let filled = gravity::filled(self, shape);
+        let Value::Group(mut record) = read(&filled, shape, "", &mut errors) else {
             return Err(vec![FieldError::new("", "a group of inputs is needed")]);
         };
         let lists = row_names(&record);
@@ -127,10 +128,10 @@ impl Draft {
 
     fn blank_fields(fields: &[Field]) -> Draft {
         let blank = |field: &Field| match field.default {
-            Some(text) => {
+            Some(text) if !gravity::is_gravity(field) => {
                 written(&field.shape, text, field.name).unwrap_or_else(|_| Draft::blank(&field.shape))
             }
-            None => Draft::blank(&field.shape),
+            _ => Draft::blank(&field.shape),
         };
         Draft::Group(fields.iter().map(blank).collect())
     }
@@ -158,7 +159,7 @@ pub fn leaf_text(value: &Value) -> String {
 }
 
 /// The draft that a text makes: of a one-of, the alternative of that name.
-fn written(shape: &Shape, text: &str, path: &str) -> Result<Draft, FieldError> {
+pub(crate) fn written(shape: &Shape, text: &str, path: &str) -> Result<Draft, FieldError> {
     match shape {
         Shape::OneOf(variants) => {
             let at = variants().iter().position(|variant| variant.name == text.trim());

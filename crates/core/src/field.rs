@@ -15,7 +15,8 @@ pub struct Field {
     pub symbol: &'static str,
     /// What is written there when nothing is; `None` where an answer must be given.
     pub default: Option<&'static str>,
-    /// The default of the first format of problem files, where it was another.
+    /// The default of the first format of problem files, where it was another; of a column of a table, the unit in
+    /// which a number alone was read.
     pub default_before: Option<&'static str>,
     /// The optional field beside it that keeps its first value when it is changed alone: a mechanism is drawn with one
     /// value of a driver and moved to others.

@@ -16,7 +16,7 @@ use std::ops::Range;
 use toml_edit::{ArrayOfTables, Document, DocumentMut, InlineTable, Item, Table, TableLike, Value as Toml};
 
 pub use self::format::Format;
-use crate::{Draft, Entry, FieldError, Shape, Text, find, path, path::Segment, registry};
+use crate::{Draft, Entry, Field, FieldError, Shape, Text, find, path, path::Segment, registry, table};
 
 /// The keys a problem file may have at the top.
 const KEYS: [&str; 5] = ["format", "analysis", "title", "inputs", "show"];
@@ -242,8 +242,12 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Rea
                 rows.map(|(n, row)| draft_of(row, inner(), &format!("{path}[{}]", n + 1), reading)).collect(),
             )
         }
-        Shape::Table(_) | Shape::Vector(..) => match item.as_value() {
-            Some(Toml::Array(rows)) => Draft::Leaf(array_text(rows, matches!(shape, Shape::Vector(..)))),
+        Shape::Table(columns) => match table_text(item, columns()) {
+            Ok(text) => Draft::Leaf(format::table_text(text, columns(), path, reading)),
+            Err((why, span)) => fail(why, span),
+        },
+        Shape::Vector(..) => match item.as_value() {
+            Some(Toml::Array(components)) => Draft::Leaf(format!("({})", cells(components))),
             Some(value) => Draft::Leaf(plain(value)),
             None => fail("one value is needed here".into(), item.span()),
         },
@@ -286,17 +290,45 @@ fn plain(value: &Toml) -> String {
     }
 }
 
-/// An array as a person types it: a vector in brackets, a table in lines.
-fn array_text(array: &toml_edit::Array, vector: bool) -> String {
-    let cells = |array: &toml_edit::Array| array.iter().map(plain).collect::<Vec<_>>().join("; ");
-    if vector {
-        return format!("({})", cells(array));
-    }
-    let rows = array.iter().map(|row| match row {
-        Toml::Array(row) => cells(row),
-        other => plain(other),
-    });
-    rows.collect::<Vec<_>>().join("\n")
+fn cells(array: &toml_edit::Array) -> String {
+    array.iter().map(plain).collect::<Vec<_>>().join("; ")
+}
+
+/// A table as a person types it, of a text, a list of lists, or a list of tables with the names of the columns.
+fn table_text(item: &Item, columns: &'static [Field]) -> Result<String, (Text, Option<Range<usize>>)> {
+    let named = |row: &dyn TableLike, span: Option<Range<usize>>| {
+        let names = columns.iter().map(|column| column.name);
+        if let Some((key, _)) = row.iter().find(|(key, _)| !columns.iter().any(|column| column.name == *key))
+        {
+            return Err((path::unknown("", key, names).why, span));
+        }
+        let cell = |column: &Field| match row.get(column.name).and_then(Item::as_value) {
+            Some(value) => Ok(plain(value)),
+            None => {
+                let why =
+                    Text::new("this row has no {column}; a row has {columns}").with("column", column.name);
+                Err((why.with("columns", names.clone().collect::<Vec<_>>().join(", ")), span.clone()))
+            }
+        };
+        Ok(columns.iter().map(cell).collect::<Result<Vec<_>, _>>()?.join("; "))
+    };
+    let rows: Result<Vec<String>, _> = match item {
+        Item::ArrayOfTables(rows) => rows.iter().map(|row| named(row, row.span())).collect(),
+        Item::Value(Toml::Array(rows)) => {
+            let row = |row: &Toml| match row {
+                Toml::Array(row) => Ok(cells(row)),
+                Toml::InlineTable(row) => named(row, row.span()),
+                other => Ok(plain(other)),
+            };
+            rows.iter().map(row).collect()
+        }
+        Item::Value(value @ (Toml::InlineTable(_) | Toml::Datetime(_))) => {
+            return Err((table::how_to_write(columns), value.span()));
+        }
+        Item::Value(value) => return Ok(plain(value)),
+        _ => return Err((table::how_to_write(columns), item.span())),
+    };
+    Ok(rows?.join("\n"))
 }
 
 fn set_text(table: &mut dyn TableLike, key: &str, text: &str) {
@@ -369,6 +401,9 @@ fn write_item(item: &mut Item, draft: &Draft, shape: &Shape) {
             }
         }
         (Shape::Rows { item: inner, .. }, Draft::Rows(rows)) => write_rows(item, rows, inner()),
+        (Shape::Table(columns), Draft::Leaf(text)) => {
+            write_text(item, &table::with_units(text, columns()).unwrap_or_else(|| text.clone()));
+        }
         (_, Draft::Leaf(text)) => write_text(item, text),
         _ => {}
     }

@@ -48,6 +48,8 @@ pub struct Table {
     pub units: Vec<Unit>,
     /// The rows, in SI.
     pub rows: Vec<Vec<f64>>,
+    /// Whether a column holds numbers whose unit neither the heading nor the cell names: they are in its own.
+    pub assumed: Vec<bool>,
 }
 
 /// The values of a list of fields, in the order of the fields.

@@ -1,19 +1,83 @@
 //! Numbers in columns, as they are typed, pasted or stand in a file.
 //!
-//! One row a line; columns are separated by tabs, semicolons, blanks or commas. A first line of words is a
-//! heading and may name the units: `f [Hz]; X [mm]`. Lines that begin with `#` are skipped. The text of a universal
-//! file is read too: the first of its functions that fits the columns.
+//! One row a line; columns are separated by tabs, semicolons, blanks or commas. Lines of words above the rows are a
+//! heading and may name the units: `f [Hz]; X [mm]`. Lines that begin with `#` are skipped, but for the units of such a
+//! heading. The text of a universal file is read too: the first of its functions that fits the columns.
+
+mod heading;
 
 use std::borrow::Cow;
 
 use dalembert_units::{self as units, Kind, Style, Unit};
 
+use self::heading::Heading;
 use crate::{Field, Shape, Text, reading, record::Table, uff};
 
 /// The longest table that is read, in bytes.
 const LONGEST_TABLE: usize = 16 << 20;
 /// The most faults that are listed.
 const MOST_FAULTS: usize = 20;
+
+/// A heading with the names and units of columns: `time [s]; displacement [m]`.
+pub fn heading(columns: &'static [Field]) -> String {
+    let one = |column: &Field| match own_unit(column).ascii() {
+        unit if unit.is_empty() => column.name.to_owned(),
+        unit => format!("{} [{unit}]", column.name),
+    };
+    columns.iter().map(one).collect::<Vec<_>>().join("; ")
+}
+
+/// How a table is written, in words.
+pub(crate) fn how_to_write(columns: &'static [Field]) -> Text {
+    let row = columns.iter().map(|column| format!("{} = …", column.name)).collect::<Vec<_>>().join(", ");
+    Text::new("write a table as lines of text with the heading \"{heading}\", or as a list of rows {row}")
+        .with("heading", heading(columns))
+        .with("row", format!("{{ {row} }}"))
+}
+
+/// The text of a table with the units of its columns above the first row, where it has numbers alone in a column whose
+/// unit was another before, and these units.
+pub(crate) fn with_units_of_before(text: &str, columns: &'static [Field]) -> Option<(String, String)> {
+    let changed = |column: &Field| column.default_before.is_some();
+    let unit =
+        |column: &Field, unit: &Unit| column.default_before.map_or_else(|| unit.ascii(), str::to_owned);
+    if columns.iter().any(changed) { headed(text, columns, changed, unit) } else { None }
+}
+
+/// The text of a table with the units of its columns above the first row, where numbers alone were read in them.
+pub fn with_units(text: &str, columns: &'static [Field]) -> Option<String> {
+    headed(text, columns, |_| true, |_, unit| unit.ascii()).map(|(text, _)| text)
+}
+
+/// The text of a table with a line of units where one is assumed in a column that asks for it, and these units.
+fn headed(
+    text: &str,
+    columns: &'static [Field],
+    asks: impl Fn(&Field) -> bool,
+    unit: impl Fn(&Field, &Unit) -> String,
+) -> Option<(String, String)> {
+    if uff::is_universal(text.as_bytes()) {
+        return None;
+    }
+    let table = read(text, columns).ok()?;
+    if !table.assumed.iter().zip(columns).any(|(assumed, column)| *assumed && asks(column)) {
+        return None;
+    }
+    let one = |(column, (own, assumed)): (&Field, (&Unit, &bool))| {
+        if *assumed { unit(column, own) } else { own.ascii() }
+    };
+    let units: Vec<String> = columns.iter().zip(table.units.iter().zip(&table.assumed)).map(one).collect();
+    let heading = units.iter().map(|unit| format!("[{unit}]")).collect::<Vec<_>>().join("; ");
+    let is_row = |line: &str| {
+        let line = line.trim();
+        let (cells, _) = cells(line, columns.len(), None);
+        !line.is_empty() && !line.starts_with('#') && !is_above(line, &cells, columns)
+    };
+    let mut lines: Vec<&str> = text.lines().collect();
+    let first = lines.iter().position(|line| is_row(line))?;
+    lines.insert(first, &heading);
+    Some((lines.join("\n"), units.join(", ")))
+}
 
 /// Reads a table, or says what is wrong with each line.
 pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<Text>> {
@@ -24,20 +88,30 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
     if uff::is_universal(text.as_bytes()) {
         return uff::text_table(text, columns).map_err(|why| vec![why]).and_then(|text| read(&text, columns));
     }
-    let mut table = Table { units: columns.iter().map(own_unit).collect(), rows: Vec::new() };
+    let mut table = Table {
+        units: columns.iter().map(own_unit).collect(),
+        rows: Vec::new(),
+        assumed: vec![false; columns.len()],
+    };
     let mut faults = Vec::new();
     let mut miscounts: Vec<Miscount> = Vec::new();
-    let mut heading = None;
+    let (mut headings, mut heading) = (Vec::new(), None);
+    let mut named = vec![None; columns.len()];
     let mut settled = None;
     for (n, line) in text.lines().enumerate() {
         let line = line.trim();
-        if line.is_empty() || line.starts_with('#') {
+        let (words, comment) = (line.trim_start_matches('#'), line.starts_with('#'));
+        if words.trim().is_empty() {
+            continue;
+        }
+        let above = Heading { line: n + 1, text: words.trim(), comment };
+        if comment {
+            headings.extend(table.rows.is_empty().then_some(above));
             continue;
         }
         let (cells, separator) = cells(line, columns.len(), settled);
-        if table.rows.is_empty() && is_heading(&cells) {
-            heading = Some(n + 1);
-            read_heading(line, &cells, columns, &mut table.units, &mut faults);
+        if table.rows.is_empty() && is_above(line, &cells, columns) {
+            headings.push(above);
             continue;
         }
         if cells.len() != columns.len() {
@@ -48,8 +122,23 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
             }
             continue;
         }
+        if !headings.is_empty() {
+            heading::read(&headings, separator, columns, &mut named, &mut faults);
+            heading =
+                headings.drain(..).filter(|heading| !heading.comment).last().map(|heading| heading.line);
+            for (unit, named) in table.units.iter_mut().zip(&named) {
+                if let Some(named) = named {
+                    unit.clone_from(named);
+                }
+            }
+        }
         match read_row(&cells, columns, &table.units) {
             Ok(row) => {
+                for (((cell, si), named), assumed) in
+                    cells.iter().zip(&row).zip(&named).zip(&mut table.assumed)
+                {
+                    *assumed |= named.is_none() && *si != 0.0 && is_bare(cell);
+                }
                 table.rows.push(row);
                 settled = Some(separator);
             }
@@ -63,15 +152,20 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
         }
     }
     faults.extend(miscounts.iter().take(MOST_FAULTS).map(|miscount| miscount.text(columns)));
+    for (assumed, column) in table.assumed.iter_mut().zip(columns) {
+        let own = own_unit(column);
+        *assumed &= own.factor != 1.0 || own.dim != Unit::ONE.dim;
+    }
     if table.rows.is_empty() && faults.is_empty() {
-        let why = match heading {
+        let above = headings.iter().rev().find(|heading| !heading.comment).map(|heading| heading.line);
+        let why = match above.or(heading) {
             Some(line) => Text::new(
                 "no row of numbers follows the heading in line {line}; write one row a line: {columns}",
             )
             .with("line", line),
             None => Text::new("the table is empty; write one row a line: {columns}"),
         };
-        faults.push(why.with_text("columns", names(columns)));
+        faults.push(why.with_text("columns", headings_of(columns)));
     }
     if faults.is_empty() { Ok(table) } else { Err(faults) }
 }
@@ -191,6 +285,21 @@ fn names(columns: &'static [Field]) -> Text {
     })
 }
 
+/// The names of columns with their units, beside each other.
+fn headings_of(columns: &'static [Field]) -> Text {
+    let one = |column: &'static Field| match own_unit(column).pretty() {
+        unit if unit.is_empty() => Text::from(column.label),
+        unit => Text::new("{column} [{unit}]").with("unit", unit).with_text("column", column.label),
+    };
+    let (last, others) = match columns {
+        [] => return Text::from(""),
+        [others @ .., last] => (last, others),
+    };
+    others.iter().rev().fold(one(last), |after, column| {
+        Text::new("{column}; {after}").with_text("column", one(column)).with_text("after", after)
+    })
+}
+
 /// The cells of a line. The separator is that of the rows before where it stands in the line, or else the first of `;`,
 /// tab, blank and `,` that gives as many as there are columns; where none does, the one that stands there.
 fn cells(line: &str, columns: usize, settled: Option<Separator>) -> (Vec<Cow<'_, str>>, Separator) {
@@ -218,63 +327,29 @@ fn cells(line: &str, columns: usize, settled: Option<Separator>) -> (Vec<Cow<'_,
     (separator.split(line), separator)
 }
 
-fn is_heading(cells: &[Cow<'_, str>]) -> bool {
-    cells
-        .iter()
-        .all(|cell| !cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | '−')))
-}
-
-/// The units in brackets of a heading: each of its own cell, where there are as many cells as columns.
-fn read_heading(
-    line: &str,
-    cells: &[Cow<'_, str>],
-    columns: &'static [Field],
-    found: &mut [Unit],
-    faults: &mut Vec<Text>,
-) {
-    let units: Vec<Option<&str>> = if cells.len() == columns.len() {
-        cells.iter().map(|cell| bracketed(cell).pop()).collect()
-    } else {
-        bracketed(line).into_iter().map(Some).collect()
+/// Whether a line is a heading, by its cells or as one of other separators: `Time,Channel 1` has no row of two.
+fn is_above(line: &str, cells: &[Cow<'_, str>], columns: &'static [Field]) -> bool {
+    let otherwise = |separator: Separator| {
+        let cells = separator.split(line);
+        cells.len() == columns.len() && is_heading(&cells, columns)
     };
-    for ((text, column), place) in units.into_iter().zip(columns).zip(found) {
-        let Some(text) = text else { continue };
-        let own = own_unit(column);
-        match units::unit(text) {
-            Ok(unit) if unit.dim.agrees(own.dim) => *place = unit,
-            Ok(_) => {
-                let why = match own.pretty() {
-                    own if own.is_empty() => {
-                        Text::new("the heading gives {unit} for {column}, which has no unit")
-                    }
-                    own => Text::new("the heading gives {unit} for {column}; write a unit like {own}")
-                        .with("own", own),
-                };
-                faults.push(why.with("unit", text).with_text("column", column.label));
-            }
-            Err(err) => faults.push(reading::text(&err)),
-        }
-    }
+    is_heading(cells, columns)
+        || [Separator::Semicolon, Separator::Tab, Separator::Comma].into_iter().any(otherwise)
 }
 
-/// What stands in square brackets, or where there are none in round ones: `Re (H) [m/(N*s)]` has one unit.
-fn bracketed(text: &str) -> Vec<&str> {
-    let (open, close) = if text.contains('[') { ('[', ']') } else { ('(', ')') };
-    let (mut found, mut depth, mut start) = (Vec::new(), 0usize, 0);
-    for (at, c) in text.char_indices() {
-        if c == open {
-            if depth == 0 {
-                start = at + 1;
-            }
-            depth += 1;
-        } else if c == close && depth > 0 {
-            depth -= 1;
-            if depth == 0 {
-                found.push(&text[start..at]);
-            }
-        }
-    }
-    found
+/// Whether a line is words alone. What stands for a missing number is none.
+fn is_heading(cells: &[Cow<'_, str>], columns: &'static [Field]) -> bool {
+    let is_number = |cell: &Cow<'_, str>| {
+        let text = cell.trim_start_matches(['-', '+', '−']).to_lowercase();
+        cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | '−'))
+            || ["nan", "inf", "infinity"].contains(&text.as_str())
+    };
+    !cells.iter().any(is_number) || heading::is_of_units(cells, columns)
+}
+
+/// Whether a cell is a number without a unit.
+fn is_bare(cell: &str) -> bool {
+    units::read_quantity(cell, &Unit::ONE, Kind::Other).is_ok_and(|number| number.unit.text.is_empty())
 }
 
 fn read_row(cells: &[Cow<'_, str>], columns: &'static [Field], found: &[Unit]) -> Result<Vec<f64>, Text> {

@@ -3,7 +3,7 @@
 use dalembert_units::{self as units, Dim, Kind, Unit};
 
 use crate::{
-    Entry, Evaluate, Limit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value, kept,
+    Entry, Evaluate, Limit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value, gravity, kept,
     path::{Segment, segments},
     reading,
 };
@@ -37,11 +37,16 @@ pub struct Again {
     evaluate: Box<dyn Evaluate>,
 }
 
-/// Every number among the inputs, in the order of the form. Whole numbers and tables are none.
+/// Every number among the inputs, in the order of the form. Whole numbers and tables are none; gravity is one.
 pub fn inputs(record: &Record) -> Vec<Input> {
-    let mut found = Vec::new();
+    let mut found: Vec<Input> = Vec::new();
     record.leaves(&mut |path, field, value| {
         let Some(measure) = measure_of(&field.shape) else { return };
+        if gravity::is_gravity(field)
+            && gravity::shared(record, path).first().is_some_and(|first| first != path)
+        {
+            return;
+        }
         let input = |path: String, axis: &str, unit: &Unit, si: f64| Input {
             label: label(field.label, &path, axis),
             path,
@@ -66,7 +71,10 @@ pub fn inputs(record: &Record) -> Vec<Input> {
 
 /// The record with another number at a path of [`inputs`]; `None` where there is none.
 pub fn changed(record: &Record, path: &str, si: f64) -> Option<Record> {
-    let mut record = record.clone();
+    gravity::shared(record, path).iter().try_fold(record.clone(), |record, path| written(record, path, si))
+}
+
+fn written(mut record: Record, path: &str, si: f64) -> Option<Record> {
     kept::keep(&mut record, path);
     let mut place = Place::Record(&mut record);
     for segment in segments(path).ok()? {

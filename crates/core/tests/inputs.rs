@@ -220,8 +220,13 @@ fn whatever_is_typed_is_read_or_refused() {
     for path in
         ["gravity", "bodies[1].mass", "bodies[1].centre", "loads[1].force", "terms", "friction", "points"]
     {
-        // A row of two numbers is what a table asks for.
-        for text in texts.into_iter().filter(|text| path != "points" || *text != "1,2.3") {
+        // A row of two numbers is what a table asks for; a gravity that is left out has a default.
+        let is_right = |text: &str| match path {
+            "points" => text == "1,2.3",
+            "gravity" => text.trim().is_empty(),
+            _ => false,
+        };
+        for text in texts.into_iter().filter(|text| !is_right(text)) {
             let errors = errors_of(path, text);
             assert!(!errors.is_empty(), "{path} takes {:?}", &text[..text.len().min(20)]);
             assert!(errors.iter().all(|err| err.path == path), "{path}: {errors:?}");
@@ -409,4 +414,16 @@ fn fields_may_have_any_name() {
     assert_eq!(names, Names { first: pair, rest: 4.0, path: 5.0, fields: 6.0 });
     *names.slot(&[0, 3]).unwrap() = 7.0;
     assert_eq!(names.first.lift, 7.0);
+}
+
+#[test]
+fn a_table_is_saved_with_the_units_it_was_read_in() {
+    for text in
+        ["1; 0.5\n2; 1.5", "# by hand\nf; X\n1; 0.5\n2; 1.5", "1,0.5\n2,1.5", "f [Hz]; X\n1; 0.5\n2; 1.5"]
+    {
+        let Shape::Table(columns) = shape().fields(None)[8].shape else { panic!("the points are a table") };
+        let saved = dalembert_core::table::with_units(text, columns()).unwrap();
+        assert_eq!(points_of(&saved), points_of(text), "{saved}");
+        assert_eq!(dalembert_core::table::with_units(&saved, columns()), None, "{saved}");
+    }
 }

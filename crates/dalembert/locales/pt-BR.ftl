@@ -37,7 +37,6 @@ words-that-the-id-the-title-the-summary-or-the-keywords-contain = Palavras conti
 write-to-a-file-markdown-and-typst-write-their-figures-beside-it = Gravar em um arquivo; Markdown e Typst gravam as figuras ao lado dele
 
 ## Descriptions of analyses
-a-table-with-the-columns = uma tabela com as colunas
 a-whole-number-from-min = um número inteiro a partir de { $min }
 a-whole-number-from-min-to-max = um número inteiro de { $min } a { $max }
 above-limit = acima de { $limit }
@@ -119,3 +118,4 @@ not-taken-of-the-settings = não aceito da configuração
 not-taken-of-the-exercises = não aceito dos exercícios
 file-exists-already-and-no-session-is-recorded-over-it-write-another-name-or-remove-it = { $file } já existe, e nenhuma sessão é gravada por cima: escreva outro nome, ou remova-o
 file-cannot-be-recorded-there-is-no-such-folder = { $file } não pode ser gravado: não há essa pasta
+a-table-as-lines-of-numbers-under-the-heading-heading-with-the-columns = uma tabela, como linhas de números sob o cabeçalho "{ $heading }", com as colunas

@@ -18,3 +18,4 @@ working = Resolução
 yes = sim
 db-over-1-unit = dB sobre 1 { $unit }
 curve-at-the-cursor = { $curve } no cursor
+value-default = { $value } (padrão)

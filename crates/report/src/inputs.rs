@@ -1,6 +1,6 @@
 //! The inputs of a problem as lines: what was typed, and what was understood.
 
-use dalembert_core::{Draft, Field, Locale, Record, Shape, Symbol, Text, Value, printer};
+use dalembert_core::{Draft, Field, Locale, Record, Shape, Symbol, Text, Value, gravity, printer};
 use dalembert_units::{self as units, Style};
 
 /// The digits that an input is shown with: what was typed is not rounded.
@@ -117,6 +117,10 @@ impl Place<'_> {
             }
             _ => {
                 input.shown = shown(value, self.locale);
+                if gravity::is_gravity(field) && input.typed.trim().is_empty() && gravity::is_default(value) {
+                    let default = Text::new("{value} (default)").with("value", &input.shown);
+                    input.shown = default.render(self.locale);
+                }
                 found.push(input);
             }
         }

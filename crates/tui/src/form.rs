@@ -13,7 +13,7 @@ use std::{
     ops::Range,
 };
 
-use dalembert_core::{Draft, Entry, FieldError, Shape, Value, ascii, draft};
+use dalembert_core::{Draft, Entry, FieldError, Shape, Value, ascii, draft, gravity};
 use dalembert_units::{Decimal, Style, write_quantity, write_vector};
 
 pub use edit::{Edit, Sign};
@@ -82,6 +82,11 @@ pub struct Row {
 }
 
 impl Form {
+    /// What is taken for the gravity of a line that leaves it out.
+    pub fn gravity(&self, line: &Line) -> Option<String> {
+        gravity::is_gravity(line.field).then(|| gravity::of(&self.draft, &self.shape, &line.path))?
+    }
+
     /// A form for an analysis, filled in.
     pub fn new(entry: &Entry, draft: Draft) -> Self {
         Self {

@@ -34,7 +34,7 @@ pub struct Tolerance {
     pub trial: Option<Trial>,
     /// Gravity.
     /// For the weight that forces are compared with.
-    #[input("g", "m/s^2", positive, default = "9.80665 m/s^2")]
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
     pub gravity: f64,
 }
 

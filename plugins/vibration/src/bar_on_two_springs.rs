@@ -54,7 +54,7 @@ pub enum Body {
         #[input("W", "N", positive)]
         weight: f64,
         /// Gravity.
-        #[input("g", "m/s^2", positive, default = "9.80665 m/s^2")]
+        #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
         gravity: f64,
     },
 }

@@ -18,7 +18,7 @@ use dalembert_mechanics::{
 
 use crate::{
     decay::{Counted, CountedGiven},
-    oscillator::{Mass, mass},
+    oscillator::{Mass, given_weight, mass},
     sources::{GROVER, RAO},
 };
 
@@ -204,7 +204,11 @@ fn friction<W: Worksheet>(given: &CoulombDampingGiven<W>, mass: W::Num, sheet: W
     Ok(match &given.friction {
         FrictionGiven::Force { force } => *force,
         FrictionGiven::Coefficient { coefficient, gravity } => {
-            sheet.step("F", "N", *coefficient * mass * *gravity, why)
+            let force = match given_weight(&given.mass, *gravity) {
+                Some(weight) => *coefficient * weight,
+                None => *coefficient * mass * *gravity,
+            };
+            sheet.step("F", "N", force, why)
         }
         FrictionGiven::Normal { coefficient, normal } => sheet.step("F", "N", *coefficient * *normal, why),
         FrictionGiven::Decay { first_amplitude: first, last_amplitude: last, counted, gravity } => {
@@ -235,8 +239,9 @@ fn friction<W: Worksheet>(given: &CoulombDampingGiven<W>, mass: W::Num, sheet: W
                 given.stiffness * loss / 4.0,
                 ("The loss in a cycle is 4F/k", RAO.at("§2.9")),
             );
+            let weight = given_weight(&given.mass, *gravity).unwrap_or_else(|| mass * *gravity);
             let coefficient =
-                sheet.step("µ", "1", force / (mass * *gravity), "Coefficient of friction on a level surface");
+                sheet.step("µ", "1", force / weight, "Coefficient of friction on a level surface");
             sheet.check(
                 "the energy between the two amplitudes is the work of the friction on the way",
                 given.stiffness * (first.powi(2) - last.powi(2)) / 2.0,

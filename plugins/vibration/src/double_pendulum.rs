@@ -23,7 +23,7 @@ pub struct DoublePendulum {
     #[input("2")]
     pub lower: LowerPendulum,
     /// Gravity.
-    #[input("g", "m/s^2", positive, default = "9.80665 m/s^2")]
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
     pub gravity: f64,
 }
 

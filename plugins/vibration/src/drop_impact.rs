@@ -33,7 +33,7 @@ pub struct DropImpact {
     /// Fall.
     pub fall: Fall,
     /// Acceleration of gravity.
-    #[input("g", "m/s^2", positive, default = "9.80665 m/s^2")]
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
     pub gravity: f64,
     /// Times after the release.
     /// The way fallen is answered at each of them.

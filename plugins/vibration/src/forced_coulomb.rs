@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    oscillator::{Mass, mass},
+    oscillator::{Mass, given_weight, mass},
     sources::{DEN_HARTOG_1931, GROVER, RAO},
 };
 
@@ -106,7 +106,11 @@ impl Analysis for ForcedCoulomb {
         let friction = match &given.friction {
             FrictionGiven::Force { force } => *force,
             FrictionGiven::Coefficient { coefficient, gravity } => {
-                sheet.step("F", "N", *coefficient * mass * *gravity, why)
+                let force = match given_weight(&given.mass, *gravity) {
+                    Some(weight) => *coefficient * weight,
+                    None => *coefficient * mass * *gravity,
+                };
+                sheet.step("F", "N", force, why)
             }
             FrictionGiven::Normal { coefficient, normal } => {
                 sheet.step("F", "N", *coefficient * *normal, why)

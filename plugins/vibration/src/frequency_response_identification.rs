@@ -131,7 +131,7 @@ pub enum Measurement {
 #[derive(Clone, Debug, Inputs)]
 pub struct MeasuredPoint {
     /// Frequency.
-    #[input("ω", "rad/s", nonnegative)]
+    #[input("ω", "Hz", nonnegative, default_before = "rad/s")]
     pub frequency: f64,
     /// Receptance.
     #[input("H", "m/N", positive)]

@@ -68,7 +68,7 @@ pub struct HarmonicForce {
 #[derive(Clone, Debug, Inputs)]
 pub struct AskedFrequency {
     /// Frequency.
-    #[input("ω", "rad/s", nonnegative)]
+    #[input("ω", "Hz", nonnegative, default_before = "rad/s")]
     pub frequency: f64,
 }
 

@@ -27,7 +27,7 @@ pub enum Mass {
         #[input("W", "N", positive)]
         weight: f64,
         /// Gravity.
-        #[input("g", "m/s^2", positive, default = "9.80665 m/s^2")]
+        #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
         gravity: f64,
     },
 }
@@ -53,7 +53,7 @@ pub enum Elasticity {
         #[input("δ_st", "m", positive)]
         deflection: f64,
         /// Gravity.
-        #[input("g", "m/s^2", positive, default = "9.80665 m/s^2")]
+        #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
         gravity: f64,
     },
     /// Natural frequency
@@ -146,6 +146,14 @@ pub(crate) fn mass<W: Worksheet>(given: &MassGiven<W>, sheet: W) -> W::Num {
         MassGiven::Weight { weight, gravity } => {
             sheet.step("m", "kg", *weight / *gravity, "Mass of this weight")
         }
+    }
+}
+
+/// The weight, where it is given and is that under this gravity. With two values of gravity in one problem it is not.
+pub(crate) fn given_weight<W: Worksheet>(given: &MassGiven<W>, gravity: W::Num) -> Option<W::Num> {
+    match given {
+        MassGiven::Weight { weight, gravity: weighed } if weighed.value() == gravity.value() => Some(*weight),
+        _ => None,
     }
 }
 

@@ -40,7 +40,7 @@ pub struct ShaftWithDiscs {
     /// Neglected where this is left out.
     pub own_mass: Option<LineMass>,
     /// Gravity.
-    #[input("g", "m/s^2", positive, default = "9.80665 m/s^2")]
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
     pub gravity: f64,
 }
 

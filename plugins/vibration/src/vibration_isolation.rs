@@ -31,7 +31,7 @@ pub struct VibrationIsolation {
     #[input(min = 1, max = 1000, default = "4")]
     pub mounts: u32,
     /// Gravity.
-    #[input("g", "m/s^2", positive, default = "9.80665 m/s^2")]
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
     pub gravity: f64,
     /// Question.
     pub question: Question,

@@ -4,7 +4,7 @@
 use toml_edit::{Item, Table};
 
 use super::{FileError, Reading, span};
-use crate::{Draft, Field, Shape, Text};
+use crate::{Draft, Field, Shape, Text, draft, gravity, table};
 
 /// A format of problem files. A file that names none is of the first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -52,9 +52,11 @@ pub(super) fn left_out(draft: &mut Draft, field: &Field, path: &str, reading: &m
     if reading.format >= Format::Second {
         return;
     }
-    match field.default_before {
+    let gravity = field.default.filter(|_| gravity::is_gravity(field));
+    match field.default_before.or(gravity) {
         Some(before) => {
-            *draft = Draft::Leaf(before.to_owned());
+            *draft =
+                draft::written(&field.shape, before, path).unwrap_or_else(|_| Draft::blank(&field.shape));
             let note = Text::new("{path} is left out: {value}, the default of files without `format = 2`");
             reading.notes.push(note.with("path", path).with("value", before));
         }
@@ -82,5 +84,27 @@ pub(super) fn left_out_fields(draft: &mut Draft, shape: &Shape, path: &str, read
             }
         }
         _ => {}
+    }
+}
+
+/// The text of a table of a file, with the units written out in which the file's format reads numbers alone.
+pub(super) fn table_text(
+    text: String,
+    columns: &'static [Field],
+    path: &str,
+    reading: &mut Reading,
+) -> String {
+    if reading.format >= Format::Second {
+        return text;
+    }
+    match table::with_units_of_before(&text, columns) {
+        Some((text, units)) => {
+            let note = Text::new(
+                "{path}: no unit in the heading: taken as {units}, as in files without `format = 2`",
+            );
+            reading.notes.push(note.with("path", path).with("units", units));
+            text
+        }
+        None => text,
     }
 }

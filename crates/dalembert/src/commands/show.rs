@@ -5,6 +5,7 @@ use std::process::ExitCode;
 use dalembert_core::{
     Entry, Field, Insides, Limit, Locale, Measure, Shape, Stop, Text, Variant,
     cases::{self, Case, Hold},
+    table,
 };
 use dalembert_report::{Block, Document, Line};
 use dalembert_units as units;
@@ -184,7 +185,10 @@ impl Lister<'_> {
             Shape::Group(_) => "these".into(),
             Shape::Rows { min: 0, .. } => "rows".into(),
             Shape::Rows { min, .. } => Text::new("rows, at least {min}").with("min", min),
-            Shape::Table(_) => "a table with the columns".into(),
+            Shape::Table(columns) => {
+                Text::new("a table, as lines of numbers under the heading \"{heading}\", with the columns")
+                    .with("heading", table::heading(columns()))
+            }
             Shape::Reference(list) => Text::new("the name of one of {list}").with("list", list),
             Shape::Optional(inner) => {
                 return format!("{}, {}", self.asked(inner()), self.say("or nothing"));

@@ -326,9 +326,11 @@ fn push_value(
     let seen: String = text.chars().take(4 * room + 4).collect();
     let seen = filter_untrusted(&seen).replace('\n', " ");
     if seen.trim().is_empty() {
-        let hint = match shape {
+        let taken = model.bench.as_ref().and_then(|bench| bench.form.gravity(line));
+        let hint = match (shape, taken) {
+            (_, Some(taken)) => taken,
             _ if line.optional => word("left out", model),
-            Shape::Quantity(measure) | Shape::Vector(measure, _) => measure.own_unit().pretty(),
+            (Shape::Quantity(measure) | Shape::Vector(measure, _), None) => measure.own_unit().pretty(),
             _ => String::new(),
         };
         let hint = match (state, hint.is_empty()) {
