@@ -229,11 +229,11 @@ fn prepare<A: Analysis>(
     vary: &[&str],
     wanted: &[&str],
 ) -> Result<Box<dyn Evaluate>, SolveError> {
-    let mut record = record.clone();
+    let mut varied = record.clone();
     for path in vary {
-        kept::keep(&mut record, path);
+        kept::keep(&mut varied, path);
     }
-    let mut problem = A::read_all(&Value::Group(record)).map_err(SolveError::Fields)?;
+    let mut problem = A::read_all(&Value::Group(varied)).map_err(SolveError::Fields)?;
     let shape = A::SHAPE;
     let unknown =
         |path: &str, why: &'static str| SolveError::Fields(vec![FieldError::new(path, Text::from(why))]);

@@ -10,7 +10,7 @@ use dalembert_mechanics::{
     Real,
     vibration::{
         base_modes,
-        random::{Density, Resonance, modal_moment},
+        random::{Resonance, modal_moment},
     },
 };
 
@@ -107,12 +107,26 @@ pub enum Demand {
         acceleration: f64,
     },
     /// Table of pseudo-acceleration
-    /// Straight in a log-log diagram between its points.
     Table {
         /// Points.
         #[input(table)]
         points: Vec<DemandPoint>,
+        /// Interpolation.
+        /// How the pseudo-acceleration runs between two points.
+        #[input(default = "linear-in-period", default_before = "log-log")]
+        interpolation: Interpolation,
     },
+}
+
+/// How a table of a response spectrum is read between its points.
+#[derive(Clone, Copy, Debug, Inputs)]
+pub enum Interpolation {
+    /// Straight over the period
+    LinearInPeriod,
+    /// Straight over the frequency
+    LinearInFrequency,
+    /// Straight in a log-log diagram
+    LogLog,
 }
 
 /// A point of a response spectrum.
@@ -167,7 +181,7 @@ impl Analysis for ResponseSpectrum {
 /// What every structure needs.
 struct Problem<'g, W: Worksheet> {
     demand: &'g DemandGiven<W>,
-    table: Option<Density>,
+    table: Option<(&'g [DemandPoint], Interpolation)>,
     ratio: W::Num,
 }
 
@@ -201,18 +215,8 @@ impl<W: Worksheet> Problem<'_, W> {
                 "Spectral displacement of this mode from the pseudo-acceleration",
             ),
             DemandGiven::Table { .. } => {
-                let table = self.table.as_ref().expect("a table was given");
-                let acceleration = table.at(natural.value());
-                if acceleration <= 0.0 {
-                    return Err(Refusal::because(
-                        Text::new(
-                            "the table of the spectrum does not reach {frequency}: add points for every mode",
-                        )
-                        .with_quantity("frequency", natural.value(), "Hz"),
-                    ));
-                }
-                let why = "Pseudo-acceleration of this mode, from the table";
-                let acceleration = sheet.found(Symbol::from("S_a").row(n), "m/s^2", acceleration, why);
+                let (points, interpolation) = self.table.expect("a table was given");
+                let acceleration = interpolated(points, interpolation, natural, n, sheet)?;
                 (
                     acceleration / natural.powi(2),
                     "Spectral displacement of this mode from the pseudo-acceleration",
@@ -447,16 +451,77 @@ fn combined<W: Worksheet>(
 }
 
 impl Demand {
-    /// The table of pseudo-acceleration over rad/s.
-    fn table(&self) -> Result<Option<Density>, Refusal> {
-        let Demand::Table { points } = self else { return Ok(None) };
-        let points = points.iter().map(|point| (point.frequency, point.acceleration)).collect();
-        Density::new(points, true).map(Some).map_err(|_| {
-            Refusal::because(
+    /// The table of pseudo-acceleration and its interpolation.
+    fn table(&self) -> Result<Option<(&[DemandPoint], Interpolation)>, Refusal> {
+        let Demand::Table { points, interpolation } = self else { return Ok(None) };
+        let ascend = points.windows(2).all(|pair| pair[0].frequency < pair[1].frequency);
+        if points.len() < 2 || !ascend {
+            return Err(Refusal::because(
                 "the table of the spectrum needs at least two points, with frequencies that ascend and values above zero",
-            )
-        })
+            ));
+        }
+        Ok(Some((points, *interpolation)))
     }
+}
+
+/// The pseudo-acceleration of mode `n`, counted from 1, between two rows of the table.
+fn interpolated<W: Worksheet>(
+    points: &[DemandPoint],
+    interpolation: Interpolation,
+    natural: W::Num,
+    n: usize,
+    sheet: W,
+) -> Result<W::Num, Refusal> {
+    let omega = natural.value();
+    let above = points.partition_point(|point| point.frequency <= omega);
+    let symbol = Symbol::from("S_a").row(n);
+    let said = |words: &'static str, row: usize| Text::new(words).with("row", row + 1);
+    match above.checked_sub(1) {
+        Some(row) if points[row].frequency == omega => {
+            let why = said("Pseudo-acceleration of this mode: row {row} of the spectrum", row);
+            return Ok(sheet.found(symbol, "m/s^2", points[row].acceleration, why));
+        }
+        Some(_) if above < points.len() => {}
+        _ => {
+            return Err(Refusal::because(
+                Text::new("the table of the spectrum does not reach {frequency}: add points for every mode")
+                    .with_quantity("frequency", omega, "Hz"),
+            ));
+        }
+    }
+    let row = |at: usize, frequency: &'static str, acceleration: &'static str| {
+        let why = said("Frequency of row {row} of the spectrum", at);
+        let frequency = sheet.found(Symbol::from(frequency).row(n), "Hz", points[at].frequency, why);
+        let why = said("Pseudo-acceleration of row {row} of the spectrum", at);
+        let acceleration =
+            sheet.found(Symbol::from(acceleration).row(n), "m/s^2", points[at].acceleration, why);
+        (frequency, acceleration)
+    };
+    let (f_l, s_l) = row(above - 1, "f_l", "S_l");
+    let (f_u, s_u) = row(above, "f_u", "S_u");
+    let (value, why) = match interpolation {
+        Interpolation::LinearInPeriod => {
+            let period = |symbol: &'static str, frequency: W::Num, why: &'static str| {
+                sheet.step(Symbol::from(symbol).row(n), "s", W::Num::from(2.0 * PI) / frequency, why)
+            };
+            let here = period("T", natural, "Period of this mode");
+            let t_l = period("T_l", f_l, "Period of the row below it in frequency");
+            let t_u = period("T_u", f_u, "Period of the row above it in frequency");
+            (
+                s_l + (s_u - s_l) * (here - t_l) / (t_u - t_l),
+                "Pseudo-acceleration of this mode, straight over the period between two rows",
+            )
+        }
+        Interpolation::LinearInFrequency => (
+            s_l + (s_u - s_l) * (natural - f_l) / (f_u - f_l),
+            "Pseudo-acceleration of this mode, straight over the frequency between two rows",
+        ),
+        Interpolation::LogLog => (
+            s_l * ((natural / f_l).ln() / (f_u / f_l).ln() * (s_u / s_l).ln()).exp(),
+            "Pseudo-acceleration of this mode, straight in a log-log diagram between two rows",
+        ),
+    };
+    Ok(sheet.step(symbol, "m/s^2", value, why))
 }
 
 /// The half waves of the modes, each as large as it becomes.

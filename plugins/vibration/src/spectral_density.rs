@@ -30,6 +30,7 @@ pub enum AccelerationDensity {
     /// Zero outside it.
     Table {
         /// Points.
+        /// Two rows at one frequency are a step.
         #[input(table)]
         points: Vec<AccelerationDensityPoint>,
         /// Between the points.
@@ -64,6 +65,7 @@ pub enum ForceDensity {
     /// Zero outside it.
     Table {
         /// Points.
+        /// Two rows at one frequency are a step.
         #[input(table)]
         points: Vec<ForceDensityPoint>,
         /// Between the points.
@@ -189,7 +191,8 @@ fn table(points: Vec<(f64, f64)>, between: &Between) -> Result<Spectrum, Refusal
     Density::new(points, logarithmic).map(Spectrum::Table).map_err(|err| match err {
         DensityError::Few => Refusal::because("the table of the density needs at least two points"),
         DensityError::Order => Refusal::because(
-            "the frequencies of the density must ascend, without repeats: put the rows of the table in order",
+            "the frequencies of the density must ascend, with two rows at one frequency for a step: put the rows of the \
+             table in order",
         ),
         DensityError::Value => Refusal::because(
             "a log-log line cannot pass through zero: write frequencies and densities above zero, or choose straight \

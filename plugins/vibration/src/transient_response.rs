@@ -83,7 +83,8 @@ pub enum Excitation {
         course: Course,
     },
     /// Acceleration of the base by a table
-    /// The displacement is that relative to the base.
+    /// Straight between the points, zero before the first and after the last. The displacement is that relative to the
+    /// base.
     BaseTable {
         /// Points.
         /// Times ascend; two points at one time are a jump.

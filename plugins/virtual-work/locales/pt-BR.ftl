@@ -2424,3 +2424,5 @@ needed-where-joints-and-drivers-leave-it-open-as-for-a-weight-at-the-end-of-a-co
 joints-and-drivers-leave-open-where-it-lies-give-the-place-of-names-any-is-assumed = as juntas e os acionamentos não determinam onde fica: informe o lugar de { $names }; foi adotado um qualquer
 the-plots-end-at-end-why = os gráficos terminam em { $end }: { $why }
 in-this-position-the-joints-let-the-mechanism-move-in-more-ways-than-it-has-drivers-although-their = nesta posição as juntas permitem mais movimentos do que há acionamentos, embora o número deles confira: é uma posição singular; desenhe o mecanismo em outra
+straight-between-the-rows = Reta entre as linhas.
+between-the-rows-a-cubic-spline-that-closes-after-the-turn = Entre as linhas, uma spline cúbica que se fecha após a volta.

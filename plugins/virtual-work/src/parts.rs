@@ -194,6 +194,7 @@ pub enum Joint {
         #[input(rows = "points")]
         follower: Reference,
         /// Lift over the angle of the cam, for one turn.
+        /// Between the rows a cubic spline that closes after the turn.
         #[input(table)]
         lift: Vec<LiftPoint>,
     },

@@ -22,8 +22,10 @@ pub enum DensityError {
     /// There are fewer than two points.
     #[error("a spectral density needs at least two points")]
     Few,
-    /// The frequencies do not ascend from zero or more.
-    #[error("the frequencies of a spectral density must be zero or more and ascend, without repeats")]
+    /// The frequencies do not ascend from zero or more; two points at one frequency are a step.
+    #[error(
+        "the frequencies of a spectral density must be zero or more and ascend, at most two of them equal"
+    )]
     Order,
     /// A value is negative or not finite; or zero, or at zero frequency, where logarithms are taken.
     #[error(
@@ -33,7 +35,8 @@ pub enum DensityError {
 }
 
 impl Density {
-    /// A density through points `(ω, S)`, straight between them or straight in their logarithms.
+    /// A density through points `(ω, S)`, straight between them or straight in their logarithms. Two points at one
+    /// frequency are a step, at which the second one holds.
     pub fn new(points: Vec<(f64, f64)>, logarithmic: bool) -> Result<Self, DensityError> {
         if points.len() < 2 {
             return Err(DensityError::Few);
@@ -42,7 +45,9 @@ impl Density {
         if points.iter().any(|&(omega, s)| below(s) || below(omega) || !(s + omega).is_finite()) {
             return Err(DensityError::Value);
         }
-        if points.windows(2).any(|pair| pair[0].0 >= pair[1].0) {
+        let descends = points.windows(2).any(|pair| pair[0].0 > pair[1].0);
+        let repeats = points.windows(3).any(|three| three[0].0 == three[2].0);
+        if descends || repeats || points[0].0 == points[points.len() - 1].0 {
             return Err(DensityError::Order);
         }
         Ok(Self { points, logarithmic })
@@ -62,9 +67,11 @@ impl Density {
         }
     }
 
-    /// The frequencies of its points, ascending.
+    /// The frequencies of its points, ascending; that of a step once.
     pub fn frequencies(&self) -> impl Iterator<Item = f64> {
-        self.points.iter().map(|point| point.0)
+        let before = std::iter::once(None).chain(self.points.iter().map(|point| Some(point.0)));
+        let points = self.points.iter().map(|point| point.0);
+        points.zip(before).filter(|(here, before)| Some(*here) != *before).map(|(here, _)| here)
     }
 }
 

@@ -77,6 +77,7 @@ pub enum Gas {
         /// Sides that work.
         acting: Acting,
         /// Pressures.
+        /// Straight between the rows.
         #[input(table)]
         rows: Vec<StrokeRow>,
         /// Counted from.
@@ -90,6 +91,7 @@ pub enum Gas {
         /// Strokes of a cycle.
         strokes: Strokes,
         /// Pressures.
+        /// Straight between the rows.
         #[input(table)]
         rows: Vec<AngleRow>,
         /// Counted from.
