@@ -162,15 +162,22 @@ fn an_analysis_is_shown() {
 fn json_of_a_solve_has_the_agreed_shape() {
     let solved = json(&["solve", FAN, "--case", "1", "--format", "json"]);
     let keys: Vec<&String> = solved.as_object().unwrap().keys().collect();
-    assert_eq!(keys, ["analysis", "case", "inputs", "answers", "checks", "warnings", "refusal"]);
+    assert_eq!(keys, ["analysis", "case", "notes", "inputs", "answers", "checks", "warnings", "refusal"]);
     assert_eq!(solved["analysis"], FAN);
     assert_eq!(solved["refusal"], Json::Null);
     let amplitude = &solved["answers"]["amplitude"];
     assert_eq!(amplitude["shown"], "19.456 mm");
-    assert_eq!(amplitude["unit"], "mm");
+    assert_eq!((&amplitude["unit"], &amplitude["si_unit"]), (&"mm".into(), &"m".into()));
     assert!((amplitude["si"].as_f64().unwrap() - 0.0194564).abs() < 5e-8, "{amplitude}");
+    assert!((amplitude["value"].as_f64().unwrap() - 19.4564).abs() < 5e-5, "{amplitude}");
+    let lag = &solved["answers"]["phase_lag"];
+    assert_eq!((&lag["unit"], &lag["si_unit"]), (&"deg".into(), &"rad".into()));
+    let [degrees, radians] = ["value", "si"].map(|key| lag[key].as_f64().unwrap());
+    assert!((degrees.to_radians() - radians).abs() < 1e-15, "{lag}");
     let speed = &solved["inputs"]["speed"];
     assert_eq!((&speed["text"], &speed["unit"]), (&"1000 rpm".into(), &"rpm".into()));
+    assert_eq!(speed["si_unit"], "rad/s");
+    assert!((speed["value"].as_f64().unwrap() - 1000.0).abs() < 1e-12, "{speed}");
     assert!((speed["si"].as_f64().unwrap() - 104.71975511965978).abs() < 1e-9);
     assert_eq!(solved["inputs"]["support"]["text"], "cantilever");
     assert!(solved["checks"].as_array().unwrap().iter().all(|check| check["passed"] == true));
@@ -188,12 +195,12 @@ fn json_of_a_solve_has_the_agreed_shape() {
 
 #[test]
 fn inputs_units_and_digits_are_changed() {
-    let solved = json(&["solve", FAN, "--set", "speed=1500 rpm", "--format", "json"]);
+    let solved = json(&["solve", FAN, "--case", "1", "--set", "speed=1500 rpm", "--format", "json"]);
     assert_eq!(solved["inputs"]["speed"]["text"], "1500 rpm");
     // r = 1.479, far above resonance: X = (m₀e/m) r²/√((1 − r²)² + (2ζr)²).
     assert_eq!(solved["answers"]["amplitude"]["shown"], "4.5535 mm");
-    let other =
-        json(&["solve", FAN, "--set", "support.stiffness.stiffness=451,3889 kN/m", "--format", "json"]);
+    let change = "support.stiffness.stiffness=451,3889 kN/m";
+    let other = json(&["solve", FAN, "--case", "1", "--set", change, "--format", "json"]);
     assert_eq!(other["inputs"]["support"]["text"], "stiffness");
     let shown = |more: &[&str]| {
         let arguments = [&["solve", FAN, "--format", "json"], more].concat();
@@ -248,7 +255,7 @@ fn a_worked_solution_is_written_in_every_format() {
         assert!(written.contains(line), "{line}");
     }
     for (name, begins) in
-        [("fan.html", "<!DOCTYPE html>"), ("fan.tex", "\\documentclass"), ("fan.typ", "#set")]
+        [("fan.html", "<!DOCTYPE html>"), ("fan.tex", "\\documentclass"), ("other.typ", "#set")]
     {
         let path = path.with_file_name(name);
         assert_eq!(printed(&["solve", FAN, "-o", path.to_str().unwrap()]), "");
@@ -585,14 +592,177 @@ fn errors_name_field_value_and_repair() {
         ("3\u{7}", ""),
         ("4o kg", ""),
     ] {
-        let error = refused(&["solve", FAN, "--set", &format!("mass={value}")], 2);
+        let error = refused(&["solve", FAN, "--case", "1", "--set", &format!("mass={value}")], 2);
         assert!(error.starts_with("error: mass"), "{error}");
         assert!(error.contains(repair), "{value}: {error}");
         assert!(value.contains('\u{7}') || error.contains(value), "{value}: {error}");
     }
     // Several at once.
-    let error = refused(&["solve", FAN, "--set", "mass=40 s", "--set", "speed=fast", "--set", "foo=1"], 2);
+    let error = refused(
+        &["solve", FAN, "--case", "1", "--set", "mass=40 s", "--set", "speed=fast", "--set", "foo=1"],
+        2,
+    );
     assert_eq!(error.lines().count(), 3, "{error}");
+}
+
+#[test]
+fn nothing_is_filled_in_silently() {
+    let hoop = |format: &str| {
+        format!("{format}analysis = \"rigid-body/rolling-stability\"\n[inputs]\nradius = \"0.3 m\"\n")
+    };
+    let (_folder, path) = file(hoop("format = 2\n").as_bytes());
+    let error = refused(&["solve", &path], 2);
+    assert!(error.contains("wheel: write one of disc, hoop, moments, radii"), "{error}");
+    // An older file means what it meant, and says so.
+    let (_folder, path) = file(hoop("").as_bytes());
+    let output = run(&["solve", &path], &[]);
+    assert!(stderr(&output).contains("note: inputs.wheel is left out: disc"), "{}", stderr(&output));
+    assert!(stdout(&output).contains("0.99045 m/s"), "{}", stdout(&output));
+    let solved = json(&["solve", &path, "--format", "json"]);
+    assert!(solved["notes"].to_string().contains("inputs.wheel is left out: disc"), "{solved}");
+    // What is not set is not that of a published case.
+    let set = ["--set", "wheel=hoop", "--set", "radius=0.3 m"];
+    let error = refused(&[&["solve", "rigid-body/rolling-stability"], &set[..]].concat(), 2);
+    assert!(error.contains("motion: write one of") && error.contains("--case 1"), "{error}");
+    let error = refused(&["solve", FAN, "--set", "speed=1500 rpm"], 2);
+    for path in ["mass", "unbalance", "support", "damping"] {
+        assert!(error.lines().any(|line| line.starts_with(&format!("error: {path}:"))), "{path}: {error}");
+    }
+}
+
+#[test]
+fn numbers_without_a_unit_are_told_or_refused() {
+    let (_folder, path) = file(PROBLEM.replace("\"40 kg\"", "40").as_bytes());
+    let output = run(&["solve", &path], &[]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_eq!(stderr(&output), "warning: mass = 40: no unit; taken as kg\n");
+    assert!(stdout(&output).contains("mass = 40: no unit; taken as kg"), "{}", stdout(&output));
+    let error = refused(&["solve", &path, "--strict"], 2);
+    assert!(error.contains("mass: no unit; taken as kg") && error.contains("problem.toml:5:8"), "{error}");
+    let set = ["solve", FAN, "--case", "1", "--set", "mass=1500"];
+    assert_eq!(stderr(&run(&set, &[])), "warning: mass = 1500: no unit; taken as kg\n");
+    assert!(refused(&[&set[..], &["--strict"]].concat(), 2).contains("mass = 1500: no unit"));
+    // Published cases, a number that has no unit, and zero are as they should be.
+    for id in [FAN, "rigid-body/rolling-stability", "virtual-work/mechanism"] {
+        assert_eq!(stderr(&run(&["solve", id, "--strict"], &[])), "", "{id}");
+    }
+    let (_folder, path) = file(PROBLEM.as_bytes());
+    assert_eq!(stderr(&run(&["solve", &path, "--strict"], &[])), "");
+}
+
+#[test]
+fn a_comma_before_three_digits_is_refused_with_both_readings() {
+    let solve = |value: &str, lang: &str| {
+        run(&["solve", FAN, "--case", "1", "--lang", lang, "--set", &format!("mass={value}")], &[])
+    };
+    for (value, first, second) in [
+        ("1,250 kg", "1250", "1.250"),
+        ("12,345 kg", "12345", "12.345"),
+        ("2*123,456 kg", "123456", "123.456"),
+    ] {
+        for lang in ["en", "pt-BR"] {
+            let output = solve(value, lang);
+            let error = stderr(&output);
+            assert_eq!(output.status.code(), Some(2), "{value}: {error}");
+            assert!(
+                error.contains(&format!("`{first}`")) && error.contains(&format!("`{second}`")),
+                "{value}: {error}"
+            );
+        }
+    }
+    for value in ["0,125 kg", "1,25 kg", "1,2500 kg", "1.250 kg", "1250,5 kg"] {
+        let error = stderr(&solve(value, "en"));
+        assert!(!error.contains("error"), "{value}: {error}");
+    }
+    // An older file keeps the decimal comma it had.
+    let of = |format: &str| format!("{format}{}", PROBLEM.replace("40 kg", "1,250 kg"));
+    let (_folder, path) = file(of("format = 2\n").as_bytes());
+    assert!(refused(&["solve", &path], 2).contains("`1.250`"));
+    let (_folder, path) = file(of("").as_bytes());
+    let solved = json(&["solve", &path, "--format", "json"]);
+    let mass = &solved["inputs"]["mass"];
+    assert_eq!((&mass["si"], &mass["text"]), (&1.25.into(), &"1.250 kg".into()));
+    assert!(solved["notes"].to_string().contains("1,250 kg: read as 1.250 kg"), "{solved}");
+}
+
+#[test]
+fn no_file_is_written_over_unasked() {
+    let (folder, path) = file(PROBLEM.as_bytes());
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let text = |name: &str| fs::read_to_string(at(name)).unwrap();
+    fs::write(at("other.toml"), PROBLEM).unwrap();
+    for force in [&[][..], &["--force"]] {
+        let error = refused(&[&["solve", &path, "-o", &path], force].concat(), 2);
+        assert!(error.contains("is the problem itself"), "{error}");
+        let error = refused(&[&["solve", &path, "-o", &at("other.toml")], force].concat(), 2);
+        assert!(error.contains("is a problem file"), "{error}");
+    }
+    assert_eq!((text("problem.toml").as_str(), text("other.toml").as_str()), (PROBLEM, PROBLEM));
+    fs::write(at("notes.txt"), "notes").unwrap();
+    assert!(refused(&["solve", &path, "-o", &at("notes.txt")], 2).contains("--force"));
+    assert_eq!(text("notes.txt"), "notes");
+    printed(&["solve", &path, "-o", &at("notes.txt"), "--force"]);
+    assert!(text("notes.txt").contains("Fan of the paint shop"));
+    // Nor a figure beside the report.
+    fs::write(at("p-1.svg"), "mine").unwrap();
+    assert!(refused(&["solve", &path, "-o", &at("p.md")], 2).contains("p-1.svg"));
+    assert_eq!((text("p-1.svg").as_str(), Path::new(&at("p.md")).exists()), ("mine", false));
+    printed(&["solve", &path, "-o", &at("p.md"), "--force"]);
+    assert!(text("p-1.svg").starts_with("<svg"));
+}
+
+#[test]
+fn of_many_errors_the_first_hundred_are_told() {
+    let problem = |rows: usize, mass: &str| {
+        let row = format!(
+            "[[inputs.masses]]\nmass = \"{mass}\"\nradius = \"1 m\"\nangle = \"0 deg\"\nposition = \"0 m\"\n"
+        );
+        format!(
+            "format = 2\nanalysis = \"balancing/two-plane\"\n[inputs]\nplane_b = \"1 m\"\n{}",
+            row.repeat(rows)
+        )
+    };
+    let (_folder, path) = file(problem(1000, "1 kgg").as_bytes());
+    let error = refused(&["solve", &path], 2);
+    assert_eq!(error.lines().filter(|line| line.starts_with("error: ")).count(), 100, "{error}");
+    assert!(error.contains("masses[1].mass") && error.contains("more errors"), "{error}");
+    let (_folder, path) = file(problem(1001, "1 kg").as_bytes());
+    let error = refused(&["solve", &path], 2);
+    assert!(error.contains("at most 1000 rows are read here; there are 1001"), "{error}");
+    let links = vec!["{ driving = \"1 m\", driven = \"2 m\" }"; 10_000].join(", ");
+    let text = format!("format = 2\nanalysis = \"virtual-work/compound-lever\"\ninputs.links = [{links}]\n");
+    let (_folder, path) = file(text.as_bytes());
+    assert!(refused(&["solve", &path], 2).contains("at most 200 rows are read here; there are 10000"));
+}
+
+#[test]
+fn what_a_file_asks_to_be_shown_is_read_or_refused() {
+    for (line, why) in [
+        ("show = \"x\"", "`show` is a table"),
+        ("show = []", "`show` is a table"),
+        ("show = 3", "`show` is a table"),
+        ("show.amplitude = \"mm; 0 digits\"", "`0 digits`: write from 1 to 17 digits"),
+        ("show.amplitude = \"99 digits\"", "`99 digits`: write from 1 to 17 digits"),
+        ("show.amplitude = \"mmm\"", "unknown unit `mmm`"),
+        ("format = \"zzz\"", "this is not a format"),
+        ("format = -1", "this is not a format"),
+        ("format = 1.5", "this is not a format"),
+    ] {
+        let text = format!("{line}\n{}", PROBLEM.split("\n[show]").next().unwrap());
+        let (_folder, path) = file(text.as_bytes());
+        let error = refused(&["solve", &path], 2);
+        assert!(error.contains(why) && error.contains("problem.toml:1:"), "{line}: {error}");
+    }
+}
+
+#[test]
+fn no_character_of_a_title_drives_a_terminal_through_json() {
+    let title = "\\u009b31m\\u202e\\u200b\\U000E0001";
+    let (_folder, path) = file(PROBLEM.replace("Fan of the paint shop", title).as_bytes());
+    let text = printed(&["solve", &path, "--format", "json"]);
+    assert!(text.contains(r"\u009b31m\u202e\u200b\udb40\udc01"), "{text}");
+    let solved: Json = serde_json::from_str(&text).unwrap();
+    assert_eq!(solved["case"], "\u{9b}31m\u{202e}\u{200b}\u{e0001}");
 }
 
 #[test]

@@ -31,6 +31,7 @@ fn worked_out(entry: &'static Entry, locale: &Locale) -> Document {
         case: &case.title(),
         source: &case.source,
         note: &case.note,
+        notes: &[],
         draft: &case.draft,
         record: &record,
         outcome: solved.as_ref(),

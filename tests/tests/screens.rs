@@ -340,7 +340,7 @@ fn a_row_that_is_added_waits_at_its_first_field() {
     let at = form.line().expect("the cursor is on a line");
     assert!(matches!(at.role, dalembert_tui::form::Role::Leaf { .. }), "{at:?}");
     assert!(at.path.contains("[2]."), "{}", at.path);
-    let needed = person.model.bench.as_ref().expect("a problem is open").errors.len();
+    let needed = person.model.bench.as_ref().expect("a problem is open").needed().count();
     let screen = person.sees();
     assert!(needed > 1 && screen.contains(&format!("{needed} to be filled in")), "{screen}");
     assert!(!screen.contains("to be put right") && !screen.contains("✗"), "{screen}");
@@ -519,7 +519,7 @@ fn every_analysis_opens_with_its_first_case_solved() {
         for (columns, rows) in [(80, 24), (160, 50)] {
             let mut person = Person::at(columns, rows).opens(id);
             let bench = person.model.bench.as_ref().expect("a problem is open");
-            assert_eq!(bench.errors, [], "{id}");
+            assert_eq!(bench.wrong().chain(bench.needed()).next(), None, "{id}");
             assert_eq!(bench.found.failure, None, "{id}");
             assert!(
                 bench.found.solution.as_ref().is_some_and(|solution| !solution.answers.is_empty()),

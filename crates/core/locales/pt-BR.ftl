@@ -275,3 +275,10 @@ table-no-unit-in-the-heading-taken-as-units = { $table }: sem unidade no cabeça
 path-no-unit-in-the-heading-taken-as-units-as-in-files-without-format-2 = { $path }: sem unidade no cabeçalho: tomado como { $units }, como em arquivos sem `format = 2`
 this-row-has-no-column-a-row-has-columns = esta linha não tem { $column }; uma linha tem { $columns }
 write-a-table-as-lines-of-text-with-the-heading-heading-or-as-a-list-of-rows-row = escreva uma tabela como linhas de texto com o cabeçalho "{ $heading }", ou como uma lista de linhas { $row }
+at-most-most-rows-are-read-here-there-are-have = no máximo { $most } linhas são lidas aqui; há { $have }
+write-one-of-known = escreva um destes: { $known }
+no-unit-taken-as-unit = sem unidade; tomado em { $unit }
+there-is-no-name = não há `{ $name }`
+path-text-read-as-value-as-in-every-file-without-format-2 = { $path } = { $text }: lido como { $value }, como em todo arquivo sem `format = 2`
+show-is-a-table-of-answers-and-their-units-as-in-show-amplitude-mm-6-digits = `show` é uma tabela de respostas e suas unidades, como em [show] amplitude = "mm; 6 digits"
+count-digits-write-from-1-to-17-digits = `{ $count } digits`: escreva de 1 a 17 algarismos

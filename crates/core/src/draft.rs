@@ -3,6 +3,8 @@
 //! Form, file and command line all make a draft; [`Draft::read`] is the one way from there to a [`Record`],
 //! and reports every error at once.
 
+use std::collections::HashMap;
+
 use dalembert_units::{self as units, Style};
 
 use crate::{
@@ -25,18 +27,18 @@ pub enum Draft {
     OneOf(usize, Box<Draft>),
     /// The items of a list.
     Rows(Vec<Draft>),
-    /// An optional input that is left out.
+    /// An optional input that is left out, or a one-of of which no alternative is chosen yet.
     Absent,
 }
 
 impl Draft {
-    /// A draft with every default filled in, but for gravity, which is left to the problem; everything else is empty.
+    /// A draft with every default filled in, but for gravity, which is left to the problem; everything else is empty, and
+    /// no choice is made.
     pub fn blank(shape: &Shape) -> Draft {
         match shape {
             Shape::Group(fields) => Draft::blank_fields(fields()),
-            Shape::OneOf(_) => Draft::alternative(shape, 0),
-            Shape::Rows { item, min } => Draft::Rows(vec![Draft::blank(item()); *min]),
-            Shape::Optional(_) => Draft::Absent,
+            Shape::Rows { item, min, .. } => Draft::Rows(vec![Draft::blank(item()); *min]),
+            Shape::Optional(_) | Shape::OneOf(_) => Draft::Absent,
             _ => Draft::Leaf(String::new()),
         }
     }
@@ -44,6 +46,52 @@ impl Draft {
     /// An alternative of a one-of, by its place, with its fields blank.
     pub fn alternative(shape: &Shape, at: usize) -> Draft {
         Draft::OneOf(at, Box::new(Draft::blank_fields(shape.fields(Some(at)))))
+    }
+
+    /// The same draft with the first alternative where none is chosen: for a form, which shows what it fills in.
+    #[must_use]
+    pub fn with_first_alternatives(self, shape: &Shape) -> Draft {
+        match (shape, self) {
+            (Shape::Optional(_), Draft::Absent) => Draft::Absent,
+            (Shape::Optional(inner), draft) => draft.with_first_alternatives(inner()),
+            (Shape::OneOf(_), Draft::Absent) => Draft::alternative(shape, 0).with_first_alternatives(shape),
+            (Shape::OneOf(_), Draft::OneOf(at, fields)) => {
+                let fields = match *fields {
+                    Draft::Group(drafts) => filled(shape.fields(Some(at)), drafts),
+                    other => other,
+                };
+                Draft::OneOf(at, Box::new(fields))
+            }
+            (Shape::Group(fields), Draft::Group(drafts)) => filled(fields(), drafts),
+            (Shape::Rows { item, .. }, Draft::Rows(rows)) => {
+                Draft::Rows(rows.into_iter().map(|row| row.with_first_alternatives(item())).collect())
+            }
+            (_, draft) => draft,
+        }
+    }
+
+    /// How many texts differ between two drafts of a problem. Another alternative, or another number of rows, counts for
+    /// two.
+    pub fn apart(&self, other: &Draft) -> usize {
+        match (self, other) {
+            (Draft::Leaf(a), Draft::Leaf(b)) => usize::from(a != b),
+            (Draft::Absent, Draft::Absent) => 0,
+            // An optional text is put in or left out.
+            (Draft::Leaf(_), Draft::Absent) | (Draft::Absent, Draft::Leaf(_)) => 1,
+            (Draft::OneOf(a, fields), Draft::OneOf(b, others)) if a == b => fields.apart(others),
+            (Draft::Group(a), Draft::Group(b)) | (Draft::Rows(a), Draft::Rows(b)) if a.len() == b.len() => {
+                a.iter().zip(b).map(|(a, b)| a.apart(b)).sum()
+            }
+            _ => 2,
+        }
+    }
+
+    /// The numbers that are written without a unit where one is needed, with the unit that they are taken in. Zero is
+    /// zero in every unit.
+    pub fn without_unit(&self, shape: &Shape) -> Vec<FieldError> {
+        let mut found = Vec::new();
+        without_unit(self, shape, "", &mut found);
+        found
     }
 
     /// The texts that give this record again.
@@ -58,7 +106,7 @@ impl Draft {
         let Value::Group(mut record) = read(&filled, shape, "", &mut errors) else {
             return Err(vec![FieldError::new("", "a group of inputs is needed")]);
         };
-        let lists = row_names(&record);
+        let lists = lists(&record);
         errors.extend(names::ambiguous(&lists, &record));
         resolve_record(&mut record, &lists, "", &mut errors);
         if errors.is_empty() { Ok(record) } else { Err(errors) }
@@ -103,9 +151,15 @@ impl Draft {
             }
             shape = shape.present();
             let (at, inner) = step(&shape, &segment, path)?;
-            match draft {
-                Draft::OneOf(chosen, _) if *chosen != at => *draft = Draft::alternative(&shape, at),
-                Draft::Rows(all) if at == all.len() => all.push(Draft::blank(&inner)),
+            match (&shape, &mut *draft) {
+                (Shape::OneOf(_), Draft::OneOf(chosen, _)) if *chosen == at => {}
+                (Shape::OneOf(_), place) => *place = Draft::alternative(&shape, at),
+                (Shape::Rows { most, .. }, Draft::Rows(all)) if at == all.len() => {
+                    if at >= *most {
+                        return Err(FieldError::new(path, too_many_rows(at + 1, *most)));
+                    }
+                    all.push(Draft::blank(&inner));
+                }
                 _ => {}
             }
             draft = draft.child_mut(at, path)?;
@@ -176,6 +230,55 @@ pub(crate) fn written(shape: &Shape, text: &str, path: &str) -> Result<Draft, Fi
     }
 }
 
+/// The fields of a group, with the first alternative where none is chosen.
+fn filled(fields: &'static [Field], drafts: Vec<Draft>) -> Draft {
+    let fields = fields.iter().zip(drafts);
+    Draft::Group(fields.map(|(field, draft)| draft.with_first_alternatives(&field.shape)).collect())
+}
+
+fn without_unit(draft: &Draft, shape: &Shape, path: &str, found: &mut Vec<FieldError>) {
+    match (shape, draft) {
+        (Shape::Optional(inner), _) => without_unit(draft, inner(), path, found),
+        (Shape::Group(fields), Draft::Group(drafts)) => {
+            for (field, draft) in fields().iter().zip(drafts) {
+                without_unit(draft, &field.shape, &join(path, field.name), found);
+            }
+        }
+        (Shape::OneOf(variants), Draft::OneOf(at, fields)) => {
+            if let Some(variant) = variants().get(*at) {
+                without_unit(fields, &Shape::Group(variant.fields), &join(path, variant.name), found);
+            }
+        }
+        (Shape::Rows { item, .. }, Draft::Rows(rows)) => {
+            for (n, row) in rows.iter().enumerate() {
+                without_unit(row, item(), &format!("{path}[{}]", n + 1), found);
+            }
+        }
+        (Shape::Quantity(measure) | Shape::Vector(measure, _), Draft::Leaf(text)) => {
+            let own = measure.own_unit();
+            if !own.text.is_empty() && is_bare(text, shape) {
+                let why = Text::new("no unit; taken as {unit}").with("unit", own.ascii());
+                found.push(FieldError::new(path, why));
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Whether a text is a number other than zero, or several, without a unit.
+fn is_bare(text: &str, shape: &Shape) -> bool {
+    match shape {
+        Shape::Vector(_, len) => units::read_vector(text, &units::Unit::ONE, units::Kind::Other, *len)
+            .is_ok_and(|vector| vector.unit.text.is_empty() && vector.si != [0.0; 3]),
+        _ => units::read_any(text).is_ok_and(|read| read.unit.text.is_empty() && read.si != 0.0),
+    }
+}
+
+/// The refusal of a list that is too long.
+pub(crate) fn too_many_rows(have: usize, most: usize) -> Text {
+    Text::new("at most {most} rows are read here; there are {have}").with("most", most).with("have", have)
+}
+
 fn no_row(path: &str, rows: usize) -> FieldError {
     let why = match rows {
         1 => Text::new("there is one row; the next is {next}"),
@@ -210,19 +313,26 @@ fn read(draft: &Draft, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) 
             });
             Value::Group(Record { fields, values: values.collect() })
         }
-        (Shape::OneOf(variants), Draft::OneOf(variant, fields)) => match variants().get(*variant) {
-            Some(chosen) => {
-                match read(fields, &Shape::Group(chosen.fields), &join(path, chosen.name), errors) {
-                    Value::Group(fields) => Value::OneOf { variant: *variant, fields },
-                    _ => Value::Absent,
-                }
+        (Shape::OneOf(variants), _) => {
+            let chosen = match draft {
+                Draft::OneOf(at, fields) => variants().get(*at).map(|variant| (*at, variant, fields)),
+                _ => None,
+            };
+            let Some((at, variant, fields)) = chosen else {
+                let known = variants().iter().map(|variant| variant.name).collect::<Vec<_>>().join(", ");
+                errors.push(FieldError::new(path, Text::new("write one of {known}").with("known", known)));
+                return Value::Absent;
+            };
+            match read(fields, &Shape::Group(variant.fields), &join(path, variant.name), errors) {
+                Value::Group(fields) => Value::OneOf { variant: at, fields },
+                _ => Value::Absent,
             }
-            None => {
-                errors.push(FieldError::new(path, "one of the alternatives is needed here"));
-                Value::Absent
+        }
+        (Shape::Rows { item, min, most }, Draft::Rows(drafts)) => {
+            if drafts.len() > *most {
+                errors.push(FieldError::new(path, too_many_rows(drafts.len(), *most)));
+                return Value::Absent;
             }
-        },
-        (Shape::Rows { item, min }, Draft::Rows(drafts)) => {
             if drafts.len() < *min {
                 let why = match min {
                     1 => Text::new("at least one row is needed"),
@@ -326,10 +436,26 @@ fn outside(measure: &Measure, si: f64, text: &str) -> Option<Text> {
     Some(why.with("text", text.trim()))
 }
 
-/// The top-level lists, each with the names of its rows; a row without a name has an empty one.
-type Lists = Vec<(&'static str, Vec<String>)>;
+/// The most references without a row for which the nearest name is sought.
+const MOST_NEAREST: usize = 100;
 
-fn row_names(record: &Record) -> Lists {
+/// The names of the rows of a top-level list.
+pub(crate) struct List {
+    pub(crate) field: &'static str,
+    /// Those of the rows in their order; a row without a name has an empty one.
+    pub(crate) names: Vec<String>,
+    /// The first row of each name.
+    first: HashMap<String, usize>,
+}
+
+impl List {
+    /// The first row of a name.
+    pub(crate) fn row_of(&self, name: &str) -> Option<usize> {
+        self.first.get(name).copied()
+    }
+}
+
+fn lists(record: &Record) -> Vec<List> {
     let name = |row: &Value| match row {
         Value::Group(record) => match record.get("name") {
             Some(Value::Text(name)) => name.clone(),
@@ -338,25 +464,32 @@ fn row_names(record: &Record) -> Lists {
         _ => String::new(),
     };
     let lists = record.fields.iter().zip(&record.values).filter_map(|(field, value)| match value {
-        Value::Rows(rows) => Some((field.name, rows.iter().map(name).collect())),
+        Value::Rows(rows) => {
+            let names: Vec<String> = rows.iter().map(name).collect();
+            // Of rows of the same name the first stays.
+            let first = names.iter().cloned().enumerate().rev().map(|(row, name)| (name, row)).collect();
+            Some(List { field: field.name, names, first })
+        }
         _ => None,
     });
     lists.collect()
 }
 
 /// Finds the rows that references name.
-fn resolve_record(record: &mut Record, lists: &Lists, path: &str, errors: &mut Vec<FieldError>) {
+fn resolve_record(record: &mut Record, lists: &[List], path: &str, errors: &mut Vec<FieldError>) {
     for (field, value) in record.fields.iter().zip(&mut record.values) {
         resolve(value, &field.shape, lists, &join(path, field.name), errors);
     }
 }
 
-fn resolve(value: &mut Value, shape: &Shape, lists: &Lists, path: &str, errors: &mut Vec<FieldError>) {
+fn resolve(value: &mut Value, shape: &Shape, lists: &[List], path: &str, errors: &mut Vec<FieldError>) {
     match (value, shape.present()) {
-        (Value::Reference { name, row }, Shape::Reference(list)) => match find_row(lists, list, name) {
-            Ok(found) => *row = found,
-            Err(why) => errors.push(FieldError::new(path, why)),
-        },
+        (Value::Reference { name, row }, Shape::Reference(list)) => {
+            match find_row(lists, list, name, errors.len() < MOST_NEAREST) {
+                Ok(found) => *row = found,
+                Err(why) => errors.push(FieldError::new(path, why)),
+            }
+        }
         (Value::Group(record), _) => resolve_record(record, lists, path, errors),
         (Value::OneOf { variant, fields }, Shape::OneOf(variants)) => {
             let name = variants().get(*variant).map_or("", |variant| variant.name);
@@ -371,18 +504,22 @@ fn resolve(value: &mut Value, shape: &Shape, lists: &Lists, path: &str, errors: 
     }
 }
 
-/// The row of a top-level list by the text of its field `name`, or by its number.
-fn find_row(lists: &Lists, list: &str, name: &str) -> Result<usize, Text> {
-    let Some((_, names)) = lists.iter().find(|(found, _)| *found == list) else {
+/// The row of a top-level list by the text of its field `name`, or by its number; `suggest` seeks the nearest name where
+/// there is none.
+fn find_row(lists: &[List], list: &str, name: &str, suggest: bool) -> Result<usize, Text> {
+    let Some(list) = lists.iter().find(|known| known.field == list) else {
         return Err(Text::new("there are no {list} to name").with("list", list));
     };
-    if let Some(row) = names.iter().position(|found| *found == name) {
+    if let Some(row) = list.row_of(name) {
         return Ok(row);
     }
-    if let Some(row) = name.parse::<usize>().ok().filter(|row| (1..=names.len()).contains(row)) {
+    if let Some(row) = name.parse::<usize>().ok().filter(|row| (1..=list.names.len()).contains(row)) {
         return Ok(row - 1);
     }
-    Err(unknown("", name, names.iter().map(String::as_str).filter(|name| !name.is_empty())).why)
+    if !suggest {
+        return Err(Text::new("there is no `{name}`").with("name", name));
+    }
+    Err(unknown("", name, list.names.iter().map(String::as_str).filter(|name| !name.is_empty())).why)
 }
 
 fn join(path: &str, name: &str) -> String {

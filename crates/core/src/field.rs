@@ -53,6 +53,8 @@ pub enum Shape {
         item: fn() -> &'static Shape,
         /// The least number of items.
         min: usize,
+        /// The most: a list that is too long is refused before anything is made of it.
+        most: usize,
     },
     /// Numbers in columns with units: typed, pasted or read from a file.
     Table(fn() -> &'static [Field]),

@@ -16,7 +16,9 @@ use std::ops::Range;
 use toml_edit::{ArrayOfTables, Document, DocumentMut, InlineTable, Item, Table, TableLike, Value as Toml};
 
 pub use self::format::Format;
-use crate::{Draft, Entry, Field, FieldError, Shape, Text, find, path, path::Segment, registry, table};
+use crate::{
+    Display, Draft, Entry, Field, FieldError, Shape, Text, draft, find, path, path::Segment, registry, table,
+};
 
 /// The keys a problem file may have at the top.
 const KEYS: [&str; 5] = ["format", "analysis", "title", "inputs", "show"];
@@ -80,18 +82,29 @@ pub fn parse(text: &str) -> Result<Problem, Vec<FileError>> {
     let Reading { mut errors, notes, .. } = reading;
     let title = text_at(root, "title", &mut errors).unwrap_or_default();
     let mut show = Vec::new();
-    if let Some(table) = root.get("show").and_then(Item::as_table_like) {
-        for (key, item) in table.iter() {
-            match item.as_str() {
-                Some(unit) => show.push((key.to_owned(), unit.to_owned())),
-                None => errors.push(FileError {
-                    why: "a unit must be a text such as \"mm\"".into(),
-                    span: item.span(),
-                }),
+    match root.get("show").map(|item| (item, item.as_table_like())) {
+        Some((_, Some(table))) => {
+            for (answer, item) in table.iter() {
+                let display = item.as_str().ok_or_else(|| Text::from("a unit must be a text such as \"mm\""));
+                match display.and_then(|display| Display::read(display).map(|_| display)) {
+                    Ok(display) => show.push((answer.to_owned(), display.to_owned())),
+                    Err(why) => errors.push(FileError { why, span: item.span() }),
+                }
             }
         }
+        Some((item, None)) => errors.push(FileError {
+            why: "`show` is a table of answers and their units, as in [show] amplitude = \"mm; 6 digits\""
+                .into(),
+            span: item.span(),
+        }),
+        None => {}
     }
     if errors.is_empty() { Ok(Problem { entry, title, draft, show, notes }) } else { Err(errors) }
+}
+
+/// Whether a text is a problem file, however wrong its inputs may be.
+pub fn is_problem(text: &str) -> bool {
+    Document::parse(text).is_ok_and(|document| document.as_table().contains_key("analysis"))
 }
 
 /// Writes a problem over the text of its file, in the latest format, keeping comments, order and everything that has
@@ -121,24 +134,59 @@ pub fn write(problem: &Problem, over: &str) -> String {
     document.to_string()
 }
 
-/// Where the field of an error stands in the text of a problem file: its value, or the nearest part around it.
-pub fn locate(text: &str, error: &FieldError) -> Option<Range<usize>> {
-    let document = Document::parse(text).ok()?;
-    let mut item = document.as_table().get("inputs")?;
-    let mut found = item.span();
-    let mut owned;
-    for segment in path::segments(&error.path).ok()? {
+/// Where the field of each error stands in the text of a problem file: its value, or the nearest part around it.
+pub fn locate<'e>(text: &str, errors: impl IntoIterator<Item = &'e FieldError>) -> Vec<Option<Range<usize>>> {
+    let document = Document::parse(text).ok();
+    let inputs = document.as_ref().and_then(|document| document.as_table().get("inputs"));
+    errors.into_iter().map(|error| place(inputs?, &error.path)).collect()
+}
+
+/// A part of a document.
+enum Part<'d> {
+    Item(&'d Item),
+    Value(&'d Toml),
+    Table(&'d Table),
+}
+
+impl<'d> Part<'d> {
+    fn span(&self) -> Option<Range<usize>> {
+        match self {
+            Part::Item(item) => item.span(),
+            Part::Value(value) => value.span(),
+            Part::Table(table) => table.span(),
+        }
+    }
+
+    fn field(&self, name: &str) -> Option<Part<'d>> {
+        match self {
+            Part::Item(item) => item.as_table_like()?.get(name),
+            Part::Value(value) => return value.as_inline_table()?.get(name).map(Part::Value),
+            Part::Table(table) => table.get(name),
+        }
+        .map(Part::Item)
+    }
+
+    fn row(&self, row: usize) -> Option<Part<'d>> {
+        match self {
+            Part::Item(Item::ArrayOfTables(tables)) => tables.get(row).map(Part::Table),
+            Part::Item(item) => item.as_array()?.get(row).map(Part::Value),
+            Part::Value(value) => value.as_array()?.get(row).map(Part::Value),
+            Part::Table(_) => None,
+        }
+    }
+}
+
+fn place(inputs: &Item, path: &str) -> Option<Range<usize>> {
+    let mut part = Part::Item(inputs);
+    let mut found = part.span();
+    for segment in path::segments(path).ok()? {
         let next = match segment {
-            Segment::Name(name) => item.as_table_like().and_then(|table| table.get(&name)).cloned(),
-            Segment::Row(row) => match item {
-                Item::ArrayOfTables(tables) => tables.get(row).cloned().map(Item::Table),
-                _ => item.as_array().and_then(|array| array.get(row)).cloned().map(Item::Value),
-            },
+            Segment::Name(name) => part.field(&name),
+            Segment::Row(row) => part.row(row),
         };
         let Some(next) = next else { break };
         found = next.span().or(found);
-        owned = next;
-        item = &owned;
+        part = next;
     }
     found
 }
@@ -198,6 +246,8 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Rea
             }
             None => fail("a table of inputs is needed here".into(), item.span()),
         },
+        // No alternative is chosen: `Draft::read` asks for one.
+        Shape::OneOf(_) if item.as_table_like().is_some_and(TableLike::is_empty) => Draft::Absent,
         Shape::OneOf(variants) => {
             let names = || variants().iter().map(|variant| variant.name);
             let (name, fields) = match (item.as_str(), item.as_table_like()) {
@@ -229,7 +279,14 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Rea
                 None => fail(path::unknown("", name, names()).why, item.span()),
             }
         }
-        Shape::Rows { item: inner, .. } => {
+        Shape::Rows { item: inner, most, .. } => {
+            let have = match item {
+                Item::ArrayOfTables(tables) => tables.len(),
+                _ => item.as_array().map_or(0, toml_edit::Array::len),
+            };
+            if have > *most {
+                return fail(draft::too_many_rows(have, *most), item.span());
+            }
             let rows: Vec<Item> = match item {
                 Item::ArrayOfTables(tables) => tables.iter().cloned().map(Item::Table).collect(),
                 _ => match item.as_array() {
@@ -247,13 +304,16 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Rea
             Err((why, span)) => fail(why, span),
         },
         Shape::Vector(..) => match item.as_value() {
-            Some(Toml::Array(components)) => Draft::Leaf(format!("({})", cells(components))),
-            Some(value) => Draft::Leaf(plain(value)),
+            Some(Toml::Array(components)) => {
+                let text = format!("({})", cells(components));
+                Draft::Leaf(format::with_decimal_commas(text, shape, path, reading))
+            }
+            Some(value) => Draft::Leaf(format::with_decimal_commas(plain(value), shape, path, reading)),
             None => fail("one value is needed here".into(), item.span()),
         },
         _ => match item.as_value() {
             Some(value @ (Toml::String(_) | Toml::Integer(_) | Toml::Float(_) | Toml::Boolean(_))) => {
-                Draft::Leaf(plain(value))
+                Draft::Leaf(format::with_decimal_commas(plain(value), shape, path, reading))
             }
             _ => fail("one value is needed here".into(), item.span()),
         },

@@ -2,6 +2,8 @@
 
 use crate::{FieldError, Shape, Text};
 
+/// The most names that an error lists.
+const MOST_KNOWN: usize = 40;
 /// The longest name that is compared with others, or repeated in full in an error.
 const LONGEST_NAME: usize = 100;
 
@@ -98,9 +100,11 @@ pub(crate) fn unknown<'k>(path: &str, name: &str, known: impl Iterator<Item = &'
         Some(near) => {
             Text::new("there is no `{name}`; did you mean `{near}`?").with("name", shown).with("near", near)
         }
-        None => Text::new("there is no `{name}`; write one of {known}")
-            .with("name", shown)
-            .with("known", known.join(", ")),
+        None => {
+            let more = if known.len() > MOST_KNOWN { ", …" } else { "" };
+            let known = format!("{}{more}", known[..known.len().min(MOST_KNOWN)].join(", "));
+            Text::new("there is no `{name}`; write one of {known}").with("name", shown).with("known", known)
+        }
     };
     FieldError::new(path, why)
 }

@@ -3,11 +3,12 @@
 use std::fmt;
 
 use dalembert_mechanics::intervals::IntervalSet;
-use dalembert_units::{Dim, Unit};
+use dalembert_units::{self as units, Dim, Unit};
 
 use crate::{
     Cite, Exhibit, Locale, Text,
     path::is_within,
+    reading,
     retrace::ancestors,
     trace::{Id, Number, Op, Symbol, Trace},
 };
@@ -186,6 +187,24 @@ impl Display {
             None if digits(text).is_some() => Self { unit: String::new(), digits: digits(text) },
             _ => Self { unit: text.trim().to_owned(), digits: None },
         }
+    }
+}
+
+impl Display {
+    /// What a text asks for, where it is a unit that there is and from 1 to 17 digits.
+    pub fn read(text: &str) -> Result<Self, Text> {
+        let count =
+            text.rsplit(';').next().and_then(|part| part.trim().strip_suffix("digits")).map(str::trim);
+        if let Some(count) = count
+            && !count.parse().is_ok_and(|count: u8| (1..=17).contains(&count))
+        {
+            return Err(Text::new("`{count} digits`: write from 1 to 17 digits").with("count", count));
+        }
+        let display = Self::of(text);
+        if !display.unit.is_empty() {
+            units::unit(&display.unit).map_err(|err| reading::text(&err))?;
+        }
+        Ok(display)
     }
 }
 

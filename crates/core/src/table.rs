@@ -355,7 +355,10 @@ fn is_bare(cell: &str) -> bool {
 fn read_row(cells: &[Cow<'_, str>], columns: &'static [Field], found: &[Unit]) -> Result<Vec<f64>, Text> {
     let cell = |((text, column), unit): ((&Cow<'_, str>, &Field), &Unit)| {
         let kind = measure(column).map_or(Kind::Other, |measure| measure.kind());
-        units::read_quantity(text, unit, kind).map(|quantity| quantity.si).map_err(|err| reading::text(&err))
+        // The separator of its columns tells that the comma of a table is a decimal one.
+        units::read_quantity(&units::with_point(text), unit, kind)
+            .map(|quantity| quantity.si)
+            .map_err(|err| reading::text(&err))
     };
     cells.iter().zip(columns).zip(found).map(cell).collect()
 }

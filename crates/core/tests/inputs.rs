@@ -308,6 +308,82 @@ fn an_optional_input_comes_and_goes() {
     assert_eq!(*read(&draft).get("largest").unwrap(), Value::Absent);
 }
 
+/// A wheel.
+#[derive(Clone, Debug, PartialEq, Inputs)]
+struct Wheel {
+    /// Its shape.
+    shape: Sense,
+    /// Seen from.
+    #[input(default = "counter-clockwise")]
+    seen: Sense,
+    /// Radii.
+    #[input("r", "mm", most = 2)]
+    radii: Vec<f64>,
+    /// Place.
+    #[input("p", "m")]
+    place: Vector3<f64>,
+}
+
+#[test]
+fn a_choice_is_made_or_declared() {
+    let shape = Wheel::SHAPE;
+    let mut draft = Draft::blank(&shape);
+    draft.set(&shape, "place", "(1; 2; 3) m").unwrap();
+    let errors = draft.read(&shape).unwrap_err();
+    assert_eq!(errors.len(), 1);
+    assert_eq!(errors[0].to_string(), "shape: write one of clockwise, counter-clockwise");
+    draft.set(&shape, "shape", "clockwise").unwrap();
+    let wheel = Wheel::read_all(&Value::Group(draft.read(&shape).unwrap())).unwrap();
+    assert_eq!((wheel.shape, wheel.seen), (Sense::Clockwise, Sense::CounterClockwise));
+    // A form shows what it chooses.
+    let begun = Draft::blank(&shape).with_first_alternatives(&shape);
+    assert_eq!(begun.at(&shape, "shape").unwrap().0, draft.at(&shape, "shape").unwrap().0);
+}
+
+#[test]
+fn a_list_takes_no_more_rows_than_it_declares() {
+    let shape = Wheel::SHAPE;
+    let mut draft = Draft::blank(&shape);
+    for row in 1..=2 {
+        draft.set(&shape, &format!("radii[{row}]"), "1 mm").unwrap();
+    }
+    let error = draft.set(&shape, "radii[3]", "1 mm").unwrap_err();
+    assert_eq!(error.to_string(), "radii[3]: at most 2 rows are read here; there are 3");
+}
+
+#[test]
+fn numbers_without_a_unit_are_found() {
+    let shape = Wheel::SHAPE;
+    let mut draft = Draft::blank(&shape);
+    for (path, text) in [("radii[1]", "2*pi"), ("radii[2]", "0"), ("place", "(1; 2; 3)")] {
+        draft.set(&shape, path, text).unwrap();
+    }
+    let found: Vec<String> = draft.without_unit(&shape).iter().map(ToString::to_string).collect();
+    assert_eq!(found, ["radii[1]: no unit; taken as mm", "place: no unit; taken as m"]);
+    for (path, text) in [("radii[1]", "2 mm"), ("place", "(0; 0; 0)")] {
+        draft.set(&shape, path, text).unwrap();
+    }
+    assert_eq!(draft.without_unit(&shape), []);
+}
+
+#[test]
+fn drafts_are_apart_by_their_texts() {
+    let draft = filled();
+    let apart = |changes: &[(&str, &str)]| {
+        let mut other = draft.clone();
+        for (path, text) in changes {
+            other.set(&shape(), path, text).unwrap();
+        }
+        draft.apart(&other)
+    };
+    assert_eq!(apart(&[]), 0);
+    assert_eq!(apart(&[("bodies[1].mass", "")]), 1);
+    assert_eq!(apart(&[("largest", "3 mm")]), 1);
+    assert_eq!(apart(&[("bodies[1].mass", ""), ("bodies[2].mass", "")]), 2);
+    assert!(apart(&[("support", "parallel")]) > 1);
+    assert!(apart(&[("bodies[3].mass", "1 kg")]) > 1);
+}
+
 #[test]
 fn paths_that_lead_nowhere_are_named() {
     let mut draft = filled();

@@ -3,7 +3,6 @@
 ## Help
 a-machine-dynamics-workbench-pick-a-problem-edit-its-inputs-in-any-units-see-the-worked-solution = Uma bancada de dinâmica das máquinas: escolha um problema, edite os dados em quaisquer unidades, veja a solução resolvida passo a passo
 a-problem-file-or-the-id-of-an-analysis-to-open-in-the-workbench = Um arquivo de problema ou o id de uma análise, para abrir na bancada
-begin-with-the-inputs-of-this-published-case-counted-from-1 = Começar com os dados deste caso publicado, contado a partir de 1
 change-an-input-mass-40-kg-masses-2-radius-0-1-m-a-table-can-be-read-from-a-file-samples-data-csv = Mudar um dado: mass="40 kg", masses[2].radius="0.1 m"; uma tabela pode ser lida de um arquivo: samples=@data.csv
 hold-every-published-answer-against-ours = Comparar cada resposta publicada com a nossa
 list-the-analyses = Listar as análises
@@ -34,7 +33,6 @@ the-table-to-print-as-csv-answers-inputs-steps-checks-table-1-plot-1 = A tabela 
 what-is-printed-without-it-what-the-ending-of-the-file-asks-for-else-text = O que é impresso; sem isto, o que a extensão do arquivo pede, senão texto
 without-arguments-the-workbench-in-a-terminal-a-worked-problem-elsewhere-exit-status-0-solved-1 = Sem argumentos: a bancada em um terminal, um problema resolvido fora dele. Código de saída: 0 resolvido; 1 recusado, ou uma verificação falhou; 2 entrada ou uso errado.
 words-that-the-id-the-title-the-summary-or-the-keywords-contain = Palavras contidas no id, no título, no resumo ou nas palavras-chave
-write-to-a-file-markdown-and-typst-write-their-figures-beside-it = Gravar em um arquivo; Markdown e Typst gravam as figuras ao lado dele
 
 ## Descriptions of analyses
 a-whole-number-from-min = um número inteiro a partir de { $min }
@@ -53,8 +51,6 @@ other-program = outro programa
 otherwise-default = senão { $default }
 own-earlier-value = valor próprio anterior
 published = publicado
-rows = linhas
-rows-at-least-min = linhas, no mínimo { $min }
 the-name-of-one-of-list = o nome de um de { $list }
 as-in-field = como em { $field }
 these = estes
@@ -119,3 +115,15 @@ not-taken-of-the-exercises = não aceito dos exercícios
 file-exists-already-and-no-session-is-recorded-over-it-write-another-name-or-remove-it = { $file } já existe, e nenhuma sessão é gravada por cima: escreva outro nome, ou remova-o
 file-cannot-be-recorded-there-is-no-such-folder = { $file } não pode ser gravado: não há essa pasta
 a-table-as-lines-of-numbers-under-the-heading-heading-with-the-columns = uma tabela, como linhas de números sob o cabeçalho "{ $heading }", com as colunas
+begin-with-the-inputs-of-this-published-case-counted-from-1-without-it-set-begins-with-empty-inputs = Começar com os dados deste caso publicado, contado a partir de 1; sem isso, --set começa com dados vazios, e um id sozinho resolve o caso 1
+write-to-a-new-file-markdown-and-typst-write-their-figures-beside-it = Gravar em um arquivo novo; Markdown e Typst gravam as figuras ao lado dele
+write-over-files-that-are-there-never-over-a-problem-file = Gravar por cima de arquivos que existem; nunca de um arquivo de problema
+refuse-a-number-without-a-unit-where-one-is-needed-instead-of-saying-in-which-unit-it-is-taken = Recusar um número sem unidade onde é preciso uma, em vez de dizer em que unidade ele é tomado
+note-words = nota: { $words }
+warning-words = aviso: { $words }
+file-is-the-problem-itself-write-its-solution-to-another-file = { $file } é o próprio problema: grave a solução em outro arquivo
+file-is-a-problem-file-write-the-solution-to-another-file = { $file } é um arquivo de problema: grave a solução em outro arquivo
+file-exists-already-write-another-name-or-force-to-write-over-it = { $file } já existe: escreva outro nome, ou --force para gravar por cima
+an-input-that-is-not-set-is-not-filled-in-case-1-begins-with-those-of-the-first-published-case = um dado que não é informado não é preenchido; --case 1 começa com os do primeiro caso publicado
+rows-at-most-most = linhas, no máximo { $most }
+rows-min-to-most = linhas, de { $min } a { $most }

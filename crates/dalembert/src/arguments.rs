@@ -86,7 +86,7 @@ pub(crate) struct Solve {
     /// The id of an analysis, or a problem file
     #[arg(value_name = "ID|FILE")]
     pub(crate) problem: String,
-    /// Begin with the inputs of this published case, counted from 1
+    /// Begin with the inputs of this published case, counted from 1; without it, --set begins with empty inputs, and an id alone solves case 1
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) case: Option<u32>,
     /// Change an input: mass="40 kg", masses[2].radius="0.1 m"; a table can be read from a file: samples=@data.csv
@@ -98,9 +98,15 @@ pub(crate) struct Solve {
     /// The table to print as CSV: answers, inputs, steps, checks, table-1, plot-1
     #[arg(long, value_name = "NAME", default_value = "answers")]
     pub(crate) table: String,
-    /// Write to a file; Markdown and Typst write their figures beside it
+    /// Write to a new file; Markdown and Typst write their figures beside it
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
+    /// Write over files that are there; never over a problem file
+    #[arg(long, requires = "output")]
+    pub(crate) force: bool,
+    /// Refuse a number without a unit where one is needed, instead of saying in which unit it is taken
+    #[arg(long)]
+    pub(crate) strict: bool,
     /// Show so many significant digits
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(crate) digits: Option<u8>,

@@ -5,8 +5,8 @@ use std::{
     io::{self, IsTerminal, Write},
 };
 
-use dalembert_core::{Language, Locale, ascii};
-use dalembert_report::{Document, text};
+use dalembert_core::{Language, Locale, Text, ascii};
+use dalembert_report::{Document, json_text, text};
 use dalembert_tui::glyphs::{Capabilities, Colors, Environment, Glyphs, filter_untrusted};
 
 use crate::failure::Failure;
@@ -65,6 +65,13 @@ impl Console {
         text(&document, self.width)
     }
 
+    /// Says something on the error stream beside what is printed: a `note` or a `warning`.
+    pub(crate) fn tell(&self, template: &'static str, words: &Text) {
+        let line = Text::new(template).with_text("words", words.clone()).render(&self.locale);
+        // Nobody is left to be told when the error stream itself is closed.
+        let _ = writeln!(io::stderr(), "{}", self.plain(&line).replace('\n', " "));
+    }
+
     /// Words without control characters, and in ASCII where that is all there is.
     pub(crate) fn plain(&self, words: &str) -> String {
         let safe = filter_untrusted(words);
@@ -84,7 +91,7 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
 
 /// Prints JSON.
 pub(crate) fn print_json(json: &serde_json::Value) -> Result<(), Failure> {
-    print(&format!("{json:#}\n"))
+    print(&json_text(json))
 }
 
 /// The language of `--lang`, of the person's settings, or of the environment: `LC_ALL`, `LC_MESSAGES`, `LANG`, the

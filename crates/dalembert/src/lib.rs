@@ -7,6 +7,7 @@ mod arguments;
 mod commands;
 mod console;
 mod failure;
+mod output;
 mod problem;
 mod snippet;
 mod solving;

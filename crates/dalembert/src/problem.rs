@@ -2,7 +2,11 @@
 
 use std::path::Path;
 
-use dalembert_core::{Draft, Entry, FieldError, Record, Shape, Text, cases, file, find};
+use dalembert_core::{
+    Draft, Entry, FieldError, Record, Shape, Text,
+    cases::{self, Case},
+    file, find,
+};
 use dalembert_tui::files::{self, FileError};
 
 use crate::{console::Console, failure::Failure, snippet};
@@ -21,6 +25,8 @@ pub(crate) struct Problem {
     pub(crate) source: Text,
     /// Remarks.
     pub(crate) note: Text,
+    /// How the inputs were read where that does not stand in them.
+    pub(crate) notes: Vec<Text>,
     /// What was typed.
     pub(crate) draft: Draft,
     /// What was understood.
@@ -34,24 +40,33 @@ pub(crate) fn analysis(id: &str) -> Result<&'static Entry, Failure> {
     find(id).ok_or_else(|| Failure::input(file::no_such_analysis(id)))
 }
 
-/// Reads a problem by the id of its analysis or the path of its file, with some inputs changed.
-pub(crate) fn read(
-    named: &str,
-    case: Option<u32>,
-    changes: &[String],
-    console: &Console,
-) -> Result<Problem, Failure> {
+/// What a problem is read from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Asked<'a> {
+    /// The id of an analysis or the path of a file.
+    pub(crate) named: &'a str,
+    /// The published case to begin with.
+    pub(crate) case: Option<u32>,
+    /// The inputs to change.
+    pub(crate) changes: &'a [String],
+    /// Whether a number without a unit is refused.
+    pub(crate) strict: bool,
+}
+
+/// Reads a problem, and says on the error stream how its inputs were read where that does not stand in them.
+pub(crate) fn read(asked: &Asked<'_>, console: &Console) -> Result<Problem, Failure> {
+    let named = asked.named;
     match find(named) {
-        Some(entry) => of_analysis(entry, case, changes),
+        Some(entry) => of_analysis(entry, asked, console),
         None => {
             let path = Path::new(named);
             if looks_like_an_id(named) && !path.exists() {
                 return Err(Failure::input(file::no_such_analysis(named)));
             }
-            if case.is_some() {
+            if asked.case.is_some() {
                 return Err(Failure::input("a problem file has no cases; leave out --case"));
             }
-            of_file(path, changes, console)
+            of_file(path, asked, console)
         }
     }
 }
@@ -63,36 +78,61 @@ pub(crate) fn looks_like_an_id(named: &str) -> bool {
     named.split_once('/').is_some_and(|(family, name)| words(family) && words(name))
 }
 
-fn of_analysis(entry: &'static Entry, case: Option<u32>, changes: &[String]) -> Result<Problem, Failure> {
-    let cases = cases::cases(entry)
-        .map_err(|why| Failure::Fault(format!("the cases of {}: {why}", entry.about.id)))?;
-    let number = case.unwrap_or(1);
-    let have = cases.len();
-    let Some(case) = cases.into_iter().nth(number as usize - 1) else {
-        let why = Text::new("{id} has no case {number}; it has cases 1 to {have}");
-        return Err(Failure::input(why.with("id", entry.about.id).with("number", number).with("have", have)));
+fn of_analysis(entry: &'static Entry, asked: &Asked<'_>, console: &Console) -> Result<Problem, Failure> {
+    let case = match asked.case {
+        // With some inputs set and none to begin with, the others would be those of another problem.
+        None if !asked.changes.is_empty() => None,
+        number => Some(case(entry, number.unwrap_or(1))?),
     };
     let shape = entry.shape();
-    let mut draft = case.draft.clone();
-    let mut errors = change(&mut draft, &shape, changes);
-    let record =
-        draft.read(&shape).map_err(|found| errors.extend(found.iter().map(|err| named(err, &draft, &shape))));
+    let base = case.as_ref().map_or_else(|| Draft::blank(&shape), |case| case.draft.clone());
+    let mut draft = base.clone();
+    let mut errors = change(&mut draft, &shape, asked.changes);
+    let mut is_incomplete = false;
+    let record = draft.read(&shape).map_err(|found| {
+        is_incomplete = found.iter().any(|err| typed(&draft, &shape, &err.path).is_empty());
+        errors.extend(found.iter().map(|err| named(err, &draft, &shape)));
+    });
+    let of_case = base.without_unit(&shape);
+    let bare = draft.without_unit(&shape).into_iter().filter(|err| !of_case.contains(err));
+    let notes: Vec<Text> = bare.map(|err| named(&err, &draft, &shape)).collect();
+    if asked.strict {
+        errors.extend(notes.iter().cloned());
+    }
+    // With other inputs it is no longer the published problem.
+    let published = case.filter(|_| asked.changes.is_empty());
+    let none = || Text::from("");
     match record {
         Ok(record) if errors.is_empty() => Ok(Problem {
             entry,
-            // With other inputs it is no longer the published problem.
-            name: if changes.is_empty() { case.title() } else { Text::from("") },
-            source: if changes.is_empty() { case.source } else { Text::from("") },
-            note: if changes.is_empty() { case.note } else { Text::from("") },
+            name: published.as_ref().map_or_else(none, Case::title),
+            source: published.as_ref().map_or_else(none, |case| case.source.clone()),
+            note: published.map_or_else(none, |case| case.note),
+            notes: told(notes, "warning: {words}", console),
             draft,
             record,
             show: Vec::new(),
         }),
-        _ => Err(Failure::Input(errors)),
+        _ => {
+            if is_incomplete && asked.case.is_none() {
+                errors.push("an input that is not set is not filled in; --case 1 begins with those of the first published case".into());
+            }
+            Err(Failure::Input(errors))
+        }
     }
 }
 
-fn of_file(path: &Path, changes: &[String], console: &Console) -> Result<Problem, Failure> {
+fn case(entry: &Entry, number: u32) -> Result<Case, Failure> {
+    let cases = cases::cases(entry)
+        .map_err(|why| Failure::Fault(format!("the cases of {}: {why}", entry.about.id)))?;
+    let have = cases.len();
+    cases.into_iter().nth(number as usize - 1).ok_or_else(|| {
+        let why = Text::new("{id} has no case {number}; it has cases 1 to {have}");
+        Failure::input(why.with("id", entry.about.id).with("number", number).with("have", have))
+    })
+}
+
+fn of_file(path: &Path, asked: &Asked<'_>, console: &Console) -> Result<Problem, Failure> {
     let text = files::read(path)?.text;
     let problem = file::parse(&text).map_err(|errors| {
         let places = errors.into_iter().map(|err| (err.why, err.span)).collect::<Vec<_>>();
@@ -100,39 +140,50 @@ fn of_file(path: &Path, changes: &[String], console: &Console) -> Result<Problem
     })?;
     let shape = problem.entry.shape();
     let mut draft = problem.draft;
-    let errors = change(&mut draft, &shape, changes);
+    let errors = change(&mut draft, &shape, asked.changes);
     if !errors.is_empty() {
         return Err(Failure::Input(errors));
     }
-    let record = draft.read(&shape).map_err(|errors| {
-        let (mut elsewhere, mut places) = (Vec::new(), Vec::new());
-        for err in &errors {
-            if changes
-                .iter()
-                .any(|change| change.split_once('=').is_some_and(|(path, _)| path.trim() == err.path))
-            {
-                elsewhere.push(named(err, &draft, &shape));
-            } else {
-                let why =
-                    Text::new("{path}: {why}").with("path", &err.path).with_text("why", err.why.clone());
-                places.push((why, snippet::span(&text, err, &typed(&draft, &shape, &err.path))));
-            }
-        }
-        if places.is_empty() {
-            Failure::Input(elsewhere)
-        } else {
-            Failure::InFile(snippet::show(path, &text, &places, console))
-        }
-    })?;
-    Ok(Problem {
-        entry: problem.entry,
-        name: Text::verbatim(problem.title),
-        source: Text::from(""),
-        note: Text::from(""),
-        draft,
-        record,
-        show: problem.show,
-    })
+    let bare = draft.without_unit(&shape);
+    let record = draft.read(&shape);
+    let errors = match &record {
+        Err(errors) => errors.as_slice(),
+        Ok(_) if asked.strict => bare.as_slice(),
+        Ok(_) => &[],
+    };
+    let is_set = |err: &FieldError| {
+        let paths = asked.changes.iter().filter_map(|change| change.split_once('='));
+        paths.map(|(path, _)| path.trim()).any(|path| path == err.path)
+    };
+    let (set, in_file): (Vec<&FieldError>, Vec<&FieldError>) = errors.iter().partition(|err| is_set(err));
+    if !in_file.is_empty() {
+        let typed = |err: &FieldError| typed(&draft, &shape, &err.path);
+        return Err(Failure::InFile(snippet::show_fields(path, &text, &in_file, &typed, console)));
+    }
+    match record {
+        Ok(record) if set.is_empty() => Ok(Problem {
+            entry: problem.entry,
+            name: Text::verbatim(problem.title),
+            source: Text::from(""),
+            note: Text::from(""),
+            notes: {
+                let bare = bare.iter().map(|err| named(err, &draft, &shape)).collect();
+                let mut notes = told(problem.notes, "note: {words}", console);
+                notes.extend(told(bare, "warning: {words}", console));
+                notes
+            },
+            draft,
+            record,
+            show: problem.show,
+        }),
+        _ => Err(Failure::Input(set.into_iter().map(|err| named(err, &draft, &shape)).collect())),
+    }
+}
+
+/// The same notes, said on the error stream.
+fn told(notes: Vec<Text>, template: &'static str, console: &Console) -> Vec<Text> {
+    notes.iter().for_each(|note| console.tell(template, note));
+    notes
 }
 
 /// Makes the changes of `--set`, and says what is wrong with those that cannot be made.

@@ -9,7 +9,7 @@ use dalembert_tui::glyphs::{Glyphs, filter_untrusted};
 use crate::console::Console;
 
 /// The most errors that are shown.
-const MOST: usize = 20;
+const MOST: usize = 100;
 /// The longest line that is shown, in bytes; of a longer one the place is told alone.
 const LONGEST_LINE: usize = 200;
 
@@ -55,17 +55,45 @@ pub(crate) fn show(
     shown.join("\n\n")
 }
 
-/// Where a field stands in a file; within a text in quotes, the part that is wrong.
-pub(crate) fn span(text: &str, err: &FieldError, typed: &str) -> Option<Range<usize>> {
-    let value = file::locate(text, err)?;
+/// The same for errors of fields; `typed` is what stands in the field of one.
+pub(crate) fn show_fields(
+    path: &Path,
+    text: &str,
+    errors: &[&FieldError],
+    typed: &dyn Fn(&FieldError) -> String,
+    console: &Console,
+) -> String {
+    let spans = file::locate(text, errors.iter().copied().take(MOST));
+    let spans = spans.into_iter().chain(std::iter::repeat(None));
+    let places: Vec<_> = errors
+        .iter()
+        .zip(spans)
+        .map(|(err, value)| {
+            let why = Text::new("{path}: {why}").with("path", &err.path).with_text("why", err.why.clone());
+            (why, value.map(|value| part_of(text, value, err, typed)))
+        })
+        .collect();
+    show(path, text, &places, console)
+}
+
+/// Within a value in quotes, the part that is wrong.
+fn part_of(
+    text: &str,
+    value: Range<usize>,
+    err: &FieldError,
+    typed: &dyn Fn(&FieldError) -> String,
+) -> Range<usize> {
     let inner = value.start + 1..value.end.saturating_sub(1);
     match &err.span {
-        Some(part)
-            if text.get(inner.clone()) == Some(typed) && part.end <= typed.len() && part.start < part.end =>
-        {
-            Some(inner.start + part.start..inner.start + part.end)
+        Some(part) if part.start < part.end => {
+            let typed = typed(err);
+            if text.get(inner.clone()) == Some(typed.as_str()) && part.end <= typed.len() {
+                inner.start + part.start..inner.start + part.end
+            } else {
+                value
+            }
         }
-        _ => Some(value),
+        _ => value,
     }
 }
 

@@ -110,11 +110,13 @@ impl Asks {
             }
             Asks::Rows(inner) => {
                 let min = arguments.value("min").map_or_else(|| code! { 0 }, |min| code! { #min });
+                let most = arguments.value("most").map_or_else(|| code! { 1_000 }, |most| code! { #most });
                 let inner = inner.shape(arguments)?;
                 code! {
                     dalembert_core::Shape::Rows {
                         item: || { const SHAPE: &dalembert_core::Shape = &#inner; SHAPE },
                         min: #min,
+                        most: #most,
                     }
                 }
             }
@@ -247,6 +249,7 @@ impl Arguments {
                             "below",
                             "min",
                             "max",
+                            "most",
                             "kind",
                             "default",
                             "default_before",

@@ -20,14 +20,15 @@ use proc_macro::TokenStream;
 /// | `u32`, `u64`, `usize` with `#[input(min = 1, max = 20)]` | a whole number |
 /// | `Reference` with `#[input(rows = "bodies")]` | the name of a row of the top-level list `bodies` |
 /// | `Option<T>` | an input that may be left out |
-/// | `Vec<T>` | rows: add, remove, reorder; `#[input(min = 1)]` asks for at least one |
+/// | `Vec<T>` | rows: add, remove, reorder; `#[input(min = 1)]` asks for at least one, `most = 50` takes no more (else 1000) |
 /// | `Vec<T>` with `#[input(table)]` | a table with columns, typed or pasted |
 /// | another type that derives `Inputs` | its fields in place (struct), or a choice among its alternatives (enum); `#[input("A")]` gives the symbols inside an index: `r_A` |
 ///
 /// Arguments of a quantity: `positive`, `nonnegative`, `above = x`, `below = x`, `min = x`, `max = x` (in the unit
 /// of the field), `kind = "Amplitude"` where the unit does not tell the kind, `default = "9.81 m/s^2"`,
 /// `default_before = "…"` the default of files of the first format, where it was another;
-/// `kept_in = "drawn"` names the optional field beside it that keeps its first value when it is changed alone.
+/// `kept_in = "drawn"` names the optional field beside it that keeps its first value when it is changed alone. The
+/// default of a choice is the name of an alternative: `default = "hoop"`; a choice without one must be made.
 ///
 /// The first line of documentation is the label in the form, the rest its help. With the struct comes
 /// `NameGiven<W>`: the same inputs as numbers of a worksheet. Texts, flags, counts, references and tables are not

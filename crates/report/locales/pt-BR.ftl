@@ -19,3 +19,4 @@ yes = sim
 db-over-1-unit = dB sobre 1 { $unit }
 curve-at-the-cursor = { $curve } no cursor
 value-default = { $value } (padrão)
+how-the-data-were-read = Como os dados foram lidos

@@ -113,10 +113,11 @@ fn plots(solution: &Solution) -> impl Iterator<Item = &Plot> {
     })
 }
 
-/// A number: a decimal point, all its digits.
+/// A number: a decimal point, and the digits that read back bit for bit.
 fn number(value: f64) -> String {
     if value.is_finite() {
-        units::write_number(value, Style { digits: 15, ascii: true, ..Style::default() })
+        let shortest = format!("{value:?}");
+        shortest.strip_suffix(".0").map(str::to_owned).unwrap_or(shortest)
     } else {
         String::new()
     }
@@ -124,7 +125,12 @@ fn number(value: f64) -> String {
 
 /// Words. A cell that a spreadsheet would evaluate is preceded by `'`.
 fn words(text: &str) -> String {
-    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("'{text}") } else { text.to_owned() }
+    // Spreadsheets take full-width signs for the narrow ones.
+    if text.starts_with(['=', '+', '-', '@', '＝', '＋', '－', '＠', '\t', '\r']) {
+        format!("'{text}")
+    } else {
+        text.to_owned()
+    }
 }
 
 fn write_inputs(worked: &Worked<'_>, sheet: &mut Sheet, locale: &Locale) {

@@ -3,21 +3,26 @@
 use std::ops::Bound;
 
 use dalembert_core::{Answer, AnswerValue, Locale, Number, Value};
+use dalembert_units::{Unit, is_invisible};
 use serde_json::{Map, Value as Json, json};
 
 use crate::{Worked, inputs::inputs};
 
-/// `{"analysis", "case", "inputs": {path: {"text", "si", "unit"}}, "answers": {name: {"label", "si", "unit",
-/// "shown"}}, "checks": [{"what", "residual", "passed"}], "warnings": [], "refusal": null | "…"}`.
+/// `{"analysis", "case", "notes": [], "inputs": {path: {"text", "value", "unit", "si", "si_unit"}}, "answers": {name:
+/// {"label", "value", "unit", "si", "si_unit", "shown"}}, "checks": [{"what", "residual", "passed"}], "warnings": [],
+/// "refusal": null | "…"}`.
 ///
-/// `si` is a number, `[x, y, z]` for a vector or a list, `[[from, to], …]` for a set (`null` where an end is open to
-/// infinity), and for inputs also `true`, a list of rows, or `null` for words. `unit` can be typed.
+/// `value` is in `unit`, the one that is shown, and `si` in `si_unit`, which is coherent; both units can be typed, and that
+/// of a pure number is `1`. Each is a number that reads back bit for bit, `[x, y, z]` for a vector or a list, `[[from, to],
+/// …]` for a set (`null` where an end is open to infinity), and for inputs also `true`, a list of rows (with a list of
+/// units), or `null` for words. `notes` say how inputs were read where that does not stand in them.
 pub fn json(worked: &Worked<'_>, locale: &Locale) -> Json {
     let mut given = Map::new();
     for input in inputs(worked.draft, worked.record, locale) {
         if let Some(value) = input.value {
-            let (si, unit) = understood(value);
-            given.insert(input.path, json!({ "text": input.typed, "si": si, "unit": unit }));
+            let mut entry = understood(value);
+            entry.insert("text".into(), input.typed.into());
+            given.insert(input.path, Json::Object(entry));
         }
     }
     let mut answers = Map::new();
@@ -34,6 +39,7 @@ pub fn json(worked: &Worked<'_>, locale: &Locale) -> Json {
     json!({
         "analysis": worked.entry.about.id,
         "case": worked.case.english(),
+        "notes": worked.notes.iter().map(|note| note.render(locale)).collect::<Vec<_>>(),
         "inputs": given,
         "answers": answers,
         "checks": checks,
@@ -42,42 +48,86 @@ pub fn json(worked: &Worked<'_>, locale: &Locale) -> Json {
     })
 }
 
+/// JSON as it is printed. Characters that could drive a terminal or turn the direction of a text are escaped.
+pub fn json_text(json: &Json) -> String {
+    let mut text = String::new();
+    for c in format!("{json:#}\n").chars() {
+        // All of them stand within strings: the rest is ASCII.
+        if c == '\n' || !(c.is_control() || is_invisible(c)) {
+            text.push(c);
+        } else {
+            text.extend(c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")));
+        }
+    }
+    text
+}
+
 fn answer(answer: &Answer, locale: &Locale) -> Json {
-    let si = match &answer.value {
-        AnswerValue::Number(Number::Scalar(si), _) => json!(si),
-        AnswerValue::Number(Number::Vector(si), _) => json!(si),
-        AnswerValue::List(numbers) => json!(numbers),
+    let numbers = |of: &dyn Fn(f64) -> f64| match &answer.value {
+        AnswerValue::Number(Number::Scalar(si), _) => json!(of(*si)),
+        AnswerValue::Number(Number::Vector(si), _) => json!(si.map(of)),
+        AnswerValue::List(numbers) => numbers.iter().map(|si| of(*si)).collect(),
         AnswerValue::Set(set, _) => {
             let end = |bound: Bound<f64>| match bound {
-                Bound::Included(x) | Bound::Excluded(x) => Some(x),
+                Bound::Included(x) | Bound::Excluded(x) => Some(of(x)),
                 Bound::Unbounded => None,
             };
             set.intervals().map(|interval| json!([end(interval.lower), end(interval.upper)])).collect()
         }
     };
-    json!({
-        "label": answer.label(locale),
-        "si": si,
-        "unit": answer.unit.ascii(),
-        "shown": answer.shown(locale),
-    })
+    let mut entry = with_units(&numbers, &answer.unit);
+    entry.insert("label".into(), answer.label(locale).into());
+    entry.insert("shown".into(), answer.shown(locale).into());
+    Json::Object(entry)
 }
 
-/// What was understood: its value, and the unit it was written in.
-fn understood(value: &Value) -> (Json, Json) {
+/// What was understood.
+fn understood(value: &Value) -> Map<String, Json> {
+    let plain = |value: Json| {
+        let none = Json::Null;
+        [("value", value.clone()), ("unit", none.clone()), ("si", value), ("si_unit", none)]
+            .map(|(key, json)| (key.to_owned(), json))
+            .into_iter()
+            .collect()
+    };
     match value {
-        Value::Quantity(quantity) => (json!(quantity.si), json!(quantity.unit.ascii())),
-        Value::Vector(vector) => (json!(vector.si[..vector.len]), json!(vector.unit.ascii())),
-        Value::Flag(flag) => (json!(flag), Json::Null),
-        Value::Count(count) => (json!(count), Json::Null),
-        Value::Table(table) => {
-            (json!(table.rows), table.units.iter().map(dalembert_units::Unit::ascii).collect())
+        Value::Quantity(quantity) => with_units(&|of| json!(of(quantity.si)), &quantity.unit),
+        Value::Vector(vector) => {
+            with_units(&|of| vector.si[..vector.len].iter().map(|si| of(*si)).collect(), &vector.unit)
         }
+        Value::Table(table) => {
+            let own = |row: &Vec<f64>| {
+                row.iter().zip(&table.units).map(|(si, unit)| json!(unit.value(*si))).collect::<Json>()
+            };
+            let mut entry = Map::new();
+            entry.insert("value".into(), table.rows.iter().map(own).collect());
+            entry.insert("unit".into(), table.units.iter().map(written).collect());
+            entry.insert("si".into(), json!(table.rows));
+            entry.insert("si_unit".into(), table.units.iter().map(Unit::coherent).collect());
+            entry
+        }
+        Value::Flag(flag) => plain(json!(flag)),
+        Value::Count(count) => plain(json!(count)),
         Value::Text(_)
         | Value::Reference { .. }
         | Value::OneOf { .. }
         | Value::Group(_)
         | Value::Rows(_)
-        | Value::Absent => (Json::Null, Json::Null),
+        | Value::Absent => plain(Json::Null),
     }
+}
+
+/// The same numbers in a unit and in SI, each beside its unit. `numbers` writes them through what it is given.
+fn with_units(numbers: &dyn Fn(&dyn Fn(f64) -> f64) -> Json, unit: &Unit) -> Map<String, Json> {
+    let mut entry = Map::new();
+    entry.insert("value".into(), numbers(&|si| unit.value(si)));
+    entry.insert("unit".into(), written(unit).into());
+    entry.insert("si".into(), numbers(&|si| si));
+    entry.insert("si_unit".into(), unit.coherent().into());
+    entry
+}
+
+fn written(unit: &Unit) -> String {
+    let text = unit.ascii();
+    if text.is_empty() { "1".to_owned() } else { text }
 }

@@ -28,7 +28,7 @@ pub use crate::{
     figure::figure,
     html::html,
     inputs::{Input, inputs},
-    json::json,
+    json::{json, json_text},
     latex::latex,
     markdown::markdown,
     paper::Paper,

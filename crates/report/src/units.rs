@@ -7,7 +7,7 @@ use dalembert_units as units;
 /// `mm; 6 digits`. The numbers stay what they are.
 ///
 /// # Errors
-/// There is no such answer, the unit cannot be read, or it measures something else.
+/// There is no such answer, the unit or the number of digits cannot be read, or the unit measures something else.
 pub fn show_answer_in(solution: &mut Solution, name: &str, unit: &str) -> Result<(), Text> {
     let Some(at) = solution.answers.iter().position(|answer| answer.name.is(name)) else {
         let known: Vec<String> = solution.answers.iter().map(|answer| answer.name.to_string()).collect();
@@ -19,7 +19,7 @@ pub fn show_answer_in(solution: &mut Solution, name: &str, unit: &str) -> Result
         };
         return Err(why.with("name", name));
     };
-    let display = Display::of(unit);
+    let display = Display::read(unit)?;
     solution.answers[at].digits = display.digits;
     if display.unit.is_empty() {
         return Ok(());

@@ -26,6 +26,8 @@ pub struct Worked<'a> {
     pub source: &'a Text,
     /// Remarks; may be empty.
     pub note: &'a Text,
+    /// How the inputs were read where that does not stand in them.
+    pub notes: &'a [Text],
     /// What was typed.
     pub draft: &'a Draft,
     /// What was understood.
@@ -44,6 +46,10 @@ pub fn document(worked: &Worked<'_>, locale: &Locale) -> Document {
     blocks.extend([case, note].into_iter().filter(|text| !text.is_empty()).map(Block::Paragraph));
     blocks.push(Block::Heading(say("Given data")));
     blocks.extend(given(worked, locale));
+    if !worked.notes.is_empty() {
+        blocks.push(Block::Heading(say("How the data were read")));
+        blocks.push(Block::Items(worked.notes.iter().map(|note| note.render(locale)).collect()));
+    }
     match worked.outcome {
         Err(why) => {
             blocks.push(Block::Heading(say("No answer")));

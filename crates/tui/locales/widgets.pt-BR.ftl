@@ -4,7 +4,6 @@ a-fault-of-the-program-not-of-your-inputs-do-not-trust-these-results = Falha do 
 there-is-no-answer = Não há resposta
 not-every-input-can-be-read = Nem todos os dados podem ser lidos
 the-solution-was-stopped = A solução foi interrompida.
-of-the-last-valid-inputs = dos últimos dados válidos
 two-ways-agree-exactly = dois caminhos concordam exatamente
 two-ways-agree-to-residual = dois caminhos concordam até { $residual }
 two-ways-differ-by-residual = dois caminhos diferem em { $residual }

@@ -34,8 +34,12 @@ pub struct Bench {
     pub show_changed: bool,
     /// Its inputs.
     pub form: Form,
+    /// What an older file left unsaid, and how it was read.
+    pub notes: Vec<Text>,
     /// What is wrong with them.
-    pub errors: Vec<FieldError>,
+    wrong: Vec<FieldError>,
+    /// Which of them are still empty.
+    needed: Vec<FieldError>,
     /// What was found.
     pub found: Found,
     /// The result that every later one is compared with.
@@ -92,8 +96,13 @@ pub struct OpenFile {
 pub struct Found {
     /// The newest solution there is.
     pub solution: Option<Solution>,
+    /// The inputs that it belongs to.
+    pub of: Option<Draft>,
     /// Why the present inputs have none.
     pub failure: Option<Failure>,
+    /// Whether the present inputs are so far from those of the solution that its numbers are hidden until there is
+    /// another.
+    pub hidden: bool,
     /// Whether that belongs to the present inputs.
     pub state: State,
 }
@@ -214,7 +223,9 @@ impl Bench {
             show: Vec::new(),
             show_changed: false,
             form: Form::new(entry, draft),
-            errors: Vec::new(),
+            notes: Vec::new(),
+            wrong: Vec::new(),
+            needed: Vec::new(),
             found: Found::default(),
             pinned: None,
             cases,
@@ -300,7 +311,7 @@ impl Bench {
             Some(case) if self.title.is_empty() && case.draft == form.draft => case.name.clone(),
             _ => self.title.clone(),
         };
-        Problem { entry, title, draft: form.draft.clone(), show: show.clone(), notes: Vec::new() }
+        Problem { entry, title, draft: form.draft.clone(), show: show.clone(), notes: self.notes.clone() }
     }
 
     /// What it is called: its title, or the case it began as, which it is no more once an input was changed.
@@ -315,21 +326,38 @@ impl Bench {
 
     /// Errors of what is written; an input that is still empty is [needed](Self::needed), not wrong.
     pub fn wrong(&self) -> impl Iterator<Item = &FieldError> {
-        self.errors.iter().filter(|error| !self.is_empty(error))
+        self.wrong.iter()
     }
 
     /// Errors of inputs that are still to be filled in.
     pub fn needed(&self) -> impl Iterator<Item = &FieldError> {
-        self.errors.iter().filter(|error| self.is_empty(error))
+        self.needed.iter()
+    }
+
+    /// Takes what was found wrong with the inputs as they are now. Of inputs that differ in more than one field from
+    /// those that were solved, or are at fault in several, the numbers found are hidden.
+    pub fn find_wrong(&mut self, errors: Vec<FieldError>) {
+        let hide = errors.len() > 1 || (!errors.is_empty() && !self.is_near_the_solved());
+        self.found.hidden |= hide;
+        (self.needed, self.wrong) = errors.into_iter().partition(|error| self.is_empty(error));
+    }
+
+    /// Whether the inputs differ in one field at most from those of the newest solution.
+    pub fn is_near_the_solved(&self) -> bool {
+        self.found.of.as_ref().is_some_and(|of| of.apart(&self.form.draft) <= 1)
+    }
+
+    /// Whether no number of the newest solution may stand beside these inputs.
+    pub fn hides_numbers(&self) -> bool {
+        self.found.hidden && self.is_stale()
     }
 
     /// How much is left to do before there can be a solution; `None` where there is nothing.
     pub fn to_do(&self) -> Option<Text> {
-        let (wrong, needed) = (self.wrong().count(), self.needed().count());
-        match (wrong, needed) {
+        match (self.wrong.len(), self.needed.len()) {
             (0, 0) => None,
-            (0, _) => Some(Text::new("{count} to be filled in").with("count", needed)),
-            _ => Some(Text::new("{count} to be put right").with("count", wrong)),
+            (0, needed) => Some(Text::new("{count} to be filled in").with("count", needed)),
+            (wrong, _) => Some(Text::new("{count} to be put right").with("count", wrong)),
         }
     }
 
@@ -473,7 +501,12 @@ impl Bench {
 
     fn is_empty(&self, error: &FieldError) -> bool {
         let place = self.form.draft.at(&self.entry.shape(), &error.path);
-        matches!(place, Ok((Draft::Leaf(text), _)) if text.trim().is_empty())
+        match place {
+            Ok((Draft::Leaf(text), _)) => text.trim().is_empty(),
+            // Of a choice, none is made.
+            Ok((Draft::Absent, _)) => true,
+            _ => false,
+        }
     }
 
     fn exhibits(&self) -> impl Iterator<Item = &Exhibit> {

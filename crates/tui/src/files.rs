@@ -198,9 +198,13 @@ pub struct Opened {
     pub fingerprint: Fingerprint,
 }
 
-/// Reads a regular file of UTF-8 text of at most [`LARGEST`] bytes. Never waits for a pipe, never reads a device.
+/// Reads a regular file of UTF-8 text of at most [`LARGEST`] bytes. Never waits for a pipe, never reads a device. What
+/// killed saves left beside it is removed.
 pub fn read(path: &Path) -> Result<Opened, FileError> {
     let bytes = read_bytes(path)?;
+    if let Ok(target) = fs::canonicalize(path) {
+        remove_strays(save::folder_of(&target));
+    }
     let fingerprint = Fingerprint::of(&bytes);
     let text = String::from_utf8(bytes).map_err(|error| {
         let byte = error.utf8_error().valid_up_to();

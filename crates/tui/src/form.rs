@@ -13,8 +13,8 @@ use std::{
     ops::Range,
 };
 
-use dalembert_core::{Draft, Entry, FieldError, Shape, Value, ascii, draft, gravity};
-use dalembert_units::{Decimal, Style, write_quantity, write_vector};
+use dalembert_core::{Draft, Entry, Shape, Value, ascii, draft, gravity};
+use dalembert_units::{Decimal, Style, thousands, with_point, write_quantity, write_vector};
 
 pub use edit::{Edit, Sign};
 pub use lines::{BETWEEN, Line, Role, lines};
@@ -146,13 +146,13 @@ impl Form {
         }
     }
 
-    /// Puts a text in place of that of a field; a number alone keeps the unit that is there.
-    pub fn set(&mut self, path: &str, text: String) -> bool {
+    /// Puts a text of a language in place of that of a field; a number alone keeps the unit that is there.
+    pub fn set(&mut self, path: &str, text: String, decimal: Decimal) -> bool {
         let text = match self.draft.at(&self.shape, path) {
             Ok((Draft::Leaf(old), shape)) => {
                 let shape = shape.present();
                 let unit = written_unit(old, &shape);
-                with_unit(text, unit.as_ref(), &shape)
+                with_unit(settled(text, &shape, decimal), unit.as_ref(), &shape)
             }
             _ => text,
         };
@@ -189,20 +189,30 @@ impl Form {
     /// Chooses an alternative of a one-of. Texts of fields that both have are kept, and the alternative that is left
     /// can be come back to.
     pub fn choose(&mut self, path: &str, to: usize) -> bool {
-        let Ok((Draft::OneOf(from, fields), shape)) = self.draft.at(&self.shape, path) else { return false };
+        let Ok((draft, shape)) = self.draft.at(&self.shape, path) else { return false };
         let shape = shape.present();
-        if *from == to {
-            return false;
-        }
-        let (from, old) = (*from, (**fields).clone());
+        let old = match (draft, shape) {
+            (Draft::OneOf(from, _), _) if *from == to => return false,
+            (Draft::OneOf(from, fields), _) => Some((*from, (**fields).clone())),
+            (_, Shape::OneOf(_)) => None,
+            _ => return false,
+        };
         let new = match self.left.get(&(path.to_owned(), to)) {
             Some(kept) => kept.clone(),
-            None => match Draft::alternative(&shape, to) {
-                Draft::OneOf(_, blank) => with_common_texts(*blank, &old, &shape, from, to),
-                _ => return false,
-            },
+            None => {
+                let new = Draft::alternative(&shape, to).with_first_alternatives(&shape);
+                match (new, &old) {
+                    (Draft::OneOf(_, blank), Some((from, old))) => {
+                        with_common_texts(*blank, old, &shape, *from, to)
+                    }
+                    (Draft::OneOf(_, blank), None) => *blank,
+                    _ => return false,
+                }
+            }
         };
-        self.left.insert((path.to_owned(), from), old);
+        if let Some((from, old)) = old {
+            self.left.insert((path.to_owned(), from), old);
+        }
         self.put(Change::Other, path, Draft::OneOf(to, Box::new(new)))
     }
 
@@ -212,13 +222,15 @@ impl Form {
         let next = |at: usize, of: usize| at.checked_add_signed(by).filter(|at| *at < of);
         match &line.role {
             Role::Choice { variants, chosen, .. } => {
-                next(*chosen, variants.len()).is_some_and(|to| self.choose(&line.path, to))
+                let to = chosen.map_or(Some(0), |at| next(at, variants.len()));
+                to.is_some_and(|to| self.choose(&line.path, to))
             }
             Role::Leaf { shape: Shape::Reference(list), text, .. } => {
                 let names = self.names(list);
                 let at = names.iter().position(|name| name == text);
                 let to = at.map_or(Some(0), |at| next(at, names.len()));
-                to.and_then(|to| names.get(to).cloned()).is_some_and(|name| self.set(&line.path, name))
+                to.and_then(|to| names.get(to).cloned())
+                    .is_some_and(|name| self.set(&line.path, name, Decimal::Point))
             }
             Role::Leaf { shape: Shape::Flag, .. } => self.toggle(),
             _ => false,
@@ -231,12 +243,12 @@ impl Form {
         match line.role {
             Role::Leaf { shape: Shape::Flag, ref text, .. } => {
                 let on = matches!(draft::read_leaf(text, &Shape::Flag, ""), Ok(Value::Flag(true)));
-                self.set(&line.path, if on { "no" } else { "yes" }.to_owned())
+                self.set(&line.path, if on { "no" } else { "yes" }.to_owned(), Decimal::Point)
             }
             Role::Absent => self.change(Change::Other, |draft, shape| {
                 let (place, shape) = draft.at_mut(shape, &line.path).ok()?;
-                let blank = Draft::blank(&shape.present());
-                *place = blank;
+                let shape = shape.present();
+                *place = Draft::blank(&shape).with_first_alternatives(&shape);
                 Some(())
             }),
             _ if line.optional => self.leave_out(&line.path),
@@ -276,9 +288,12 @@ impl Form {
         self.left.clear();
         let done = self.change(Change::Other, |draft, shape| {
             let (rows, shape) = rows_mut(draft, shape, &row.list)?;
-            let Shape::Rows { item, .. } = shape else { return None };
+            let Shape::Rows { item, most, .. } = shape else { return None };
             let at = row.at.map_or(rows.len(), |at| at + 1);
-            rows.insert(at.min(rows.len()), Draft::blank(item()));
+            if rows.len() >= most {
+                return None;
+            }
+            rows.insert(at.min(rows.len()), Draft::blank(item()).with_first_alternatives(item()));
             path = format!("{}[{}]", row.list, at + 1);
             Some(())
         });
@@ -363,6 +378,8 @@ impl Form {
         let Some((path, text)) = self.number() else { return false };
         let by = 10_i64.checked_pow(self.place_of_digit(&path)).and_then(|place| tenths.checked_mul(place));
         let Some(text) = by.and_then(|by| nudged(&text, by)) else { return false };
+        // One more of 0,999 kg would be read in two ways.
+        let text = if thousands(&text, ',').is_some() { with_point(&text).into_owned() } else { text };
         self.put(Change::Nudge(path.clone()), &path, Draft::Leaf(text))
     }
 
@@ -399,13 +416,13 @@ impl Form {
     }
 
     /// Writes the field under the cursor in the next unit of its kind.
-    pub fn next_unit(&mut self, decimal: Decimal) -> bool {
+    pub fn next_unit(&mut self) -> bool {
         let Some(Line { path, role: Role::Leaf { text, shape, .. }, .. }) = self.line() else { return false };
         let typed = match self.converted.take() {
             Some(last) if last.path == path && last.shown == text => last.typed,
             _ => text.clone(),
         };
-        let Some(shown) = in_next_unit(&typed, &text, &shape, decimal) else { return false };
+        let Some(shown) = in_next_unit(&typed, &text, &shape) else { return false };
         self.converted = Some(Converted { path: path.clone(), typed, shown: shown.clone() });
         self.put(Change::Unit(path.clone()), &path, Draft::Leaf(shown))
     }
@@ -477,7 +494,7 @@ pub fn echo(text: &str, shape: &Shape, style: Style) -> Option<String> {
     match (draft::read_leaf(text, shape, "").ok()?, shape) {
         (Value::Quantity(quantity), Shape::Quantity(measure)) => {
             let shown = write_quantity(quantity.si, &measure.own_unit(), style);
-            (squeezed(&shown) != squeezed(text) || thousands(text, style).is_some()).then_some(shown)
+            (squeezed(&shown) != squeezed(text) || point_of_thousands(text, style).is_some()).then_some(shown)
         }
         (Value::Vector(vector), Shape::Vector(..)) => {
             let shown = write_vector(vector.si, &vector.unit, style);
@@ -487,32 +504,21 @@ pub fn echo(text: &str, shape: &Shape, style: Style) -> Option<String> {
     }
 }
 
-/// A number of a text that a reader may take for thousands, as `1,500` where a decimal point is usual: one to three digits
-/// that do not begin with 0, the mark that is not the usual one, and three digits. It is read as a decimal mark.
-pub fn thousands(text: &str, style: Style) -> Option<&str> {
-    let mark = match style.decimal {
-        Decimal::Point => ',',
-        Decimal::Comma => '.',
-    };
-    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',');
-    text.split(|c| !is_part(c)).find(|number| {
-        number.split_once(mark).is_some_and(|(head, tail)| {
-            let digits = |part: &str| part.chars().all(|c| c.is_ascii_digit());
-            (1..=3).contains(&head.len())
-                && tail.len() == 3
-                && !head.starts_with('0')
-                && digits(head)
-                && digits(tail)
-        })
-    })
+/// A number of a text that a reader with a decimal comma may take for thousands, as `1.500`. It is read as a decimal
+/// number: files have points.
+pub fn point_of_thousands(text: &str, style: Style) -> Option<&str> {
+    match style.decimal {
+        Decimal::Point => None,
+        Decimal::Comma => thousands(text, '.'),
+    }
 }
 
-/// The errors of the line of a path.
-pub fn errors_of<'e>(
-    errors: impl Iterator<Item = &'e FieldError>,
-    path: &str,
-) -> impl Iterator<Item = &'e FieldError> {
-    errors.filter(move |error| error.path == path)
+/// A number as a draft has it, of what is typed in a language: with a decimal point. Any other text as it is.
+fn settled(text: String, shape: &Shape, decimal: Decimal) -> String {
+    match (shape.present(), decimal) {
+        (Shape::Quantity(_) | Shape::Vector(..), Decimal::Comma) => with_point(&text).into_owned(),
+        _ => text,
+    }
 }
 
 /// A text as it compares: however it is spaced, and whichever way powers and products are written.
@@ -588,7 +594,7 @@ mod tests {
             ("40kg", "kg", None),
             ("0,1 kg*m", "kg*m", None),
             ("10 m/s^2", "m/s^2", None),
-            ("1,500 rpm", "rpm", Some("1.5 rpm")),
+            ("1,500 rpm", "rpm", None),
             ("1.500 rpm", "rpm", Some("1.5 rpm")),
             ("0,500 m", "m", Some("0.5 m")),
             ("nothing", "kg", None),

@@ -302,7 +302,7 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Effect> {
                     || !matches!(requests, [InputRequest::InsertChar(_)]))
                 && handle(&mut edit.input)
             {
-                bench.form.typed();
+                bench.form.typed(model.locale.style.decimal);
                 return bench::changed(model);
             }
         }

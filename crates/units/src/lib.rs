@@ -35,7 +35,10 @@ use scale::Scale;
 pub use crate::{
     dim::Dim,
     kind::Kind,
-    read::{Hint, ReadError, WrongKind, read_any, read_count, read_quantity, read_vector, unit},
+    read::{
+        Hint, ReadError, WrongKind, is_invisible, read_any, read_count, read_quantity, read_vector,
+        thousands, unit, with_point,
+    },
     table::{Spelling, spellings},
     write::{
         Decimal, Style, best_unit, subscript, superscript, write_components, write_number, write_quantity,
@@ -118,6 +121,27 @@ impl Unit {
     /// In ASCII, can be typed: `N*m^2`. Empty for a pure number.
     pub fn ascii(&self) -> String {
         write::unit_text(self, true)
+    }
+
+    /// The coherent SI unit of the same quantity, in ASCII: `N` for `lbf`, `rad/s` for `rpm`, and `1` for a pure number.
+    pub fn coherent(&self) -> String {
+        let sense = if self.sense == Sense::Energy { Sense::Energy } else { Sense::Plain };
+        let kind = Kind::of(&Unit { sense, ..self.clone() });
+        let mut of_kind = kind.units().iter().filter_map(|symbol| unit(symbol).ok());
+        match of_kind.find(|unit| unit.factor == 1.0 && unit.dim == self.dim && unit.sense == sense) {
+            Some(unit) if !unit.text.is_empty() => unit.ascii(),
+            _ if self.dim == Dim::NONE || self.sense == Sense::Level => "1".to_owned(),
+            _ => {
+                let powers = [
+                    ("kg", self.dim.mass),
+                    ("m", self.dim.length),
+                    ("s", self.dim.time),
+                    ("rad", self.dim.angle),
+                ];
+                let powers: Vec<(&str, i8)> = powers.into_iter().filter(|(_, power)| *power != 0).collect();
+                read::compose(&powers)
+            }
+        }
     }
 
     /// As [`ascii`](Self::ascii) or as [`pretty`](Self::pretty).

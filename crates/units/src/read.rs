@@ -17,7 +17,9 @@ use crate::{Kind, Quantity, Sense, Unit};
 use scan::{Cursor, Literal, guard, is_product};
 
 pub use error::{Hint, ReadError, WrongKind};
+pub use scan::{is_invisible, thousands, with_point};
 pub use units::unit;
+pub(crate) use value::compose;
 pub use vector::read_vector;
 
 /// The longest text of a quantity, in characters.
@@ -26,7 +28,8 @@ const LIMIT: usize = 200;
 /// Reads a quantity of a given kind; `bare` is the unit of a number written alone.
 ///
 /// Numbers take `.` or `,` as the decimal mark, `e-6` or `×10⁻⁶`, and arithmetic with `+ - * / ^ ( )`,
-/// `pi` and `sqrt`. Products and quotients of units are as in [`unit()`]. A missing angle is accepted
+/// `pi` and `sqrt`. A text has no language: `1,250`, which is 1250 in one and 1.25 in another, is refused with both
+/// readings; where the language is known, [`with_point`](crate::with_point) goes before. Products and quotients of units are as in [`unit()`]. A missing angle is accepted
 /// (N·m/rad for N·m, 1/s for rad/s); for [`Kind::Other`] and [`Kind::Amplitude`] the dimension is that of `bare`.
 ///
 /// # Errors

@@ -17,14 +17,17 @@ pub struct Impulse {
     /// Body.
     pub body: Body,
     /// Its rotation before.
+    #[input(default = "vector")]
     pub turning: Turning,
     /// Its motion before.
+    #[input(default = "mass-centre")]
     pub going: Going,
     /// Blows.
     pub blows: Vec<Blow>,
     /// Projectiles that stick.
     pub projectiles: Vec<Projectile>,
     /// What holds it from then on.
+    #[input(default = "nothing")]
     pub hold: Hold,
     /// Angular speed that is wanted after.
     /// About an axis, from rest: the mass is found with which the body, in the same shape, turns as fast.
@@ -79,6 +82,7 @@ pub struct Projectile {
     #[input("r_p", "m")]
     pub point: Vector3<f64>,
     /// Its mass afterwards.
+    #[input(default = "kept")]
     pub mass_after: MassAfter,
 }
 

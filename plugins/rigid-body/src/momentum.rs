@@ -18,6 +18,7 @@ pub struct Momentum {
     /// Its rotation.
     pub turning: Turning,
     /// Its motion.
+    #[input(default = "mass-centre")]
     pub going: Going,
     /// Position of a point A.
     /// The angular momentum is also wanted about it.

@@ -24,9 +24,11 @@ use crate::{
 pub struct CompoundLever {
     /// Links from each lever to the next.
     /// None for a single lever.
+    // The second way solves a dense system of three equations for each.
+    #[input(most = 200)]
     pub links: Vec<Link>,
     /// Loads.
-    #[input(min = 1)]
+    #[input(min = 1, most = 200)]
     pub loads: Vec<Load>,
     /// Sought.
     pub sought: Sought,

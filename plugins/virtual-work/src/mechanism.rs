@@ -41,6 +41,7 @@ pub struct Mechanism {
     /// Points whose motion is asked for.
     pub watched: Vec<Watched>,
     /// Range of the first driver in the plots.
+    #[input(default = "turn")]
     pub range: Range,
 }
 

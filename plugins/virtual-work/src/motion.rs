@@ -51,6 +51,7 @@ pub struct Motion {
     #[input("t_e", "s", positive, default = "1 s")]
     pub duration: f64,
     /// What ends the motion before.
+    #[input(default = "nothing")]
     pub end: Ends,
     /// Points whose motion is asked for.
     pub watched: Vec<Followed>,

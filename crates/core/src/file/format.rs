@@ -1,6 +1,7 @@
 //! The formats of problem files. What an older format leaves unsaid is written out as that format has it, so that the
 //! draft, and every file written from it, says the same in the latest one.
 
+use dalembert_units as units;
 use toml_edit::{Item, Table};
 
 use super::{FileError, Reading, span};
@@ -53,20 +54,28 @@ pub(super) fn left_out(draft: &mut Draft, field: &Field, path: &str, reading: &m
         return;
     }
     let gravity = field.default.filter(|_| gravity::is_gravity(field));
-    match field.default_before.or(gravity) {
-        Some(before) => {
-            *draft =
-                draft::written(&field.shape, before, path).unwrap_or_else(|_| Draft::blank(&field.shape));
-            let note = Text::new("{path} is left out: {value}, the default of files without `format = 2`");
-            reading.notes.push(note.with("path", path).with("value", before));
-        }
-        None => left_out_fields(draft, &field.shape, path, reading),
+    if let Some(before) = field.default_before.or(gravity) {
+        *draft = draft::written(&field.shape, before, path)
+            .expect("the default of a field is one of its alternatives, or a text");
+        reading.notes.push(left_out_note(path, before));
     }
+    left_out_fields(draft, &field.shape, path, reading);
 }
 
-/// The same for each field inside a blank draft of a shape.
+/// The same for each field inside a blank draft of a shape. The first format took the first alternative of a choice that
+/// was left out.
 pub(super) fn left_out_fields(draft: &mut Draft, shape: &Shape, path: &str, reading: &mut Reading) {
-    match (shape.present(), draft) {
+    if reading.format >= Format::Second || matches!((shape, &*draft), (Shape::Optional(_), Draft::Absent)) {
+        return;
+    }
+    let shape = &shape.present();
+    if let (Shape::OneOf(variants), Draft::Absent) = (shape, &*draft)
+        && let Some(first) = variants().first()
+    {
+        *draft = Draft::alternative(shape, 0);
+        reading.notes.push(left_out_note(path, first.name));
+    }
+    match (shape, draft) {
         (Shape::Group(fields), Draft::Group(drafts)) => {
             for (field, draft) in fields().iter().zip(drafts) {
                 left_out(draft, field, &format!("{path}.{}", field.name), reading);
@@ -107,4 +116,22 @@ pub(super) fn table_text(
         }
         None => text,
     }
+}
+
+fn left_out_note(path: &str, value: &str) -> Text {
+    Text::new("{path} is left out: {value}, the default of files without `format = 2`")
+        .with("path", path)
+        .with("value", value)
+}
+
+/// A number of a file of the first format, in which a comma before three digits was a decimal mark.
+pub(super) fn with_decimal_commas(text: String, shape: &Shape, path: &str, reading: &mut Reading) -> String {
+    let is_number = matches!(shape, Shape::Quantity(_) | Shape::Vector(..));
+    if reading.format >= Format::Second || !is_number || units::thousands(&text, ',').is_none() {
+        return text;
+    }
+    let pointed = units::with_point(&text).into_owned();
+    let note = Text::new("{path} = {text}: read as {value}, as in every file without `format = 2`");
+    reading.notes.push(note.with("path", path).with("text", text).with("value", &pointed));
+    pointed
 }

@@ -104,9 +104,9 @@ impl Writer<'_> {
             }),
             Shape::Group(fields) => self.defined(shape, name, |writer| writer.group(fields())),
             Shape::OneOf(variants) => self.defined(shape, name, |writer| writer.one_of(variants())),
-            Shape::Rows { item, min } => {
+            Shape::Rows { item, min, most } => {
                 let items = self.shape(item(), name);
-                json!({ "type": "array", "minItems": min, "items": items })
+                json!({ "type": "array", "minItems": min, "maxItems": most, "items": items })
             }
             Shape::Optional(inner) => self.shape(inner(), name),
         }

@@ -183,8 +183,10 @@ impl Lister<'_> {
             }
             Shape::OneOf(_) => "one of".into(),
             Shape::Group(_) => "these".into(),
-            Shape::Rows { min: 0, .. } => "rows".into(),
-            Shape::Rows { min, .. } => Text::new("rows, at least {min}").with("min", min),
+            Shape::Rows { min: 0, most, .. } => Text::new("rows, at most {most}").with("most", most),
+            Shape::Rows { min, most, .. } => {
+                Text::new("rows, {min} to {most}").with("min", min).with("most", most)
+            }
             Shape::Table(columns) => {
                 Text::new("a table, as lines of numbers under the heading \"{heading}\", with the columns")
                     .with("heading", table::heading(columns()))
@@ -328,8 +330,8 @@ fn shape(shape: &Shape, locale: &Locale, path: &str, described: &mut Described) 
         Shape::Group(inner) => {
             json!({ "kind": "group", "fields": fields(inner(), locale, &format!("{path}."), described) })
         }
-        Shape::Rows { item, min } => {
-            json!({ "kind": "rows", "min": min, "item": self::shape(item(), locale, &format!("{path}[n]"), described) })
+        Shape::Rows { item, min, most } => {
+            json!({ "kind": "rows", "min": min, "most": most, "item": self::shape(item(), locale, &format!("{path}[n]"), described) })
         }
         Shape::Table(columns) => {
             json!({ "kind": "table", "columns": fields(columns(), locale, &format!("{path}."), described) })

@@ -3,23 +3,25 @@
 use std::{ffi::OsStr, path::Path, process::ExitCode};
 
 use dalembert_core::{Locale, Text};
-use dalembert_report::{Paper, Worked, csv, csv_tables, document, json, show_answer_in, text};
-use dalembert_tui::{
-    files::{self, Before},
-    glyphs::filter_untrusted,
-};
+use dalembert_report::{Paper, Worked, csv, csv_tables, document, json, json_text, show_answer_in, text};
+use dalembert_tui::glyphs::filter_untrusted;
 
 use crate::{
     arguments::{Format, Solve},
     console::{Console, print},
     failure::Failure,
-    problem::{self, Problem},
+    output,
+    problem::{self, Asked, Problem},
     solving,
 };
 
 /// Solves a problem and prints what came of it.
 pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure> {
-    let mut problem = problem::read(&solve.problem, solve.case, &solve.set, console)?;
+    if let Some(output) = &solve.output {
+        output::allowed(output, Path::new(&solve.problem), solve.force)?;
+    }
+    let asked = Asked { named: &solve.problem, case: solve.case, changes: &solve.set, strict: solve.strict };
+    let mut problem = problem::read(&asked, console)?;
     for asked in &solve.unit {
         let (answer, unit) = asked.split_once('=').ok_or_else(|| {
             let why = Text::new("--unit {asked}: write an answer and a unit, as in --unit amplitude=um");
@@ -38,7 +40,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         Format::Latex => Paper::Latex,
         Format::Typst => Paper::Typst,
         Format::Json => {
-            put(solve, &format!("{:#}\n", json(&worked, &locale)))?;
+            put(solve, &json_text(&json(&worked, &locale)))?;
             return status(&worked);
         }
         Format::Csv => {
@@ -55,8 +57,14 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         _ if paper == Paper::Text => put(solve, &text(&document, console.width))?,
         None => print(&paper.write(&document, None, &locale))?,
         Some(path) => {
-            for (name, text) in paper.files(&document, path, &locale).unwrap_or_default() {
-                files::save(&path.with_file_name(name), &text, Before::Whatever)?;
+            let files = paper.files(&document, path, &locale).unwrap_or_default();
+            let files: Vec<_> =
+                files.into_iter().map(|(name, text)| (path.with_file_name(name), text)).collect();
+            for (file, _) in &files {
+                output::allowed(file, Path::new(&solve.problem), solve.force)?;
+            }
+            for (file, text) in &files {
+                output::write(file, text, solve.force)?;
             }
         }
     }
@@ -82,7 +90,7 @@ fn format(solve: &Solve) -> Format {
 /// Writes a text to the file that is asked for, or prints it.
 fn put(solve: &Solve, text: &str) -> Result<(), Failure> {
     match &solve.output {
-        Some(path) => files::save(path, text, Before::Whatever).map(drop).map_err(Failure::File),
+        Some(path) => output::write(path, text, solve.force),
         None => print(text),
     }
 }
@@ -112,6 +120,7 @@ fn worked<'p>(problem: &'p Problem, outcome: &'p solving::Outcome) -> Worked<'p>
         case: &problem.name,
         source: &problem.source,
         note: &problem.note,
+        notes: &problem.notes,
         draft: &problem.draft,
         record: &problem.record,
         outcome: outcome.as_ref(),

@@ -9,7 +9,12 @@ use dalembert_core::{Text, file, find};
 use dalembert_tui::{Options, settings::Settings};
 
 use crate::{
-    Set, arguments::Arguments, commands::solve::print_worked, console::Console, failure::Failure, problem,
+    Set,
+    arguments::Arguments,
+    commands::solve::print_worked,
+    console::Console,
+    failure::Failure,
+    problem::{self, Asked},
 };
 
 /// The problem that the workbench opens on, and that is printed where there is no terminal, when none is named.
@@ -19,7 +24,8 @@ const FIRST: &str = "vibration/rotating-unbalance";
 pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, Failure> {
     let named = arguments.problem.as_deref();
     if !console.interactive {
-        return print_worked(&problem::read(named.unwrap_or(FIRST), None, &[], console)?, console);
+        let asked = Asked { named: named.unwrap_or(FIRST), case: None, changes: &[], strict: false };
+        return print_worked(&problem::read(&asked, console)?, console);
     }
     if let Some(path) = &arguments.record {
         can_be_recorded(path)?;

@@ -93,7 +93,7 @@ pub(super) fn save_with(
 
     // Dropped on any error below, which removes it.
     let mut file = step(Step::Create)
-        .and_then(|()| temporary(folder))
+        .and_then(|()| temporary(folder, if old.is_some() { 0o600 } else { 0o666 }))
         .map_err(failed("write in the folder of", path))?;
     for part in text.as_bytes().chunks(64 * 1024) {
         step(Step::Write).and_then(|()| file.write_all(part)).map_err(failed("write", path))?;
@@ -113,6 +113,7 @@ pub(super) fn save_with(
             io::ErrorKind::AlreadyExists => FileError::Exists(path.to_owned()),
             _ => failed("replace", path)(error),
         })?;
+    remove_strays(folder);
     step(Step::SyncFolder).and_then(|()| sync_folder(folder)).map_err(failed("make sure of", path))?;
     Ok(Fingerprint::of(text.as_bytes()))
 }
@@ -139,12 +140,13 @@ pub(super) fn remove_strays_older(folder: &Path, age: Duration) -> usize {
 }
 
 /// A new file beside the target that nobody else has: random name, created exclusively, with the process in its name.
-fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
+/// One that takes the place of another is its owner's alone until it has the permissions of that one.
+fn temporary(folder: &Path, mode: u32) -> io::Result<NamedTempFile> {
     tempfile::Builder::new()
         .prefix(&format!("{PREFIX}{}-", std::process::id()))
         .suffix(SUFFIX)
-        // As for any new file: the system takes the umask away.
-        .permissions(Permissions::from_mode(0o666))
+        // The system takes the umask away.
+        .permissions(Permissions::from_mode(mode))
         .tempfile_in(folder)
 }
 
@@ -173,7 +175,7 @@ fn resolve(path: &Path) -> Result<(PathBuf, Option<Permissions>), FileError> {
     }
 }
 
-fn folder_of(path: &Path) -> &Path {
+pub(super) fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),

@@ -222,6 +222,51 @@ fn strays_of_the_dead_are_removed_and_nothing_else() {
     assert_eq!(names(folder.path()).len(), 4);
 }
 
+#[test]
+fn strays_beside_a_file_go_when_it_is_opened_or_saved() {
+    let folder = folder();
+    let path = folder.path().join("fan.toml");
+    save(&path, "mass", Before::Absent).unwrap();
+    let dead = dead_process();
+    let stray = folder.path().join(format!(".dalembert-{dead}-abc.tmp"));
+    let old = std::time::SystemTime::now() - Duration::from_mins(2);
+    let uses: [&dyn Fn(&Path); 2] =
+        [&|path| drop(read(path)), &|path| drop(save(path, "m", Before::Whatever))];
+    for use_it in uses {
+        fs::write(&stray, "mass").unwrap();
+        use_it(&path);
+        assert!(stray.exists(), "a save may be under way");
+        fs::File::options().write(true).open(&stray).unwrap().set_modified(old).unwrap();
+        use_it(&path);
+        assert_eq!(names(folder.path()), ["fan.toml"]);
+    }
+}
+
+#[test]
+fn a_private_file_is_private_while_it_is_written() {
+    let folder = folder();
+    let path = folder.path().join("fan.toml");
+    fs::write(&path, "old").unwrap();
+    for mode in [0o600, 0o664] {
+        fs::set_permissions(&path, Permissions::from_mode(mode)).unwrap();
+        let mut seen = Vec::new();
+        let mut step = |step| {
+            if step != Create {
+                let modes = fs::read_dir(folder.path()).unwrap().map(|entry| {
+                    let entry = entry.unwrap();
+                    let is_temporary = entry.path() != path;
+                    is_temporary.then(|| entry.metadata().unwrap().permissions().mode() & 0o777)
+                });
+                seen.extend(modes.flatten().map(|mode| (step, mode)));
+            }
+            Ok(())
+        };
+        save_with(&path, "new", Before::Whatever, &mut step).unwrap();
+        assert_eq!(seen, [(Write, 0o600), (Permit, 0o600), (Sync, mode), (Rename, mode)]);
+        assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, mode);
+    }
+}
+
 /// The number of a process that has ended.
 fn dead_process() -> u32 {
     let mut child = Command::new("true").spawn().unwrap();

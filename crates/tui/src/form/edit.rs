@@ -1,11 +1,11 @@
 //! Typing in a field.
 
 use dalembert_core::{Draft, Shape};
-use dalembert_units::Unit;
+use dalembert_units::{Decimal, Unit};
 use tui_input::Input;
 
 use super::{
-    Change, Form, Line, Role,
+    Change, Form, Line, Role, settled,
     units::{with_unit, written_unit},
 };
 
@@ -42,19 +42,22 @@ impl Form {
         let input = Input::new(text.unwrap_or(old));
         self.edit = Some(Edit { path, input, before: self.draft.clone(), unit });
         if replaced {
-            self.typed();
+            self.typed(Decimal::Point);
         }
         true
     }
 
-    /// Takes the text of the edit into the draft: as it is typed, a number alone in the unit that was there.
-    pub fn typed(&mut self) {
+    /// Takes the text of the edit into the draft, with a decimal point: a number alone in the unit that was there.
+    pub fn typed(&mut self, decimal: Decimal) {
         let Some(edit) = &self.edit else { return };
         // From how it was before: what follows a name follows from what the row was called then.
         self.draft.clone_from(&edit.before);
         let text = edit.input.value().to_owned();
         let text = match self.draft.at(&self.shape, &edit.path) {
-            Ok((_, shape)) => with_unit(text, edit.unit.as_ref(), &shape.present()),
+            Ok((_, shape)) => {
+                let shape = shape.present();
+                with_unit(settled(text, &shape, decimal), edit.unit.as_ref(), &shape)
+            }
             Err(_) => text,
         };
         // What is edited is a leaf of the draft.

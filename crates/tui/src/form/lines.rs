@@ -43,8 +43,8 @@ pub enum Role {
     Choice {
         /// The alternatives.
         variants: &'static [Variant],
-        /// The chosen one.
-        chosen: usize,
+        /// The chosen one; `None` where none is chosen yet.
+        chosen: Option<usize>,
     },
     /// The heading of a list.
     Rows {
@@ -59,8 +59,8 @@ impl PartialEq for Line {
     fn eq(&self, other: &Self) -> bool {
         let same_role = match (&self.role, &other.role) {
             (Role::Leaf { text: a, .. }, Role::Leaf { text: b, .. }) => a == b,
-            (Role::Choice { chosen: a, .. }, Role::Choice { chosen: b, .. })
-            | (Role::Rows { count: a }, Role::Rows { count: b })
+            (Role::Choice { chosen: a, .. }, Role::Choice { chosen: b, .. }) => a == b,
+            (Role::Rows { count: a }, Role::Rows { count: b })
             | (Role::Table { lines: a }, Role::Table { lines: b }) => a == b,
             // The lines of the row follow, and tell.
             (Role::Group { .. }, Role::Group { .. }) | (Role::Absent, Role::Absent) => true,
@@ -107,7 +107,7 @@ fn push(mut line: Line, shape: &Shape, draft: &Draft, lines: &mut Vec<Line>) {
         }
         (Shape::OneOf(variants), Draft::OneOf(chosen, inner)) => {
             let variants = variants();
-            lines.push(Line { role: Role::Choice { variants, chosen: *chosen }, ..line });
+            lines.push(Line { role: Role::Choice { variants, chosen: Some(*chosen) }, ..line });
             if let (Some(variant), Draft::Group(drafts)) = (variants.get(*chosen), &**inner) {
                 push_fields(
                     (variant.fields)(),
@@ -117,6 +117,9 @@ fn push(mut line: Line, shape: &Shape, draft: &Draft, lines: &mut Vec<Line>) {
                     lines,
                 );
             }
+        }
+        (Shape::OneOf(variants), _) => {
+            lines.push(Line { role: Role::Choice { variants: variants(), chosen: None }, ..line });
         }
         (Shape::Rows { item, .. }, Draft::Rows(rows)) => {
             lines.push(Line { role: Role::Rows { count: rows.len() }, ..line });

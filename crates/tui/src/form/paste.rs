@@ -1,8 +1,9 @@
 //! A block of cells that is pasted on rows, as from a spreadsheet.
 
 use dalembert_core::{Draft, Shape};
+use dalembert_units::Decimal;
 
-use super::{Change, Form, Line, Role, as_line, lines::lines, row_of, rows_mut};
+use super::{Change, Form, Line, Role, as_line, lines::lines, row_of, rows_mut, settled};
 
 /// So many rows are filled at once: more numbers than these belong in a table.
 const MOST_ROWS: usize = 1_000;
@@ -26,7 +27,7 @@ impl Form {
     /// Fills rows with the cells of a pasted text: from the field under the cursor down and to the right, on the heading
     /// of a list from its first field. Rows are added as they are needed. `None` where the cursor is in no list, or
     /// what is pasted is one cell for one field.
-    pub fn fill(&mut self, pasted: &str) -> Option<Filled> {
+    pub fn fill(&mut self, pasted: &str, decimal: Decimal) -> Option<Filled> {
         let line = self.line()?;
         let on_list = matches!(line.role, Role::Rows { .. });
         let text = pasted.replace("\r\n", "\n").replace('\r', "\n");
@@ -55,16 +56,22 @@ impl Form {
         self.left.clear();
         filled.changed = self.change(Change::Other, |draft, shape| {
             let (rows, of) = rows_mut(draft, shape, &list)?;
-            let Shape::Rows { item, .. } = of else { return None };
+            let Shape::Rows { item, most, .. } = of else { return None };
+            let taken = block.len().min(most.saturating_sub(first));
+            filled.lines += block.len() - taken;
+            block.truncate(taken);
             while rows.len() < first + block.len() {
-                rows.push(Draft::blank(item()));
+                rows.push(Draft::blank(item()).with_first_alternatives(item()));
             }
             let all = lines(shape, draft);
             for (n, cells) in block.iter().enumerate() {
                 let fields = fields_of(&all, &list, first + n);
                 for (k, cell) in cells.iter().enumerate() {
                     match fields.get(column + k) {
-                        Some((path, _)) => *draft.at_mut(shape, path).ok()?.0 = Draft::Leaf(cell.clone()),
+                        Some((path, of)) => {
+                            let text = settled(cell.clone(), of, decimal);
+                            *draft.at_mut(shape, path).ok()?.0 = Draft::Leaf(text);
+                        }
                         // A line may end in separators.
                         None => filled.cells += usize::from(!cell.is_empty()),
                     }

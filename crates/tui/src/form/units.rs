@@ -1,14 +1,14 @@
 //! A quantity in the next unit of its kind; a number alone in the unit that is there.
 
 use dalembert_core::{Shape, Value, draft};
-use dalembert_units::{self as units, Decimal, Kind, Style, Unit};
+use dalembert_units::{self as units, Kind, Style, Unit};
 
 /// Digits of a value that is written in another unit.
 const CONVERTED_DIGITS: u8 = 9;
 
 /// What was typed, in the unit after that of what is shown; in its own unit, as it was typed.
-pub(super) fn in_next_unit(typed: &str, shown: &str, shape: &Shape, decimal: Decimal) -> Option<String> {
-    let style = Style { digits: CONVERTED_DIGITS, decimal, ascii: true };
+pub(super) fn in_next_unit(typed: &str, shown: &str, shape: &Shape) -> Option<String> {
+    let style = Style { digits: CONVERTED_DIGITS, ascii: true, ..Style::default() };
     let next = |unit: &Unit, kind: Kind| {
         let all = kind.units();
         let at = all.iter().position(|known| units::unit(known).is_ok_and(|known| same(&known, unit)));
@@ -104,21 +104,19 @@ mod tests {
     fn a_unit_goes_round_and_comes_back_as_it_was_typed() {
         let shape =
             Shape::Quantity(Measure { unit: "rad/s", kind: None, min: Limit::None, max: Limit::None });
-        let mut shown = "1000,0 rpm".to_owned();
+        let mut shown = "1000.0 rpm".to_owned();
         let mut seen = Vec::new();
         loop {
-            shown = in_next_unit("1000,0 rpm", &shown, &shape, Decimal::Comma)
-                .expect("an angular velocity has many units");
-            assert!(!shown.contains('.'), "{shown}");
+            shown = in_next_unit("1000.0 rpm", &shown, &shape).expect("an angular velocity has many units");
             let Ok(Value::Quantity(read)) = draft::read_leaf(&shown, &shape, "") else { panic!("{shown}") };
             assert!((read.si / 104.719_755_119_66 - 1.0).abs() < 1e-8, "{shown}");
             seen.push(read.unit.ascii());
-            if shown == "1000,0 rpm" {
+            if shown == "1000.0 rpm" {
                 break;
             }
         }
         assert_eq!(seen, ["Hz", "rev/s", "deg/s", "rad/s", "rpm"]);
-        assert_eq!(in_next_unit("far", "far", &shape, Decimal::Point), None);
+        assert_eq!(in_next_unit("far", "far", &shape), None);
     }
 
     #[test]

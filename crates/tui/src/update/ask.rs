@@ -1,6 +1,7 @@
 //! Keys of what is asked of a problem: the person's own answers, which input matters, studies.
 
 use dalembert_core::{Refusal, SolveError, check::Verdict, is_within, vary};
+use dalembert_units::{Decimal, with_point};
 use ratatui::crossterm::event::{KeyCode, KeyEvent};
 use tui_input::{Input, InputRequest};
 
@@ -70,6 +71,10 @@ pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
 pub(super) fn typed(model: &mut Model) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let Some(text) = bench.ask.edit.as_ref().map(|input| input.value().to_owned()) else { return Vec::new() };
+    let text = match model.locale.style.decimal {
+        Decimal::Comma => with_point(&text).into_owned(),
+        Decimal::Point => text,
+    };
     match bench.cell() {
         Some(CellOf::Answer(name)) => bench.ask.check.set(&name, text),
         Some(CellOf::Tolerance(path)) => {

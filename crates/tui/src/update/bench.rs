@@ -9,6 +9,7 @@ use std::path::PathBuf;
 
 use dalembert_core::{Draft, Shape, Text, file};
 use dalembert_report::show_answer_in;
+use dalembert_units::Decimal;
 use ratatui::{
     crossterm::event::{KeyCode, KeyEvent, KeyModifiers},
     layout::Rect,
@@ -120,12 +121,12 @@ pub(super) fn changed(model: &mut Model) -> Vec<Effect> {
     ask::forget(bench);
     match bench.form.draft.read(&bench.entry.shape()) {
         Ok(record) => {
-            bench.errors.clear();
+            bench.find_wrong(Vec::new());
             bench.found.state = State::Solving(generation);
             effects.push(Effect::Solve(Job { generation, work: Work::Solve(bench.entry, record) }));
         }
         Err(errors) => {
-            bench.errors = errors;
+            bench.find_wrong(errors);
             bench.found.state = State::Unread;
         }
     }
@@ -146,6 +147,7 @@ fn stop(model: &mut Model) -> Vec<Effect> {
     let asked = ask::stop(bench);
     if matches!(bench.found.state, State::Solving(_)) {
         bench.found.state = State::Stopped;
+        bench.found.hidden |= !bench.is_near_the_solved();
         model.say("the solve is stopped; the next change of an input solves again");
     } else if let Some(tab) = asked {
         let said = Text::new("{tab} is stopped; the next change there begins it again");
@@ -185,9 +187,13 @@ pub(super) fn take(bench: &mut Bench, outcome: Outcome) {
                 let _ = solution.as_mut().map(|solution| show_answer_in(solution, answer, display));
             }
             bench.found.solution = solution.or(bench.found.solution.take());
-            bench.found.failure = None;
+            bench.found.of = Some(bench.form.draft.clone());
+            (bench.found.failure, bench.found.hidden) = (None, false);
         }
-        Err(failure) => bench.found.failure = Some(failure),
+        Err(failure) => {
+            bench.found.hidden |= !bench.is_near_the_solved();
+            bench.found.failure = Some(failure);
+        }
     }
     if !bench.tabs().contains(&bench.tab) {
         bench.tab = Tab::Results;
@@ -275,7 +281,11 @@ pub(super) fn table_read(model: &mut Model, field: &str, result: Result<String, 
             if asked.is_some() {
                 model.dialog = None;
             }
-            after(model, |bench| bench.form.set(field, text), "the table holds this file already")
+            after(
+                model,
+                |bench| bench.form.set(field, text, Decimal::Point),
+                "the table holds this file already",
+            )
         }
         // The path stays there to be put right.
         (Err(err), Some(error)) => {
@@ -325,6 +335,7 @@ pub(super) fn import(model: &mut Model, typed: &str) -> Vec<Effect> {
 
 /// A text pasted on a field takes its place.
 pub(super) fn paste(model: &mut Model, text: &str) -> Vec<Effect> {
+    let decimal = model.locale.style.decimal;
     let Some(bench) = &mut model.bench else { return Vec::new() };
     match bench.form.line().map(|line| (line.path, line.role)) {
         Some((path, Role::Table { .. })) => {
@@ -333,10 +344,10 @@ pub(super) fn paste(model: &mut Model, text: &str) -> Vec<Effect> {
             }
             let mut sheet = Sheet::new(path.clone(), "");
             sheet.insert(text);
-            after(model, |bench| bench.form.set(&path, sheet.text()), "")
+            after(model, |bench| bench.form.set(&path, sheet.text(), Decimal::Point), "")
         }
         Some((_, role)) if !matches!(role, Role::Leaf { .. }) || text.trim().contains(['\n', '\r', '\t']) => {
-            match bench.form.fill(text) {
+            match bench.form.fill(text, decimal) {
                 Some(filled) => told_filled(model, filled),
                 None => paste_on_field(model, text),
             }
@@ -375,6 +386,7 @@ fn told_filled(model: &mut Model, filled: Filled) -> Vec<Effect> {
 
 /// A text as the one line of the field under the cursor.
 fn paste_on_field(model: &mut Model, text: &str) -> Vec<Effect> {
+    let decimal = model.locale.style.decimal;
     let Some(bench) = &mut model.bench else { return Vec::new() };
     match bench.form.line().map(|line| (line.path, line.role)) {
         Some((path, Role::Leaf { .. })) => {
@@ -382,7 +394,7 @@ fn paste_on_field(model: &mut Model, text: &str) -> Vec<Effect> {
             if cut {
                 model.complain(too_long());
             }
-            after(model, |bench| bench.form.set(&path, line), "")
+            after(model, |bench| bench.form.set(&path, line, decimal), "")
         }
         _ => Vec::new(),
     }
@@ -402,7 +414,6 @@ fn after(model: &mut Model, change: impl FnOnce(&mut Bench) -> bool, nothing: &'
 
 fn form(model: &mut Model, action: Action) -> Vec<Effect> {
     let page = isize::try_from(model.size.1.saturating_sub(6).max(1)).unwrap_or(1);
-    let decimal = model.locale.style.decimal;
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let form = &mut bench.form;
     match action {
@@ -425,7 +436,7 @@ fn form(model: &mut Model, action: Action) -> Vec<Effect> {
             return after(model, |bench| bench.form.nudge(tenths), "this is no number with a last digit");
         }
         Action::NextUnit => {
-            return after(model, |bench| bench.form.next_unit(decimal), "this has no other unit");
+            return after(model, |bench| bench.form.next_unit(), "this has no other unit");
         }
         Action::FoldRow | Action::FoldRows => {
             let folds = if action == Action::FoldRow { form.fold_row() } else { form.fold_rows() };
@@ -493,7 +504,7 @@ fn enter(model: &mut Model) -> Vec<Effect> {
                     value: Chosen::Alternative(at),
                 })
                 .collect();
-            model.dialog = Some(Dialog::Choice { path, options, chosen });
+            model.dialog = Some(Dialog::Choice { path, options, chosen: chosen.unwrap_or(0) });
         }
         Role::Rows { .. } => return after(model, |bench| bench.form.add_row(), ""),
         Role::Group { .. } => {

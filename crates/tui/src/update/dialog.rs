@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use dalembert_core::Text;
+use dalembert_units::Decimal;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::{act as act_there, ask, bench, export, files, problems};
@@ -113,7 +114,10 @@ pub(super) fn close(model: &mut Model) -> Vec<Effect> {
             if let Some(effect) = bench::file_of_table(model, &sheet.path, &sheet.text()) {
                 return vec![effect];
             }
-            let done = model.bench.as_mut().is_some_and(|bench| bench.form.set(&sheet.path, sheet.text()));
+            let done = model
+                .bench
+                .as_mut()
+                .is_some_and(|bench| bench.form.set(&sheet.path, sheet.text(), Decimal::Point));
             if done { bench::changed(model) } else { Vec::new() }
         }
         Some(Dialog::Prompt { .. } | Dialog::Ask { .. }) => {
@@ -152,7 +156,7 @@ fn enter(model: &mut Model) -> Vec<Effect> {
             let Some(bench) = &mut model.bench else { return Vec::new() };
             let done = match options.into_iter().nth(chosen).map(|choice| choice.value) {
                 Some(Chosen::Alternative(at)) => bench.form.choose(&path, at),
-                Some(Chosen::Text(text)) => bench.form.set(&path, text),
+                Some(Chosen::Text(text)) => bench.form.set(&path, text, Decimal::Point),
                 None => false,
             };
             if done { bench::changed(model) } else { Vec::new() }

@@ -172,6 +172,7 @@ fn files(bench: &Bench, paper: Paper, path: &Path, locale: &Locale) -> Option<Ve
         case: &title,
         source: case.map_or(&none, |case| &case.source),
         note: case.map_or(&none, |case| &case.note),
+        notes: &bench.notes,
         draft: &bench.form.draft,
         record: &record,
         outcome: Ok(bench.found.solution.as_ref()?),

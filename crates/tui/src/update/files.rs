@@ -147,7 +147,12 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
                 model.problems().into_iter().find(of_file).map(|bench| (bench.number, bench.is_unsaved()));
             bench.file = Some(OpenFile { path, text: opened.text, fingerprint: Some(opened.fingerprint) });
             match open {
-                None => problems::open(model, bench),
+                None => {
+                    let notes = bench.notes.clone();
+                    let effects = problems::open(model, bench);
+                    tell(model, &notes);
+                    effects
+                }
                 Some((number, unsaved)) => {
                     let mut effects = problems::bring(model, number);
                     if unsaved && !reloading {
@@ -165,6 +170,18 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
             let lines = faults(model, &opened.text, &errors);
             model.dialog = Some(Dialog::Message { title, lines });
             super::picker::preview(model)
+        }
+    }
+}
+
+/// Says how a file of an older format was read.
+fn tell(model: &mut Model, notes: &[Text]) {
+    match notes {
+        [] => {}
+        [note] => model.say(note.clone()),
+        [note, more @ ..] => {
+            let said = Text::new("{note}; and {more} more of this kind").with_text("note", note.clone());
+            model.say(said.with("more", more.len()));
         }
     }
 }
@@ -305,7 +322,7 @@ pub(super) fn bench_of(model: &Model, problem: Problem) -> Bench {
     let title = if named.is_some() { String::new() } else { problem.title };
     let mut bench = Bench::new(problem.entry, title, problem.draft, cases);
     bench.origin = named;
-    bench.show = problem.show;
+    (bench.show, bench.notes) = (problem.show, problem.notes);
     bench
 }
 

@@ -242,12 +242,13 @@ fn about_field(model: &Model, bench: &Bench) -> String {
     let mut parts = Vec::new();
     let label = say(line.field.label);
     match &line.role {
-        Role::Choice { variants, chosen } => {
-            let variant = variants.get(*chosen);
-            parts
-                .push(format!("{label}: {}", variant.map_or_else(String::new, |variant| say(variant.label))));
-            parts.extend(variant.map(|variant| say(variant.help)));
-        }
+        Role::Choice { variants, chosen } => match chosen.and_then(|at| variants.get(at)) {
+            Some(variant) => parts.extend([format!("{label}: {}", say(variant.label)), say(variant.help)]),
+            None => {
+                let choose = Text::new("{key} opens the choices").with("key", key(Action::Enter));
+                parts.extend([label, choose.render(&model.locale)]);
+            }
+        },
         Role::Rows { .. } => {
             let add = Text::new("{key} adds a row").with("key", key(Action::AddRow)).render(&model.locale);
             parts.extend([label, say(line.field.help), add]);
@@ -282,9 +283,10 @@ fn about_field(model: &Model, bench: &Bench) -> String {
         Role::Group { .. } => parts.extend([label, say(line.field.help)]),
         Role::Leaf { shape, text } => {
             let echo = form::echo(text, shape, model.locale.style);
-            let thousands = form::thousands(text, model.locale.style);
+            let edited = bench.form.edit.as_ref().map(|edit| edit.input.value());
+            let thousands = form::point_of_thousands(edited.unwrap_or(text), model.locale.style);
             // A number that is typed alone has a unit in the draft that is not on the screen.
-            let typed = bench.form.edit.as_ref().is_some_and(|edit| edit.input.value() != text);
+            let typed = edited.is_some_and(|edited| edited != text);
             parts.extend(match thousands {
                 Some(number) => Some(
                     Text::new(

@@ -1,8 +1,11 @@
 //! The inputs.
 
-use std::ops::Range;
+use std::{
+    collections::{HashMap, HashSet},
+    ops::Range,
+};
 
-use dalembert_core::{FieldError, Shape, Text, Value, draft, is_within};
+use dalembert_core::{FieldError, Shape, Text, Value, draft};
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -17,7 +20,7 @@ use super::{
 };
 use crate::{
     bench::{Bench, Focus},
-    form::{self, BETWEEN, Line, Role, errors_of},
+    form::{self, BETWEEN, Line, Role},
     glyphs::filter_untrusted,
     layout,
     look::{Glyph, Look},
@@ -45,6 +48,42 @@ enum Filled {
     Wrong,
     /// It is still empty.
     Needed,
+}
+
+/// What is wrong with the inputs, by their paths.
+struct Faults<'b> {
+    wrong: HashMap<&'b str, Vec<&'b FieldError>>,
+    needed: HashSet<&'b str>,
+    /// The paths of everything that something wrong or needed lies within.
+    around_wrong: HashSet<&'b str>,
+    around_needed: HashSet<&'b str>,
+}
+
+impl<'b> Faults<'b> {
+    fn of(bench: &'b Bench) -> Self {
+        let around = |path: &'b str| {
+            path.match_indices(['.', '[']).map(|(at, _)| &path[..at]).chain([path]).collect::<Vec<_>>()
+        };
+        let mut wrong: HashMap<&str, Vec<&FieldError>> = HashMap::new();
+        for error in bench.wrong() {
+            wrong.entry(&error.path).or_default().push(error);
+        }
+        Self {
+            wrong,
+            needed: bench.needed().map(|error| error.path.as_str()).collect(),
+            around_wrong: bench.wrong().flat_map(|error| around(&error.path)).collect(),
+            around_needed: bench.needed().flat_map(|error| around(&error.path)).collect(),
+        }
+    }
+
+    /// Whether a line, or what is folded into it, is wrong, and whether it is needed.
+    fn at(&self, path: &str, folded: bool) -> (bool, bool) {
+        if folded {
+            (self.around_wrong.contains(path), self.around_needed.contains(path))
+        } else {
+            (self.wrong.contains_key(path), self.needed.contains(path))
+        }
+    }
 }
 
 /// The cells of the columns.
@@ -80,7 +119,8 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
     let laid = Laid::of(model, bench, area);
     let height = usize::from(laid.inner.height);
     super::draw_lines(&laid.rows, laid.first, laid.inner, buffer);
-    scroll_mark(laid.first, height, laid.rows.len(), look, area, buffer);
+    let (before, after) = laid.outside;
+    scroll_mark(before + laid.first, height, before + laid.rows.len() + after, look, area, buffer);
     let (row, column) = laid.cursor?;
     let y = row.checked_sub(laid.first).filter(|y| *y < height)?;
     Some(Position::new(
@@ -98,6 +138,7 @@ pub(super) fn line_at(model: &Model, bench: &Bench, area: Rect, at: Position) ->
 
 /// The form as it is drawn.
 struct Laid {
+    /// Those of the lines near the cursor: a form may have thousands of others.
     rows: Vec<Shown<'static>>,
     /// The line that each row belongs to.
     owners: Vec<usize>,
@@ -105,6 +146,8 @@ struct Laid {
     cursor: Option<(usize, usize)>,
     /// The first row that is seen.
     first: usize,
+    /// So many lines come before the rows, and so many after.
+    outside: (usize, usize),
     inner: Rect,
 }
 
@@ -122,27 +165,31 @@ impl Laid {
         let mut owners = Vec::new();
         let mut cursor = None;
         let (mut begin, mut end) = (0, 0);
-        for (n, line) in lines.iter().enumerate() {
+        let faults = Faults::of(bench);
+        let height = usize::from(inner.height);
+        // Every line has a row at least, so that no line further from the cursor is seen.
+        let (from, to) = (bench.form.cursor.saturating_sub(height), bench.form.cursor + height + 1);
+        let outside = (from, lines.len().saturating_sub(to));
+        for (n, line) in lines.iter().enumerate().take(to).skip(from) {
             let under_cursor = n == bench.form.cursor;
             if under_cursor {
                 begin = rows.len();
             }
-            let (row, column) = draw_line(model, bench, line, under_cursor, &columns);
+            let (row, column) = draw_line(model, bench, &faults, line, under_cursor, &columns);
             if let Some(column) = column {
                 cursor = Some((rows.len(), column));
             }
             rows.push(row);
-            rows.extend(draw_errors(model, bench, line, under_cursor, inner.width.into()));
+            rows.extend(draw_errors(model, &faults, line, under_cursor, inner.width.into()));
             owners.resize(rows.len(), n);
             if under_cursor {
                 end = rows.len();
             }
         }
-        let height = usize::from(inner.height);
         let last = rows.len().saturating_sub(height);
         // The line of the cursor stays near the middle, with all of its error.
         let first = begin.saturating_sub(height / 2).max(end.saturating_sub(height)).min(begin).min(last);
-        Self { rows, owners, cursor, first, inner }
+        Self { rows, owners, cursor, first, outside, inner }
     }
 }
 
@@ -192,6 +239,7 @@ fn label(model: &Model, line: &Line) -> String {
 fn draw_line(
     model: &Model,
     bench: &Bench,
+    faults: &Faults<'_>,
     line: &Line,
     under_cursor: bool,
     columns: &Columns,
@@ -199,10 +247,7 @@ fn draw_line(
     let look = &model.look;
     let focused = under_cursor && bench.focus == Focus::Form;
     let folded = bench.form.is_folded(&line.path);
-    let of_line =
-        |error: &FieldError| error.path == line.path || (folded && is_within(&error.path, &line.path));
-    let wrong = bench.wrong().any(of_line);
-    let needed = bench.needed().any(of_line);
+    let (wrong, needed) = faults.at(&line.path, folded);
     let pointer = match (under_cursor, wrong) {
         (true, _) => Span::styled(format!("{} ", look.glyph(Glyph::Pointer)), look.border(focused)),
         (false, true) => Span::styled(format!("{} ", look.glyph(Glyph::Bad)), look.error()),
@@ -252,9 +297,12 @@ fn draw_line(
             }
         }
         Role::Choice { variants, chosen } => {
-            let value = variants
-                .get(*chosen)
-                .map_or_else(String::new, |variant| Text::from(variant.label).render(&model.locale));
+            let value = match chosen.and_then(|at| variants.get(at)) {
+                Some(variant) => Text::from(variant.label).render(&model.locale),
+                None => {
+                    Text::new("choose one of {count}").with("count", variants.len()).render(&model.locale)
+                }
+            };
             let left = columns.label + columns.symbol + usize::from(columns.symbol > 0);
             let narrow = width(&value) + 2 > columns.value;
             let name = if narrow { fit(&name, left, look) } else { padded(&name, left, look) };
@@ -262,7 +310,8 @@ fn draw_line(
             shown.push_span(Span::styled(name, look.title()));
             shown.push_span(" ");
             let value = fit(&value, room.saturating_sub(left + 3), look);
-            shown.push_span(Span::styled(value, picked));
+            let style = if chosen.is_none() { look.warning() } else { Style::new() };
+            shown.push_span(Span::styled(value, style.patch(picked)));
             shown.push_span(Span::styled(format!(" {open}"), look.dim()));
             if folded {
                 let summary = side_by_side(&bench.form.summary(&line.path), look);
@@ -389,7 +438,7 @@ fn point_out(shown: &mut Shown<'static>, value: usize, text: &str, digit: Range<
 /// What is wrong with the field, below its line.
 fn draw_errors(
     model: &Model,
-    bench: &Bench,
+    faults: &Faults<'_>,
     line: &Line,
     under_cursor: bool,
     room: usize,
@@ -398,7 +447,7 @@ fn draw_errors(
     let most = if under_cursor { LONG_ERROR } else { SHORT_ERROR };
     let before = (indent(line) + POINTER).min(room / 4);
     let mut shown = Vec::new();
-    for error in errors_of(bench.wrong(), &line.path) {
+    for error in faults.wrong.get(line.path.as_str()).into_iter().flatten() {
         let text = filter_untrusted(&error.why.render(&model.locale)).into_owned();
         let room = room.saturating_sub(before);
         let lines = shortened(wrapped(&text, room), most, room, look);

@@ -26,6 +26,8 @@ use crate::{
     solver::Failure,
 };
 
+/// The most errors that are listed.
+const MOST_ERRORS: usize = 100;
 /// A plot in fewer rows than these tells nothing.
 const LEAST_CURVES: u16 = 7;
 /// A drawing that has no more rows than this has none to spare for the bar of a film.
@@ -134,7 +136,7 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
         Tab::Results => {
             let mut lines = why_not(model, bench, width);
             let mut starts = Vec::new();
-            if let Some(solution) = solution {
+            if let Some(solution) = solution.filter(|_| !bench.hides_numbers()) {
                 if !lines.is_empty() {
                     lines.push(Line::default());
                 }
@@ -149,6 +151,7 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
             Page { lines, starts }
         }
         Tab::Working => match solution {
+            Some(_) if bench.hides_numbers() => hidden(model, bench, width),
             Some(solution) => {
                 let page = working::read(
                     solution,
@@ -168,6 +171,7 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
         Tab::Table | Tab::Sensitivity | Tab::Study if bench.reading.revealed.is_some() => {
             covered(model, width)
         }
+        Tab::Table if bench.hides_numbers() => hidden(model, bench, width),
         Tab::Table => {
             let mut lines = Vec::new();
             for table in bench.tables() {
@@ -330,14 +334,27 @@ fn film_bar(model: &Model, frame: usize, frames: usize, area: Rect, buffer: &mut
 fn why_not(model: &Model, bench: &Bench, width: u16) -> Vec<Line<'static>> {
     let (look, locale) = (&model.look, &model.locale);
     if bench.found.state == State::Unread {
-        let mut lines: Vec<Line<'static>> =
-            bench.wrong().flat_map(|error| unread(model, bench, error, width)).collect();
-        let needed = bench.needed().count();
-        if needed > 0 {
-            let text = Text::new("{count} to be filled in").with("count", needed).render(&model.locale);
-            lines.extend(
-                wrapped(&text, width.into()).into_iter().map(|text| Line::styled(text, look.warning())),
-            );
+        let (wrong, needed) = (bench.wrong().count(), bench.needed().count());
+        let is_without_numbers = bench.hides_numbers() || bench.found.solution.is_none();
+        let headline = match (wrong, needed) {
+            (0, _) if !is_without_numbers => Text::new("{count} to be filled in").with("count", needed),
+            _ if !is_without_numbers => Text::from(""),
+            (0, 1) => Text::new("No result yet: one value missing"),
+            (0, _) => Text::new("No result yet: {needed} values missing"),
+            (1, 0) => Text::new("No result yet: one error"),
+            (_, 0) => Text::new("No result yet: {wrong} errors"),
+            _ => Text::new("No result yet: {needed} missing, {wrong} wrong"),
+        };
+        let headline = headline.with("wrong", wrong).with("needed", needed).render(locale);
+        let mut lines = Vec::new();
+        if !headline.is_empty() {
+            let headline = wrapped(&headline, width.into()).into_iter();
+            lines.extend(headline.map(|text| Line::styled(text, look.warning())));
+        }
+        lines.extend(bench.wrong().take(MOST_ERRORS).flat_map(|error| unread(model, bench, error, width)));
+        if wrong > MOST_ERRORS {
+            let more = Text::new("and {more} more").with("more", wrong - MOST_ERRORS).render(locale);
+            lines.push(Line::styled(more, look.error()));
         }
         return lines;
     }
@@ -353,6 +370,11 @@ fn why_not(model: &Model, bench: &Bench, width: u16) -> Vec<Line<'static>> {
             lines.into_iter().map(|text| Line::styled(text, look.error())).collect()
         }
     }
+}
+
+/// What a tab says whose numbers belong to inputs far from the present ones.
+fn hidden(model: &Model, bench: &Bench, width: u16) -> Page {
+    Page { lines: why_not(model, bench, width), starts: Vec::new() }
 }
 
 fn unread(model: &Model, bench: &Bench, error: &FieldError, width: u16) -> Vec<Line<'static>> {

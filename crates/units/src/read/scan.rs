@@ -1,6 +1,6 @@
 //! The text as typed: what is refused at once, and the pieces that units and numbers share.
 
-use std::ops::Range;
+use std::{borrow::Cow, ops::Range};
 
 use super::ReadError;
 use crate::decimal;
@@ -114,6 +114,10 @@ impl<'t> Cursor<'t> {
         if marks > 1 {
             return Err(two_marks(text, start..self.at));
         }
+        if is_thousands(text, ',') {
+            let readings = [text.replace(',', ""), text.replace(',', ".")];
+            return Err(ReadError::Ambiguous { text: text.into(), readings, span: start..self.at });
+        }
         if let Some(b'e' | b'E') = bytes.get(self.at) {
             let mut ahead = Cursor { at: self.at + 1, ..*self };
             if let Some(power) = ahead.signed_digits() {
@@ -226,9 +230,59 @@ pub(crate) fn superscript_digit(c: char) -> Option<i32> {
 }
 
 /// Control characters, those without width, and those that turn the direction of the text.
-fn is_invisible(c: char) -> bool {
+pub fn is_invisible(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e0fff}')
+}
+
+/// The first number of a text that may be meant as thousands, as `1,250` may: one to three digits that do not begin
+/// with 0, the mark, and three digits.
+pub fn thousands(text: &str, mark: char) -> Option<&str> {
+    text.split(|c: char| !is_of_a_number(c)).find(|number| is_thousands(number, mark))
+}
+
+/// A text with the decimal commas of its numbers written as points: what somebody types whose language has the comma.
+/// ```
+/// use dalembert_units::with_point;
+/// assert_eq!(with_point("(1,250; -0,5) m"), "(1.250; -0.5) m");
+/// assert_eq!(with_point("1,234.5 m"), "1,234.5 m");
+/// ```
+pub fn with_point(text: &str) -> Cow<'_, str> {
+    if !text.contains(',') {
+        return text.into();
+    }
+    let ended = |at: usize| text[at..].find(|c: char| !is_of_a_number(c)).map_or(text.len(), |end| at + end);
+    let (mut pointed, mut at) = (String::with_capacity(text.len()), 0);
+    while let Some(start) = text[at..].find(is_of_a_number).map(|start| at + start) {
+        let end = ended(start);
+        pointed.push_str(&text[at..start]);
+        match text[start..end].split_once(',') {
+            Some((whole, decimals))
+                if !decimals.is_empty() && !whole.contains('.') && !decimals.contains(['.', ',']) =>
+            {
+                pointed.extend([whole, ".", decimals]);
+            }
+            _ => pointed.push_str(&text[start..end]),
+        }
+        at = end;
+    }
+    pointed.push_str(&text[at..]);
+    pointed.into()
+}
+
+fn is_of_a_number(c: char) -> bool {
+    c.is_ascii_digit() || matches!(c, '.' | ',')
+}
+
+fn is_thousands(number: &str, mark: char) -> bool {
+    number.split_once(mark).is_some_and(|(head, tail)| {
+        let digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+        (1..=3).contains(&head.len())
+            && tail.len() == 3
+            && !head.starts_with('0')
+            && digits(head)
+            && digits(tail)
+    })
 }
 
 fn two_marks(text: &str, span: Range<usize>) -> ReadError {

@@ -33,7 +33,7 @@ fn literals_are_exact() {
         ("20.3 mm", 0.0203, LENGTH), ("20,3 mm", 0.0203, LENGTH), ("20.3mm", 0.0203, LENGTH), ("  20.3\u{a0}mm ", 0.0203, LENGTH),
         ("20.3\u{202f}mm", 0.0203, LENGTH), ("20.3\u{2009}mm", 0.0203, LENGTH), ("+20.3 mm", 0.0203, LENGTH),
         ("-20.3 mm", -0.0203, LENGTH), ("−20.3 mm", -0.0203, LENGTH), (".5 m", 0.5, LENGTH), ("5. m", 5.0, LENGTH),
-        ("1,234 m", 1.234, LENGTH), ("1.234 m", 1.234, LENGTH), ("3 in", 0.0762, LENGTH), ("12 ft", 3.6576, LENGTH),
+        ("0,125 m", 0.125, LENGTH), ("1,2345 m", 1.2345, LENGTH), ("1234,567 m", 1234.567, LENGTH), ("1.234 m", 1.234, LENGTH), ("3 in", 0.0762, LENGTH), ("12 ft", 3.6576, LENGTH),
         ("0.1 mm", 0.0001, LENGTH), ("7 µm", 7e-6, LENGTH), ("35 mil", 0.000889, LENGTH),
         ("1e-6 m", 1e-6, LENGTH), ("1E3 m", 1e3, LENGTH), ("1e−6 m", 1e-6, LENGTH), ("2.5e+2 m", 250.0, LENGTH),
         ("1.3×10⁻⁶ m", 1.3e-6, LENGTH), ("1.3 × 10⁻⁶ m", 1.3e-6, LENGTH), ("1.3x10^-6 m", 1.3e-6, LENGTH),
@@ -288,6 +288,9 @@ fn a_bare_number_takes_the_unit_of_the_field() {
 #[test]
 fn two_readings_are_refused_with_both() {
     for (text, first, second) in [
+        ("1,250 kg", "1250", "1.250"),
+        ("12,345", "12345", "12.345"),
+        ("2 + 123,456 m", "123456", "123.456"),
         ("1.234,5 mm", "1234.5", "1.2345"),
         ("1,234.5 mm", "1234.5", "1.2345"),
         ("1,234,567 mm", "1234567", "1.234567"),

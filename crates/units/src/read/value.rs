@@ -77,7 +77,7 @@ fn merge(symbols: &mut Vec<(&'static str, i8)>, symbol: &'static str, n: i8) {
 }
 
 /// `N*m^2/(rad*s)`.
-pub(super) fn compose(symbols: &[(&str, i8)]) -> String {
+pub(crate) fn compose(symbols: &[(&str, i8)]) -> String {
     let product = |sign: i8| {
         let parts: Vec<_> = symbols
             .iter()

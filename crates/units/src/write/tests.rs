@@ -1,7 +1,7 @@
 //! What is written, and that it can be read again.
 
 use super::*;
-use crate::{read_any, read_quantity, read_vector};
+use crate::{read_any, read_quantity, read_vector, with_point};
 
 const SCREEN: Style = Style { digits: 5, decimal: Decimal::Point, ascii: false };
 const COMMA: Style = Style { decimal: Decimal::Comma, ..SCREEN };
@@ -152,8 +152,8 @@ fn what_is_written_can_be_read() {
                     let style = Style { digits: places, ..style };
                     let si = if unit.sense == Sense::Level { si.abs() } else { si };
                     let shown = write_quantity(si, &unit, style);
-                    let read =
-                        read_quantity(&shown, &unit, kind).unwrap_or_else(|error| panic!("{shown}: {error}"));
+                    let read = read_quantity(&with_point(&shown), &unit, kind)
+                        .unwrap_or_else(|error| panic!("{shown}: {error}"));
                     if unit.sense == Sense::Level {
                         let level = 20.0 * (read.si / si).log10();
                         assert!(

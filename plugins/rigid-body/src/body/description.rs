@@ -77,10 +77,13 @@ pub struct Part {
     #[input("r", "m", default = "(0; 0; 0) m")]
     pub position: Vector3<f64>,
     /// Reference point.
+    #[input(default = "origin")]
     pub reference: ReferencePoint,
     /// Direction of the axes of the shape.
+    #[input(default = "same")]
     pub direction: Direction,
     /// It is.
+    #[input(default = "material")]
     pub presence: Presence,
 }
 

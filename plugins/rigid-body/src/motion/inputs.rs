@@ -15,17 +15,20 @@ pub struct Motion {
     /// Moments of inertia.
     pub moments: Moments,
     /// Attitude at the start.
+    #[input(default = "aligned")]
     pub attitude: Attitude,
     /// Angular velocity at the start.
     pub velocity: Velocity,
     /// Torques.
     pub torques: Vec<TorqueRow>,
     /// Axis of the body that is followed.
+    #[input(default = "z")]
     pub axis: BodyAxis,
     /// Duration.
     #[input("t_e", "s", positive, default = "10 s")]
     pub duration: f64,
     /// What ends the motion before.
+    #[input(default = "nothing")]
     pub end: Ends,
 }
 

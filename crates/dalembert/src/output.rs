@@ -1,0 +1,32 @@
+//! Files that results are written to: no problem, and nothing else unasked, is written over.
+
+use std::{fs, path::Path};
+
+use dalembert_core::{Text, file};
+use dalembert_tui::files::{self, Before, FileError};
+
+use crate::failure::Failure;
+
+/// Whether a result may be written there; `problem` is the file that is solved, if it is one.
+pub(crate) fn allowed(path: &Path, problem: &Path, force: bool) -> Result<(), Failure> {
+    let Ok(there) = fs::canonicalize(path) else { return Ok(()) };
+    let refuse = |why: &'static str| Err(Failure::input(Text::new(why).with("file", path.display())));
+    if fs::canonicalize(problem).is_ok_and(|problem| problem == there) {
+        return refuse("{file} is the problem itself: write its solution to another file");
+    }
+    if files::read(path).is_ok_and(|opened| file::is_problem(&opened.text)) {
+        return refuse("{file} is a problem file: write the solution to another file");
+    }
+    if force {
+        Ok(())
+    } else {
+        refuse("{file} exists already: write another name, or --force to write over it")
+    }
+}
+
+/// Writes a text to a file that is allowed.
+pub(crate) fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
+    // What was made since it was looked at is kept too.
+    let before = if force { Before::Whatever } else { Before::Absent };
+    files::save(path, text, before).map(drop).map_err(|error: FileError| Failure::File(error))
+}
