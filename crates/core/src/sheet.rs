@@ -21,8 +21,12 @@ use crate::{
     worksheet::Given,
 };
 
-/// The largest relative difference of two ways to the same number.
+/// The largest relative difference of two ways to the same number, where rounding does not explain a larger one.
 const AGREEMENT: f64 = 1e-9;
+
+/// How many times the first-order bounds of their rounding errors two ways to the same number may differ: a second way
+/// through a numerical method has an error of its own, of a few times what the last places of its inputs do.
+const WAYS: f64 = 8.0;
 
 /// Records a solve as a [`Solution`].
 pub struct Sheet<'a> {
@@ -56,15 +60,17 @@ impl<'a> Sheet<'a> {
     }
 
     fn push(&self, number: Number, dim: Dim, op: Op) -> Id {
-        let scale = self.solution.borrow().trace.scale_of(&op, number);
-        self.push_scaled(number, dim, op, scale)
+        let solution = self.solution.borrow();
+        let (scale, error) = (solution.trace.scale_of(&op, number), solution.trace.error_of(&op, number));
+        drop(solution);
+        self.push_rounded(number, dim, op, [scale, error])
     }
 
-    fn push_scaled(&self, number: Number, dim: Dim, op: Op, scale: f64) -> Id {
+    fn push_rounded(&self, number: Number, dim: Dim, op: Op, [scale, error]: [f64; 2]) -> Id {
         let nodes = &mut self.solution.borrow_mut().trace.nodes;
         let id = Id::try_from(nodes.len())
             .expect("a worked solution has fewer than four thousand million numbers");
-        nodes.push(Node { number, dim, op, scale });
+        nodes.push(Node { number, dim, op, scale, error });
         id
     }
 
@@ -108,8 +114,15 @@ impl<'a> Sheet<'a> {
             ));
         }
         let step = self.solution.borrow().steps.len();
-        let scale = formula.map_or(number.size(), |id| self.solution.borrow().trace.node(id).scale);
-        let result = self.push_scaled(number, unit.dim, Op::Step(step), scale);
+        let rounded = match formula {
+            Some(id) => {
+                let solution = self.solution.borrow();
+                let node = solution.trace.node(id);
+                [node.scale, node.error]
+            }
+            None => [number.size(), f64::EPSILON * number.size()],
+        };
+        let result = self.push_rounded(number, unit.dim, Op::Step(step), rounded);
         let step = Step { symbol, unit, formula, result, why: why.reason, cite: why.cite };
         self.solution.borrow_mut().steps.push(step);
         result
@@ -138,10 +151,23 @@ impl<'a> Sheet<'a> {
         self.solution.borrow_mut().answers.push(answer);
     }
 
-    fn hold(&self, what: Text, difference: f64, scale: f64) {
-        let residual = if difference == 0.0 { 0.0 } else { difference / scale };
-        let passed = residual <= AGREEMENT;
-        self.solution.borrow_mut().checks.push(Check { what, residual, passed });
+    /// Holds a difference to zero beside `scale`, of numbers that rounding alone lets differ by `error`.
+    fn hold(&self, what: Text, difference: f64, scale: f64, error: f64) {
+        let relative = |x: f64| if x == 0.0 { 0.0 } else { x / scale };
+        let residual = relative(difference);
+        let limit = AGREEMENT.max(relative(WAYS * error));
+        let passed = residual <= limit;
+        self.solution.borrow_mut().checks.push(Check { what, residual, limit, passed });
+    }
+
+    fn error(&self, id: Id) -> f64 {
+        self.solution.borrow().trace.node(id).error
+    }
+
+    /// What rounding does to the difference of two ways. Of a number from a numerical method, which has no trace, no more
+    /// is expected than of the other way: both know their inputs to the last place.
+    fn error_between(&self, left: Option<Id>, right: Option<Id>) -> f64 {
+        [left, right].into_iter().flatten().map(|id| self.error(id)).sum()
     }
 }
 
@@ -191,6 +217,22 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         Term::Node(self, self.record(symbol.into(), unit, None, Number::Scalar(si), dim, how.into()))
     }
 
+    fn found_within(
+        self,
+        symbol: impl Into<Symbol>,
+        unit: &'static str,
+        si: f64,
+        error: f64,
+        how: impl Into<Why>,
+    ) -> Term<'s> {
+        let found = self.found(symbol, unit, si, how);
+        if let Some(id) = found.node() {
+            let node = &mut self.solution.borrow_mut().trace.nodes[id as usize];
+            node.error = node.error.max(error.abs());
+        }
+        found
+    }
+
     fn found_vector(
         self,
         symbol: impl Into<Symbol>,
@@ -207,20 +249,35 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         if let (Term::Node(_, a), Term::Node(_, b)) = (left, right) {
             self.same_dim(a, b);
         }
+        let error = self.error_between(left.node(), right.node());
         let (left, right) = (left.value(), right.value());
-        self.hold(what.into(), (left - right).abs(), left.abs().max(right.abs()));
+        self.hold(what.into(), (left - right).abs(), left.abs().max(right.abs()), error);
     }
 
     fn check_zero(self, what: impl Into<Text>, residual: Term<'s>, scale: f64) {
-        self.hold(what.into(), residual.value().abs(), scale.abs());
+        let error = self.error_between(residual.node(), None);
+        self.hold(what.into(), residual.value().abs(), scale.abs(), error);
+    }
+
+    fn check_sum(self, what: impl Into<Text>, left: Term<'s>, right: Term<'s>, scale: f64) {
+        if let (Term::Node(_, a), Term::Node(_, b)) = (left, right) {
+            self.same_dim(a, b);
+        }
+        let error = self.error_between(left.node(), right.node());
+        self.hold(what.into(), (left.value() - right.value()).abs(), scale.abs(), error);
+    }
+
+    fn check_residual(self, what: impl Into<Text>, residual: f64, scale: f64, error: f64) {
+        self.hold(what.into(), residual.abs(), scale.abs(), error.abs());
     }
 
     fn check_vector(self, what: impl Into<Text>, left: Vect<'s>, right: Vect<'s>) {
         if let (Vect::Node(_, a), Vect::Node(_, b)) = (left, right) {
             self.same_dim(a, b);
         }
+        let error = self.error_between(left.node(), right.node());
         let (left, right) = (left.value(), right.value());
-        self.hold(what.into(), (left - right).norm(), left.norm().max(right.norm()));
+        self.hold(what.into(), (left - right).norm(), left.norm().max(right.norm()), error);
     }
 
     fn answer(self, name: impl Into<Name>, label: &'static str, value: Term<'s>) {

@@ -95,7 +95,9 @@ pub struct Check {
     pub what: Text,
     /// Their difference over their size.
     pub residual: f64,
-    /// Whether the residual is below 10⁻⁹.
+    /// The largest residual that passes: 10⁻⁹, or what rounding explains where digits are lost by cancellation.
+    pub limit: f64,
+    /// Whether the residual is within its limit.
     pub passed: bool,
 }
 

@@ -23,6 +23,9 @@ pub struct Node {
     pub op: Op,
     /// The size of what was added up to make it: what its rounding is measured against.
     pub scale: f64,
+    /// The bound of its rounding error, to first order: what the last places of the inputs and of every operation on
+    /// the way may change in it, in SI.
+    pub error: f64,
 }
 
 /// What is left of terms that cancel, as a share of their size, is rounding.
@@ -168,6 +171,47 @@ impl Trace {
             _ => 0.0,
         };
         if scale.is_finite() { scale.max(number.size()) } else { number.size() }
+    }
+
+    /// The running error bound of a number: each operand's through the derivative of the operation, and half a unit in
+    /// the last place, taken whole, for the operation itself. A root near zero, where the derivative grows without
+    /// limit, moves by no more than the root of the error.
+    pub(crate) fn error_of(&self, op: &Op, number: Number) -> f64 {
+        let (error, size) = (|id: Id| self.node(id).error, |id: Id| self.node(id).number.size());
+        let own = f64::EPSILON * number.size();
+        let product = |a: Id, b: Id| size(a) * error(b) + size(b) * error(a);
+        let carried = match *op {
+            Op::Literal | Op::Given { .. } | Op::Step(_) => 0.0,
+            Op::Add(a, b) | Op::Sub(a, b) => error(a) + error(b),
+            Op::Mul(a, b) => product(a, b),
+            Op::Dot(a, b) | Op::Cross(a, b) => product(a, b) + f64::EPSILON * size(a) * size(b),
+            Op::Div(a, b) => (error(a) + number.size() * error(b)) / size(b),
+            Op::Neg(a) | Op::Magnitude(a) | Op::Component(a, _) | Op::Call(Function::Abs, a) => error(a),
+            Op::Power(a, n) => f64::from(n).abs() * size(a).powi(i32::from(n) - 1) * error(a),
+            Op::Root(a, n) => {
+                let n = f64::from(n);
+                let smooth = error(a) * number.size().powf(1.0 - n) / n;
+                smooth.min(error(a).powf(1.0 / n))
+            }
+            Op::Call(function, a) => {
+                let (x, error) = (size(a), error(a));
+                match function {
+                    Function::Sin => x.cos().abs() * error,
+                    Function::Cos => x.sin().abs() * error,
+                    Function::Tan => (1.0 + number.size().powi(2)) * error,
+                    Function::Asin | Function::Acos => {
+                        (error / (1.0 - x * x).max(0.0).sqrt()).min((2.0 * error).sqrt())
+                    }
+                    Function::Exp => number.size() * error,
+                    Function::Ln => error / x,
+                    Function::Abs => error,
+                }
+            }
+            Op::Atan2(y, x) => (size(x) * error(y) + size(y) * error(x)) / size(x).hypot(size(y)).powi(2),
+            Op::Sum(ref all) => all.iter().map(|id| error(*id) + f64::EPSILON * size(*id)).sum(),
+            Op::Compose(all) => all.into_iter().map(error).sum(),
+        };
+        if carried.is_nan() { own } else { own + carried }
     }
 
     /// The nodes that `id` was made from.

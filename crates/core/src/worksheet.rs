@@ -42,6 +42,16 @@ pub trait Worksheet: Copy {
     /// Brings in a number (SI) that a numerical method found, saying how; a [`check`](Worksheet::check)
     /// must then hold it to its equation.
     fn found(self, symbol: impl Into<Symbol>, unit: &'static str, si: f64, how: impl Into<Why>) -> Self::Num;
+    /// Brings in a number (SI) that a numerical method found with an error of no more than `error` (SI): its condition
+    /// number times the rounding of what it was found from. Checks that rest on it allow for as much.
+    fn found_within(
+        self,
+        symbol: impl Into<Symbol>,
+        unit: &'static str,
+        si: f64,
+        error: f64,
+        how: impl Into<Why>,
+    ) -> Self::Num;
     /// Brings in a vector (SI) that a numerical method found, as [`found`](Worksheet::found) does a number.
     fn found_vector(
         self,
@@ -50,10 +60,17 @@ pub trait Worksheet: Copy {
         si: Vector3<f64>,
         how: impl Into<Why>,
     ) -> Self::Vec;
-    /// Holds two ways to the same number together, to within 10⁻⁹ of the larger.
+    /// Holds two ways to the same number together, to within 10⁻⁹ of the larger; where digits are lost by cancellation on
+    /// the way, to within what rounding leaves of them.
     fn check(self, what: impl Into<Text>, left: Self::Num, right: Self::Num);
-    /// Holds a sum to zero, to within 10⁻⁹ of `scale`, the size of its largest term.
+    /// Holds a sum to zero, to within 10⁻⁹ of `scale`, the size of its largest term, or what rounding leaves of it.
     fn check_zero(self, what: impl Into<Text>, residual: Self::Num, scale: f64);
+    /// Holds two ways to the same number together beside `scale`, the size of what was added up to make it: a sum that
+    /// may cancel.
+    fn check_sum(self, what: impl Into<Text>, left: Self::Num, right: Self::Num, scale: f64);
+    /// Holds a residual that a numerical method left to zero beside `scale`. `error` is what the last places of the
+    /// numbers in it may change in it: its derivative times their rounding, or what differences of it show.
+    fn check_residual(self, what: impl Into<Text>, residual: f64, scale: f64, error: f64);
     /// Holds several residuals of one kind to zero at once: the worst of them speaks for all.
     fn check_zeros(self, what: impl Into<Text>, residuals: impl IntoIterator<Item = f64>, scale: f64) {
         let worse = |worst: f64, residual: f64| {
@@ -208,6 +225,10 @@ impl Worksheet for &Plain<'_> {
         si
     }
     #[inline]
+    fn found_within(self, _: impl Into<Symbol>, _: &'static str, si: f64, _: f64, _: impl Into<Why>) -> f64 {
+        si
+    }
+    #[inline]
     fn found_vector(
         self,
         _: impl Into<Symbol>,
@@ -221,6 +242,10 @@ impl Worksheet for &Plain<'_> {
     fn check(self, _: impl Into<Text>, _: f64, _: f64) {}
     #[inline]
     fn check_zero(self, _: impl Into<Text>, _: f64, _: f64) {}
+    #[inline]
+    fn check_sum(self, _: impl Into<Text>, _: f64, _: f64, _: f64) {}
+    #[inline]
+    fn check_residual(self, _: impl Into<Text>, _: f64, _: f64, _: f64) {}
     #[inline]
     fn check_vector(self, _: impl Into<Text>, _: Vector3<f64>, _: Vector3<f64>) {}
     #[inline]

@@ -210,3 +210,47 @@ fn the_worst_of_several_residuals_speaks_for_all() {
         assert!(!passes([one, 0.0, 0.0]) && !passes([0.0, one, 1e-12]) && !passes([0.0, 0.0, one]), "{one}");
     }
 }
+
+/// Two ways agree as nearly as their condition lets the last places tell, and no nearer.
+#[test]
+fn the_limit_of_a_check_comes_from_its_condition() {
+    // 1 − cos x of a small x in both ways, beside the exact value: six digits are lost at 10⁻³, and twelve at 10⁻⁶.
+    let versine = |x: f64, times: f64| {
+        worked(|bench| {
+            let x = bench.sheet.step("x", "1", bench.a * x / bench.a, "why");
+            let exact = (x / 2.0).sin().powi(2) * 2.0 * times;
+            bench.sheet.check("versine", -x.cos() + 1.0, exact);
+        })
+        .checks
+        .remove(0)
+    };
+    for (x, lost) in [(0.5, 1e-15), (1e-3, 1e-9), (1e-6, 1e-3)] {
+        let check = versine(x, 1.0);
+        assert!(check.passed && check.limit <= 100.0 * f64::max(lost, 2e-11), "{x}: {check:?}");
+        assert!(!versine(x, 1.0 + 100.0 * check.limit).passed, "{x}");
+    }
+    assert_eq!(versine(0.5, 1.0).limit, 1e-9);
+    assert!(!versine(0.5, 1.0 + 1e-6).passed);
+    // A number from elsewhere knows no more of the inputs than the other way does.
+    let beside = |apart: f64| {
+        worked(|bench| {
+            let difference = bench.a * (1.0 + 1e-9) - bench.a;
+            let other = Term::from(3e-9 * (1.0 + apart));
+            bench.sheet.check("difference", difference, other);
+        })
+        .checks
+        .remove(0)
+        .passed
+    };
+    assert!(beside(1e-7) && !beside(1e-4));
+    let stated = |error: f64| {
+        worked(|bench| {
+            let found = bench.sheet.found_within("x", "m", 1.0 + 1e-7, error, "how");
+            bench.sheet.check("found", found, bench.a / bench.a);
+        })
+        .checks
+        .remove(0)
+        .passed
+    };
+    assert!(!stated(0.0) && stated(1e-7));
+}

@@ -127,3 +127,5 @@ file-exists-already-write-another-name-or-force-to-write-over-it = { $file } já
 an-input-that-is-not-set-is-not-filled-in-case-1-begins-with-those-of-the-first-published-case = um dado que não é informado não é preenchido; --case 1 começa com os do primeiro caso publicado
 rows-at-most-most = linhas, no máximo { $most }
 rows-min-to-most = linhas, de { $min } a { $most }
+check-failed-what-the-two-ways-differ-by-residual-of-their-size-and-limit-is-allowed = verificação que não confere: { $what }: os dois caminhos diferem de { $residual } do seu tamanho, e se admite { $limit }
+fault-of-the-program-what = defeito do programa: { $what }

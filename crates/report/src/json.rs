@@ -32,7 +32,7 @@ pub fn json(worked: &Worked<'_>, locale: &Locale) -> Json {
             answers.insert(found.name.to_string(), answer(found, locale));
         }
         checks.extend(solution.checks.iter().map(|check| {
-            json!({ "what": check.what.render(locale), "residual": check.residual, "passed": check.passed })
+            json!({ "what": check.what.render(locale), "residual": check.residual, "limit": check.limit, "passed": check.passed })
         }));
         warnings.extend(solution.warnings.iter().map(|warning| warning.render(locale)));
     }

@@ -98,13 +98,18 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
     if !solution.checks.is_empty() {
         blocks.push(Block::Heading(say("Checks")));
         let checks = solution.checks.iter().map(|check| {
-            let text = if check.passed {
-                Text::new("{what}: relative difference {gap}")
-            } else {
-                Text::new("{what}: FAILED, relative difference {gap}")
+            let text = match (check.passed, check.limit > 1e-9) {
+                (true, false) => Text::new("{what}: relative difference {gap}"),
+                (true, true) => {
+                    Text::new("{what}: relative difference {gap}, where rounding explains up to {limit}")
+                }
+                (false, _) => {
+                    Text::new("{what}: FAILED, relative difference {gap}, where {limit} is allowed")
+                }
             };
-            let gap = units::write_number(check.residual, units::Style { digits: 2, ..locale.style });
-            text.with_text("what", check.what.clone()).with("gap", gap).render(locale)
+            let number = |x: f64| units::write_number(x, units::Style { digits: 2, ..locale.style });
+            let (gap, limit) = (number(check.residual), number(check.limit));
+            text.with_text("what", check.what.clone()).with("gap", gap).with("limit", limit).render(locale)
         });
         blocks.push(Block::Items(checks.collect()));
     }

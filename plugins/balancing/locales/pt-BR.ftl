@@ -1311,3 +1311,4 @@ angles-that-repeat = Ângulos que se repetem
 a-trial-weight-at-two-directions-in-three-runs = uma massa de teste em duas direções em três medições
 no-first-amplitude = Sem primeira amplitude
 by-definition-a-firing-order-names-each-cylinder-once = Por definição: uma ordem de ignição cita cada cilindro uma vez
+the-ranges-of-the-weights-are-left-out-to-solve-the-min-max-problem-of-readings-readings-and-planes = as faixas dos pesos são omitidas: resolver de novo o problema min-max de { $readings } leituras e { $planes } planos para cada uma de { $samples } amostras demora demais; os mínimos quadrados dão as suas faixas na hora

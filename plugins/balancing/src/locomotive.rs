@@ -224,18 +224,15 @@ impl Analysis for Locomotive {
         let (force, apart, angle) = (unbalanced.value(), self.cylinders, self.between);
         sheet.verify(|| {
             let (_, most) = reciprocating::greatest(|at| [engine::tractive_effort(force, at, angle), 0.0]);
-            sheet.check_zero(
+            sheet.check_sum(
                 "tractive effort at its greatest over a turn",
-                (tractive.value() - most).into(),
+                tractive,
+                most.into(),
                 2.0 * force,
             );
             let (_, most) =
                 reciprocating::greatest(|at| [engine::swaying_couple(force, apart, at, angle), 0.0]);
-            sheet.check_zero(
-                "swaying couple at its greatest over a turn",
-                (sway.value() - most).into(),
-                apart * force,
-            );
+            sheet.check_sum("swaying couple at its greatest over a turn", sway, most.into(), apart * force);
         });
         let blow = blow.value();
         sheet.show(|| Exhibit::Plot(over_a_turn(force, angle)));

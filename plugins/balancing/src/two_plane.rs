@@ -257,16 +257,10 @@ impl TwoPlane {
             let by_moments =
                 balance::correction_in_a_by_moments(masses.iter().copied(), given.plane_a, given.plane_b);
             sheet.check_zero("plane A from moments about plane B", in_a - by_moments, force);
-            sheet.check_zero(
-                "plane A from both equations at once",
-                (in_a.value() - system.in_a[axis]).into(),
-                force,
-            );
-            sheet.check_zero(
-                "plane B from both equations at once",
-                (in_b.value() - system.in_b[axis]).into(),
-                force,
-            );
+            let [by_system_a, by_system_b] =
+                [system.in_a, system.in_b].map(|found| W::Num::from(found[axis]));
+            sheet.check_sum("plane A from both equations at once", in_a, by_system_a, force);
+            sheet.check_sum("plane B from both equations at once", in_b, by_system_b, force);
             let all = || masses.iter().copied().chain([(in_a, given.plane_a), (in_b, given.plane_b)]);
             sheet.check_zero("no force is left", balance::resultant(all().map(|(u, _)| u)), force);
             sheet.check_zero(

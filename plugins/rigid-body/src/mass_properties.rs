@@ -250,9 +250,10 @@ impl Line {
         sheet.verify(|| {
             let Ok(second) = body.properties.inertia_about_line(self.through, self.direction) else { return };
             let size = body.properties.inertia_about(self.through).amax();
-            sheet.check_zero(
+            sheet.check_sum(
                 "the moment about the line from the tensor about a point of it, λ · I λ",
-                (about.value() - second).into(),
+                about,
+                second.into(),
                 size,
             );
         });

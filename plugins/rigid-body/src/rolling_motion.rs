@@ -152,11 +152,7 @@ impl Analysis for RollingMotion {
         sheet.verify(|| {
             let rates = disc.accelerations(self.inclination, omega);
             let size = self.gravity / self.radius + omega.iter().map(|x| x * x).sum::<f64>();
-            sheet.check_zero(
-                "the tilt by the equations in the axes 123",
-                W::Num::from(tilt.value() - rates[0]),
-                size,
-            );
+            sheet.check_sum("the tilt by the equations in the axes 123", tilt, rates[0].into(), size);
         });
         self.show(sheet, &rolled);
         Ok(())

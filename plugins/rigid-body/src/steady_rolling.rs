@@ -276,14 +276,11 @@ impl Analysis for SteadyRolling {
                 scale,
             );
             let (other, [_, across]) = disc.contact_forces(inclination.value(), omega);
-            sheet.check_zero(
-                "the normal force from m a_G",
-                W::Num::from(normal.value() - other),
-                normal.value(),
-            );
-            sheet.check_zero(
+            sheet.check_sum("the normal force from m a_G", normal, other.into(), normal.value());
+            sheet.check_sum(
                 "the friction from m a_G",
-                W::Num::from(force.value() - across),
+                force,
+                across.into(),
                 normal.value() + force.value().abs(),
             );
         });

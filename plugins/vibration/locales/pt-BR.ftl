@@ -2702,7 +2702,7 @@ period-that-of-small-swings-over-the-mean = Período: o das pequenas oscilaçõe
 what-the-small-angle-value-is-short-of = Quanto falta ao valor para pequenos ângulos
 first-terms-of-the-series-in-the-amplitude = Primeiros termos da série na amplitude
 angular-velocity-at-the-lowest-position-from-l-g-l-1-cos = Velocidade angular na posição mais baixa, de ½ L² Ω² = g L (1 − cos θ₀)
-period-by-quadrature-of-dt-d-with-sin-2-sin = período pela quadratura de dt = dθ/θ′, com sen(θ/2) = κ sen φ
+period-by-quadrature-of-dt-d-with-sin-2-sin-and-tan-sinh-u = período pela quadratura de dt = dθ/θ′, com sen(θ/2) = κ sen φ e tg φ = senh u
 angular-velocity-at-the-lowest-position-from-the-loss-of-height = velocidade angular na posição mais baixa pela perda de altura
 period-of-small-swings = Período das pequenas oscilações
 error-of-the-small-angle-period = Erro do período para pequenos ângulos

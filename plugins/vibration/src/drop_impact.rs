@@ -293,7 +293,7 @@ impl<N: Real> Drop<N> {
                 let exact = self.motion.at(after.value()).displacement;
                 let scale = self.sag.value() + (self.start / self.system.natural).value();
                 let what = "deflection by the exact recurrence";
-                sheet.check_zero(what, (deflection.value() - exact).into(), scale);
+                sheet.check_sum(what, deflection, exact.into(), scale);
             });
             sheet.answer(("way_at", n + 1), "Way of the body at time", way);
         }

@@ -345,7 +345,10 @@ fn events<W: Worksheet>(
     x0: W::Num,
     sheet: W,
 ) -> W::Num {
-    if let Some(zero) = motion.first_zero() {
+    // A passage that comes when nothing is left of the motion is none.
+    let left =
+        |time: &f64| (-motion.damping_ratio * motion.natural_frequency * time).exp() > f64::MIN_POSITIVE;
+    if let Some(zero) = motion.first_zero().filter(left) {
         let time = form.first_zero(sheet);
         sheet.check("the first passage through rest found from the motion itself", time, zero.into());
         sheet.answer("first_zero", "First passage through the position of rest", time);
@@ -439,14 +442,16 @@ fn at_time<W: Worksheet>(
         let size = motion.displacement.abs() + motion.velocity.abs() / motion.natural_frequency;
         let size = size * (-motion.damping_ratio * motion.natural_frequency * time.value()).exp().max(1.0);
         if let Some([displacement, velocity]) = motion.integrated(time.value()) {
-            sheet.check_zero(
+            sheet.check_sum(
                 "displacement by integration of the equation of motion",
-                W::Num::from(x.value() - displacement),
+                x,
+                displacement.into(),
                 size,
             );
-            sheet.check_zero(
+            sheet.check_sum(
                 "velocity by integration of the equation of motion",
-                W::Num::from(v.value() - velocity),
+                v,
+                velocity.into(),
                 size * motion.natural_frequency * (1.0 + motion.damping_ratio.abs()),
             );
         }

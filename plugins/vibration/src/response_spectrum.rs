@@ -286,7 +286,7 @@ impl<W: Worksheet> Problem<'_, W> {
                 let spring = links[0].stiffness.value() * mode.shares[0].value() * spectral[n].value();
                 let scale = shear.value().abs().max(spring.abs());
                 let what = "force on the base of a mode, as the force of the first spring";
-                sheet.check_zero(what, (shear.value() - spring).into(), scale.max(f64::MIN_POSITIVE));
+                sheet.check_sum(what, *shear, spring.into(), scale.max(f64::MIN_POSITIVE));
             }
         });
         Ok(())

@@ -243,9 +243,10 @@ impl TransientResponse {
             sheet.verify(|| {
                 if system.ratio.value() == 0.0 {
                     let State { displacement, velocity } = model.motion.at(end);
-                    sheet.check_zero(
+                    sheet.check_sum(
                         "without damping, what remains is the amplitude of the state at the end of the load",
-                        (residual.value() - displacement.hypot(velocity / system.natural.value())).into(),
+                        residual,
+                        (displacement.hypot(velocity / system.natural.value())).into(),
                         superposition.scale(end),
                     );
                 }

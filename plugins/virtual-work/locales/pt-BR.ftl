@@ -2426,3 +2426,5 @@ the-plots-end-at-end-why = os gráficos terminam em { $end }: { $why }
 in-this-position-the-joints-let-the-mechanism-move-in-more-ways-than-it-has-drivers-although-their = nesta posição as juntas permitem mais movimentos do que há acionamentos, embora o número deles confira: é uma posição singular; desenhe o mecanismo em outra
 straight-between-the-rows = Reta entre as linhas.
 between-the-rows-a-cubic-spline-that-closes-after-the-turn = Entre as linhas, uma spline cúbica que se fecha após a volta.
+the-way-of-the-ram-from-the-lengths-along-the-line-of-thrust = o curso do êmbolo pelos comprimentos ao longo da linha de empuxo
+way-of-the-ram-until-the-links-are-in-line-l-1-cos-l-1-cos-with-1-cos-x-2-sin-x-2 = Curso do êmbolo até o alinhamento das barras, L₁ (1 − cos α) + L₂ (1 − cos β) com 1 − cos x = 2 sen²(x/2)

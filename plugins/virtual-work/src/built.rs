@@ -207,9 +207,10 @@ impl Solved {
     /// Holds an effort that was found by virtual work against the two ways of the mechanism that was put together.
     pub(crate) fn check_effort<W: Worksheet>(&self, driver: usize, effort: W::Num, sheet: W) {
         let size = self.size(driver).max(effort.value().abs());
-        sheet.check_zero(
+        sheet.check_sum(
             "the effort by the equations of Newton and Euler of every link",
-            (effort.value() - self.effort(driver)).into(),
+            effort,
+            self.effort(driver).into(),
             size,
         );
     }

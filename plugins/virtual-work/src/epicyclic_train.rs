@@ -254,9 +254,10 @@ impl Analysis for EpicyclicTrain {
         let (solved, links) = self.built(teeth, on_driver.value()).map_err(built::refusal)?;
         sheet.verify(|| {
             let size = load.value().abs().max(on_driver.value().abs());
-            sheet.check_zero(
+            sheet.check_sum(
                 "the load by the equations of Newton and Euler of every gear",
-                (load.value() - solved.effort(0)).into(),
+                load,
+                solved.effort(0).into(),
                 size,
             );
             let turned = solved.dynamics.coefficients[0][solved_index(links[self.driver as usize])][2];

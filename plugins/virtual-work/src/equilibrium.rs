@@ -211,19 +211,24 @@ impl Equilibrium {
             let slope = ((e[6] - e[0]) - 9.0 * (e[5] - e[1]) + 45.0 * (e[4] - e[2])) / (60.0 * step);
             let bend = (2.0 * (e[6] + e[0]) - 27.0 * (e[5] + e[1]) + 270.0 * (e[4] + e[2]) - 490.0 * e[3])
                 / (180.0 * step * step);
+            // What the next term changed bounds the truncation: the differences of the fourth order beside them.
+            let rough_slope = (8.0 * (e[4] - e[2]) - (e[5] - e[1])) / (12.0 * step);
+            let rough_bend = (16.0 * (e[4] + e[2]) - (e[5] + e[1]) - 30.0 * e[3]) / (12.0 * step * step);
             let most = e.iter().fold(0.0f64, |most, one| most.max((one - e[3]).abs()).max(1e-7 * one.abs()));
-            // Differences of the sixth order are good to 10⁻⁷ of the energies.
+            // Differences of the sixth order are good to 10⁻⁷ of the energies, or to the next term.
             let name = |what: &'static str| Text::new(what).with("name", &drive.name);
             let slack = 100.0;
-            sheet.check_zero(
+            sheet.check_residual(
                 name("the potential energy has no slope by {name}"),
-                slope.into(),
+                slope,
                 slack * most / step,
+                (slope - rough_slope) / 8.0,
             );
-            sheet.check_zero(
+            sheet.check_residual(
                 name("the differences of the potential energy have the second derivative by {name}"),
-                (bend - here.stiffness[(driver, driver)]).into(),
+                bend - here.stiffness[(driver, driver)],
                 slack * most / (step * step),
+                (bend - rough_bend) / 8.0,
             );
         }
     }

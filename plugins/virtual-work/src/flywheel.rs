@@ -228,7 +228,7 @@ impl Flywheel {
                     let again = if most > least { most - least } else { 0.0 };
                     let scale: f64 = rows.iter().map(|row| row.sine.abs() + row.cosine.abs()).sum();
                     let what = "fluctuation of energy from the integrals of the harmonics";
-                    sheet.check_zero(what, (energy.value() - again).into(), scale);
+                    sheet.check_sum(what, energy, again.into(), scale);
                 });
                 Ok(energy)
             }
@@ -258,7 +258,7 @@ impl Flywheel {
                 sheet.verify(|| {
                     let scale = curved.cycle.rms;
                     let what = "mean turning moment from the trapezia between the rows";
-                    sheet.check_zero(what, (mean.value() - trapezia).into(), scale);
+                    sheet.check_sum(what, mean, trapezia.into(), scale);
                 });
                 Ok(fluctuation(&curved, given.speed, mean, sheet))
             }
@@ -361,7 +361,7 @@ fn energy_of_areas<W: Worksheet>(
         let (from, to) = (most.min(least), most.max(least));
         let between: f64 = areas[from + 1..=to].iter().sum();
         let what = "the fluctuation from the areas between the two crossings";
-        sheet.check_zero(what, (energy.value() - scale.value() * between.abs()).into(), scale.value() * size);
+        sheet.check_sum(what, energy, (scale.value() * between.abs()).into(), scale.value() * size);
     });
     Ok(energy)
 }

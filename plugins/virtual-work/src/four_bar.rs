@@ -221,7 +221,7 @@ impl Analysis for FourBar {
                 (1, links.rocker, "turn of the rocker from the derivatives of the loop"),
             ] {
                 let size = links.coupler.first.abs().max(links.rocker.first.abs());
-                sheet.check_zero(what, (found.ratios[n].value() - link.first).into(), size);
+                sheet.check_sum(what, found.ratios[n], link.first.into(), size);
             }
             if self.moves() {
                 let (w, alpha) = (self.speed, self.acceleration);
@@ -237,7 +237,7 @@ impl Analysis for FourBar {
                     ),
                     (1, links.rocker, "angular acceleration of the rocker from the derivatives of the loop"),
                 ] {
-                    sheet.check_zero(what, (found.accelerations[n].value() - of(link)).into(), size);
+                    sheet.check_sum(what, found.accelerations[n], of(link).into(), size);
                 }
             }
         });

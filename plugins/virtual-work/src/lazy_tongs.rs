@@ -150,14 +150,16 @@ impl Analysis for LazyTongs {
             let (mechanism, drawn) = self.built();
             if let Some(effort) = solved(&mechanism, &drawn) {
                 let size = self.loads.iter().map(|load| load.force.abs()).sum::<f64>();
-                sheet.check_zero(
+                sheet.check_sum(
                     "the reaction of B along the line by Newton and Euler for every bar",
-                    W::Num::from(along.value() + effort.newton_euler[0]),
+                    along,
+                    (-effort.newton_euler[0]).into(),
                     size * (1.0 + 1.0 / self.angle.tan()),
                 );
-                sheet.check_zero(
+                sheet.check_sum(
                     "the reaction of B upwards by Newton and Euler for every bar",
-                    W::Num::from(up.value() - effort.newton_euler[1]),
+                    up,
+                    effort.newton_euler[1].into(),
                     size * (1.0 + 1.0 / self.angle.tan()),
                 );
             }

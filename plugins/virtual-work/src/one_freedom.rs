@@ -231,9 +231,10 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
             self.show_joints(&machine, sheet);
             if let Some(effort) = solved(&machine.0, &machine.1) {
                 let scale = size(&plain, &self.shapes.shapes(&lengths, angle.value()));
-                sheet.check_zero(
+                sheet.check_sum(
                     "the holding couple by Newton and Euler for every body",
-                    N::from(couple.value() - effort.newton_euler[0]),
+                    couple,
+                    effort.newton_euler[0].into(),
                     scale,
                 );
             }

@@ -172,9 +172,10 @@ impl Analysis for RollingDisc {
             solved.check_effort(0, effort, sheet);
             let grip = -solved.reaction(rack)[0];
             let size = grip.abs().max(self.mass * found.acceleration.value().abs());
-            sheet.check_zero(
+            sheet.check_sum(
                 "the friction is the effort that keeps the disc from slipping",
-                (friction.value() + grip).into(),
+                friction,
+                (-grip).into(),
                 size,
             );
             let along = self.along(&found);

@@ -230,9 +230,10 @@ impl Analysis for ScissorLift {
         sheet.verify(|| {
             if let Some(effort) = self.solved(self.angle, share) {
                 let size = force.value().abs().max(share.abs());
-                sheet.check_zero(
+                sheet.check_sum(
                     "the force of the cylinder by Newton and Euler for every bar",
-                    W::Num::from(force.value() - effort.newton_euler[0]),
+                    force,
+                    effort.newton_euler[0].into(),
                     size,
                 );
             }

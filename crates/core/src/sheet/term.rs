@@ -29,6 +29,11 @@ impl<'s> Term<'s> {
         }
     }
 
+    /// The node of this number; a literal has none.
+    pub(super) fn node(self) -> Option<Id> {
+        if let Term::Node(_, id) = self { Some(id) } else { None }
+    }
+
     pub(super) fn sheet(self) -> Option<&'s Sheet<'s>> {
         if let Term::Node(sheet, _) = self { Some(sheet) } else { None }
     }

@@ -26,6 +26,11 @@ impl<'s> Vect<'s> {
         }
     }
 
+    /// The node of this vector; a literal has none.
+    pub(super) fn node(self) -> Option<Id> {
+        if let Vect::Node(_, id) = self { Some(id) } else { None }
+    }
+
     pub(super) fn sheet(self) -> Option<&'s Sheet<'s>> {
         if let Vect::Node(sheet, _) = self { Some(sheet) } else { None }
     }

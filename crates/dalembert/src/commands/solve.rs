@@ -2,9 +2,10 @@
 
 use std::{ffi::OsStr, path::Path, process::ExitCode};
 
-use dalembert_core::{Locale, Text};
+use dalembert_core::{Locale, Solution, Text};
 use dalembert_report::{Paper, Worked, csv, csv_tables, document, json, json_text, show_answer_in, text};
 use dalembert_tui::glyphs::filter_untrusted;
+use dalembert_units as units;
 
 use crate::{
     arguments::{Format, Solve},
@@ -41,11 +42,11 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         Format::Typst => Paper::Typst,
         Format::Json => {
             put(solve, &json_text(&json(&worked, &locale)))?;
-            return status(&worked);
+            return status(&worked, console);
         }
         Format::Csv => {
             put(solve, &spreadsheet(&worked, &solve.table, &locale)?)?;
-            return status(&worked);
+            return status(&worked, console);
         }
     };
     // Formulas are set as mathematics, of which ASCII has none; LaTeX is ASCII but for accents anyway.
@@ -68,7 +69,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
             }
         }
     }
-    status(&worked)
+    status(&worked, console)
 }
 
 /// What is asked for: by name, else by the ending of the file.
@@ -100,7 +101,7 @@ pub(crate) fn print_worked(problem: &Problem, console: &Console) -> Result<ExitC
     let outcome = outcome(problem)?;
     let worked = worked(problem, &outcome);
     console.print(document(&worked, &console.locale))?;
-    status(&worked)
+    status(&worked, console)
 }
 
 /// What a problem comes to, its answers in the units that are asked for.
@@ -134,9 +135,52 @@ fn spreadsheet(worked: &Worked<'_>, table: &str, locale: &Locale) -> Result<Stri
     })
 }
 
-/// 1 for a refusal, a failed check or a defect.
-fn status(worked: &Worked<'_>) -> Result<ExitCode, Failure> {
+/// 1 for a refusal, a failed check or a defect, each of which is said on standard error.
+fn status(worked: &Worked<'_>, console: &Console) -> Result<ExitCode, Failure> {
     let solution = worked.outcome.map_err(|why| Failure::Refused(why.clone()))?;
-    let sound = solution.checks.iter().all(|check| check.passed) && solution.defects.is_empty();
-    Ok(if sound { ExitCode::SUCCESS } else { ExitCode::from(1) })
+    let complaints = complaints(solution, &console.locale);
+    for line in &complaints {
+        eprintln!("{}", console.plain(line));
+    }
+    Ok(if complaints.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}
+
+/// What is wrong with a solution that was found, a line each.
+fn complaints(solution: &Solution, locale: &Locale) -> Vec<String> {
+    let number = |x: f64| units::write_number(x, units::Style { digits: 2, ..locale.style });
+    let failed = solution.checks.iter().filter(|check| !check.passed).map(|check| {
+        Text::new(
+            "check failed: {what}: the two ways differ by {residual} of their size, and {limit} is allowed",
+        )
+        .with_text("what", check.what.clone())
+        .with("residual", number(check.residual))
+        .with("limit", number(check.limit))
+    });
+    let faults =
+        solution.defects.iter().map(|defect| Text::new("fault of the program: {what}").with("what", defect));
+    failed.chain(faults).map(|line| line.render(locale)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use dalembert_core::Check;
+
+    use super::*;
+
+    #[test]
+    fn a_failed_check_is_said_with_its_size() {
+        let mut solution = Solution::default();
+        let check = |residual: f64| Check {
+            what: "force by energy".into(),
+            residual,
+            limit: 1e-9,
+            passed: residual <= 1e-9,
+        };
+        solution.checks.push(check(1e-12));
+        assert_eq!(complaints(&solution, &Locale::english()), Vec::<String>::new());
+        solution.checks.push(check(0.25));
+        let said = complaints(&solution, &Locale::english());
+        assert_eq!(said.len(), 1);
+        assert!(said[0].contains("force by energy") && said[0].contains("0.25"), "{}", said[0]);
+    }
 }

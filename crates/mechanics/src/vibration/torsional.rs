@@ -88,6 +88,8 @@ pub struct HolzerRow {
     pub amplitude: f64,
     /// Its inertia torque `J ω² θ`.
     pub inertia_torque: f64,
+    /// The sizes of the torques of inertia, wall and side branches, which may cancel in it.
+    pub size: f64,
     /// The torque in the shaft that leads on: the sum of all inertia torques so far.
     pub shaft_torque: f64,
     /// The twist of that shaft; zero at the end.
@@ -321,18 +323,19 @@ impl Train {
         for (at, &disc) in self.trunk.iter().enumerate() {
             let next = self.trunk.get(at + 1);
             let own = self.inertias[disc] * square - self.walls[disc];
-            let side: f64 = (0..self.towards.len())
-                .filter(|other| Some(other) != next)
-                .filter_map(|other| {
+            let sides = || {
+                (0..self.towards.len()).filter(|other| Some(other) != next).filter_map(|other| {
                     let (up, shaft) = self.towards[other]?;
                     (up == disc).then(|| behind(shaft, stiffness[other]))
                 })
-                .sum();
-            let inertia_torque = (own - side) * amplitude;
+            };
+            let inertia_torque = (own - sides().sum::<f64>()) * amplitude;
+            let parts = self.inertias[disc] * square + self.walls[disc] + sides().map(f64::abs).sum::<f64>();
+            let size = parts * amplitude.abs();
             shaft_torque += inertia_torque;
             let twist =
                 next.and_then(|&next| self.towards[next]).map_or(0.0, |(_, shaft)| shaft_torque / shaft);
-            rows.push(HolzerRow { disc, amplitude, inertia_torque, shaft_torque, twist });
+            rows.push(HolzerRow { disc, amplitude, inertia_torque, size, shaft_torque, twist });
             amplitude -= twist;
         }
         rows
@@ -342,7 +345,7 @@ impl Train {
     /// frequency, within −1 and 1.
     pub fn residual(&self, frequency: f64) -> f64 {
         let rows = self.holzer(frequency);
-        let size: f64 = rows.iter().map(|row| row.inertia_torque.abs()).sum();
+        let size: f64 = rows.iter().map(|row| row.size).sum();
         match rows.last() {
             Some(last) if size > 0.0 => last.shaft_torque / size,
             _ => 0.0,

@@ -79,8 +79,8 @@ pub(super) fn rotating<W: Worksheet>(
                 v += along * c.line.value().sin() - counterweight.fraction.value() * k * crank.sin();
             }
             let what = "what remains, added up piston by piston and counterweight by counterweight";
-            sheet.check_zero(what, (x.value() - u).into(), first.scale);
-            sheet.check_zero(what, (y.value() - v).into(), first.scale);
+            sheet.check_sum(what, x, u.into(), first.scale);
+            sheet.check_sum(what, y, v.into(), first.scale);
         });
     }
     if let Some(couple) = &first.couple {
@@ -253,14 +253,16 @@ pub(super) fn shafts<W: Worksheet>(
         sheet.verify(|| {
             // At the crank angle 0 the shaft's force and the vector are gone along both directions.
             let pull = product.value() * speed.value().powi(2);
-            sheet.check_zero(
+            sheet.check_sum(
                 "nothing of the vector is left along the vertical",
-                (x.value() + pull * angle.value().cos()).into(),
+                x,
+                (-(pull * angle.value().cos())).into(),
                 scale,
             );
-            sheet.check_zero(
+            sheet.check_sum(
                 "nothing of the vector is left across",
-                (y.value() + pull * angle.value().sin()).into(),
+                y,
+                (-(pull * angle.value().sin())).into(),
                 scale,
             );
         });

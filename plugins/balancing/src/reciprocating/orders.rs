@@ -358,11 +358,11 @@ pub(super) fn check<W: Worksheet>(
         };
         let what = "the order by the Fourier integral of the pistons' forces over a turn";
         for (sign, size) in [(1.0, order.force.forward_size), (-1.0, order.force.backward_size)] {
-            sheet.check_zero(what, (size.value() - vector(sign, false)).into(), scale);
+            sheet.check_sum(what, size, vector(sign, false).into(), scale);
         }
         if let Some(couple) = &order.couple {
             for (sign, size) in [(1.0, couple.forward_size), (-1.0, couple.backward_size)] {
-                sheet.check_zero(what, (size.value() - vector(sign, true)).into(), scale * reach);
+                sheet.check_sum(what, size, vector(sign, true).into(), scale * reach);
             }
         }
     }

@@ -46,11 +46,7 @@ pub(super) fn solve<W: Worksheet>(
     sheet.verify(|| {
         let numbers = [force, amplitude, frequency, lag, time].map(Real::value);
         let scale = numbers[0] * numbers[1] * (1.0 + numbers[2] * numbers[4]);
-        sheet.check_zero(
-            "work by numerical integration",
-            W::Num::from(work.value() - integrated(numbers)),
-            scale,
-        );
+        sheet.check_sum("work by numerical integration", work, integrated(numbers).into(), scale);
     });
     sheet.answer("work", "Work up to that time", work);
     sheet.answer("work_of_a_cycle", "Work of a cycle", cycle);

@@ -55,9 +55,10 @@ impl<N: Real> BuildUp<N> {
         };
         sheet.verify(|| {
             if let Some(&(_, other)) = self.history(time.value(), 1).as_deref().and_then(<[_]>::last) {
-                sheet.check_zero(
+                sheet.check_sum(
                     "displacement from the exponential of the matrix of the system",
-                    N::from(x.value() - other),
+                    x,
+                    other.into(),
                     scale,
                 );
             }

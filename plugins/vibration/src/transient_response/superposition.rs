@@ -101,7 +101,7 @@ impl<'m, N: Real> Superposition<'m, N> {
         let x = sheet.step(symbol, "mm", x, why);
         sheet.verify(|| {
             let what = "displacement by the exact recurrence over the pieces of the load";
-            sheet.check_zero(what, (x.value() - exact).into(), scale.max(exact.abs()));
+            sheet.check_sum(what, x, exact.into(), scale.max(exact.abs()));
             self.hold_to_duhamel(time, x, sheet);
         });
         Ok(x)
@@ -117,11 +117,7 @@ impl<'m, N: Real> Superposition<'m, N> {
     fn hold_to_duhamel<W: Worksheet<Num = N>>(&self, time: f64, x: N, sheet: W) {
         if let Some(integral) = self.model.motion.duhamel(time) {
             let scale = self.scale(time).max(integral.abs());
-            sheet.check_zero(
-                "displacement by Duhamel's integral, in numbers",
-                (x.value() - integral).into(),
-                scale,
-            );
+            sheet.check_sum("displacement by Duhamel's integral, in numbers", x, integral.into(), scale);
         }
     }
 

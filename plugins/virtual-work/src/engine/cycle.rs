@@ -101,24 +101,24 @@ pub(super) fn cycle<W: Worksheet>(
             kernel.moment_by_virtual_work(steady(angle), &motion, force(&motion, angle))
         };
         let what = "greatest turning moment from the virtual works at its crank angle";
-        sheet.check_zero(what, (most.value() - work_at(cycle.greatest.0)).into(), size);
+        sheet.check_sum(what, most, work_at(cycle.greatest.0).into(), size);
         let what = "least turning moment from the virtual works at its crank angle";
-        sheet.check_zero(what, (least.value() - work_at(cycle.least.0)).into(), size);
+        sheet.check_sum(what, least, work_at(cycle.least.0).into(), size);
         if kernel.model == Model::Exact {
             let reaction_at = |angle: f64| {
                 let force = force(&kernel.motion(steady(angle)), angle);
                 kernel.reactions(steady(angle), force).map_or(f64::NAN, |reactions| reactions.moment)
             };
             let what = "greatest turning moment from Newton's and Euler's equations at its crank angle";
-            sheet.check_zero(what, (most.value() - reaction_at(cycle.greatest.0)).into(), size);
+            sheet.check_sum(what, most, reaction_at(cycle.greatest.0).into(), size);
             let what = "least turning moment from Newton's and Euler's equations at its crank angle";
-            sheet.check_zero(what, (least.value() - reaction_at(cycle.least.0)).into(), size);
+            sheet.check_sum(what, least, reaction_at(cycle.least.0).into(), size);
             if gas.is_none() && kernel.friction == 0.0 && kernel.gravity == [0.0; 2] {
                 let energies = || cycle.crossings.iter().map(|it| kernel.kinetic_energy(it.0, speed.value()));
                 let range =
                     energies().fold(f64::NEG_INFINITY, f64::max) - energies().fold(f64::INFINITY, f64::min);
                 let what = "fluctuation of energy as the range of the kinetic energy of piston and rod";
-                sheet.check_zero(what, (energy.value() - range.max(0.0)).into(), size);
+                sheet.check_sum(what, energy, range.max(0.0).into(), size);
             }
         }
         let friction = 2.0 * f64::from(turns) * kernel.stroke() * kernel.friction;
@@ -129,7 +129,7 @@ pub(super) fn cycle<W: Worksheet>(
         };
         if let Some(done) = done {
             let what = "mean turning moment from the work of gas and friction in a cycle";
-            sheet.check_zero(what, (mean.value() - (done - friction) / period).into(), size);
+            sheet.check_sum(what, mean, ((done - friction) / period).into(), size);
         }
     });
     Ok(Some(Turned { cycle, period }))

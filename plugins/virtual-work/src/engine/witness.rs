@@ -29,7 +29,7 @@ pub(super) fn motion<W: Worksheet>(
     let crank = moving.crank();
     let Ok(closed) = mechanism.motion(crank) else { return };
     let what = "obliquity of the rod by the closure of the slider-crank";
-    sheet.check_zero(what, (moving.obliquity.value() + closed.rod_angle).into(), 1.0);
+    sheet.check_sum(what, moving.obliquity, (-closed.rod_angle).into(), 1.0);
     let (Some(speed), Some(velocity), Some(acceleration)) =
         (moving.speed, moving.velocity, moving.acceleration)
     else {
@@ -40,17 +40,17 @@ pub(super) fn motion<W: Worksheet>(
         Terms::Exact => {
             let scale = engine.crank * speed.value();
             let what = "velocity of the piston by the closure of the slider-crank";
-            sheet.check_zero(what, (velocity.value() + closed.slider_velocity).into(), scale);
+            sheet.check_sum(what, velocity, (-closed.slider_velocity).into(), scale);
             let what = "acceleration of the piston by the closure of the slider-crank";
             let scale = natural.max(closed.slider_acceleration.abs());
-            sheet.check_zero(what, (acceleration.value() + closed.slider_acceleration).into(), scale);
+            sheet.check_sum(what, acceleration, (-closed.slider_acceleration).into(), scale);
         }
         Terms::Two => {
             let second = [1.0 / lengths.ratio.value()];
             let turning = (crank.acceleration != 0.0).then_some(crank.acceleration);
             let again = harmonics::acceleration(engine.crank, &second, crank.angle, crank.speed, turning);
             let what = "acceleration of the piston as the sum of a primary and a secondary one";
-            sheet.check_zero(what, (acceleration.value() - again).into(), natural);
+            sheet.check_sum(what, acceleration, again.into(), natural);
         }
         Terms::Harmonics { .. } => {
             let step = 1e-3;
@@ -64,11 +64,7 @@ pub(super) fn motion<W: Worksheet>(
                 rule.into_iter().map(|(k, w)| w * (displacement(k) - displacement(-k))).sum::<f64>()
                     / (840.0 * step);
             let what = "velocity of the piston as the slope of its displacement";
-            sheet.check_zero(
-                what,
-                (velocity.value() - slope * crank.speed).into(),
-                engine.crank * crank.speed,
-            );
+            sheet.check_sum(what, velocity, (slope * crank.speed).into(), engine.crank * crank.speed);
         }
     }
 }
@@ -102,29 +98,29 @@ pub(super) fn forces<W: Worksheet>(
         let scale = size(&plain) * (1.0 + engine.rod / engine.crank);
         if let Ok(reactions) = engine.reactions(crank, pressure) {
             let what = "turning moment from Newton's and Euler's equations of piston and rod";
-            sheet.check_zero(what, (forces.moment.value() - reactions.moment).into(), scale * engine.crank);
+            sheet.check_sum(what, forces.moment, reactions.moment.into(), scale * engine.crank);
             let what = "thrust on the guide from Newton's and Euler's equations";
-            sheet.check_zero(what, (forces.guide.value() - reactions.guide).into(), scale);
+            sheet.check_sum(what, forces.guide, reactions.guide.into(), scale);
             let what = "load on the gudgeon pin from Newton's and Euler's equations";
-            sheet.check_zero(what, (forces.gudgeon.value() + reactions.gudgeon_pin[0]).into(), scale);
+            sheet.check_sum(what, forces.gudgeon, (-reactions.gudgeon_pin[0]).into(), scale);
             let [x, y] = reactions.crank_pin;
             let radial = -x * crank.angle.cos() - y * crank.angle.sin();
             let what = "radial force at the crank pin from Newton's and Euler's equations";
-            sheet.check_zero(what, (forces.radial.value() - radial).into(), scale);
+            sheet.check_sum(what, forces.radial, radial.into(), scale);
         }
         if let (Some(moment), None) = (forces.inertia_moment, moving.turning) {
             let by_energy = engine.inertia_moment_by_energy(crank.angle, crank.speed);
             let what = "moment of the inertia forces as −dE/dθ of the kinetic energy";
             let energy = engine.kinetic_energy(std::f64::consts::FRAC_PI_2, crank.speed)
                 + engine.kinetic_energy(0.0, crank.speed);
-            sheet.check_zero(what, (moment.value() - by_energy).into(), energy.max(scale * engine.crank));
+            sheet.check_sum(what, moment, by_energy.into(), energy.max(scale * engine.crank));
         }
     } else {
         let plain = engine.forces(crank, &engine.motion(crank), pressure);
         let scale = size(&plain);
         let what = "the turning moment in crank axes by the equilibrium of rod and piston";
-        sheet.check_zero(what, (forces.moment.value() - plain.moment).into(), scale * engine.crank);
+        sheet.check_sum(what, forces.moment, plain.moment.into(), scale * engine.crank);
         let what = "thrust on the guide by the equilibrium of rod and piston";
-        sheet.check_zero(what, (forces.guide.value() - plain.guide).into(), scale);
+        sheet.check_sum(what, forces.guide, plain.guide.into(), scale);
     }
 }
