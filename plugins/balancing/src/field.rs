@@ -7,7 +7,7 @@ use dalembert_mechanics::{
         self,
         influence::{self, InfluenceError},
         min_max::min_max,
-        spread::{self, ReadingSpread},
+        spread::{self, Choice, ReadingSpread},
     },
     intervals::IntervalSet,
     linalg::LinalgError,
@@ -37,6 +37,9 @@ use crate::sources::{BOYD, DARLOW, GOODMAN, RAO};
 
 /// How many jobs that might as well have been measured the ranges are read from.
 const SAMPLES: usize = 400;
+
+/// As many unknowns times readings a min-max problem may have for its samples to be found while a key is typed.
+const QUICK: usize = 200;
 
 /// Beside its weight a range wider than this is no longer what linear propagation makes it, and covers less.
 const WIDE: f64 = 0.3;
@@ -175,7 +178,13 @@ impl Analysis for Field {
         trim(&numbers, &weights, sheet);
         let left = self.predict(&numbers, &weights, job.units.reading, sheet);
         condition(squares.condition, sheet);
-        sheet.verify(|| ranges(&numbers, &factors, spread, &weights, job.units.reading, sheet));
+        sheet.verify(|| {
+            let choice = match self.method {
+                Method::MinMax { limit } => Choice::MinMax(limit),
+                _ => Choice::LeastSquares(&factors),
+            };
+            ranges(&numbers, choice, spread, &weights, job.units.reading, sheet);
+        });
         show::all(&numbers, &weights, &left, &factors, job.units, sheet);
         Ok(())
     }
@@ -394,7 +403,7 @@ fn condition<W: Worksheet>(condition: f64, sheet: W) {
 /// which somebody may repeat a million times.
 fn ranges<W: Worksheet>(
     numbers: &Numbers,
-    factors: &[f64],
+    choice: Choice<'_>,
     spread: ReadingSpread,
     weights: &[Complex<f64>],
     unit: &'static str,
@@ -403,8 +412,20 @@ fn ranges<W: Worksheet>(
     if spread.amplitude == 0.0 && spread.phase == 0.0 {
         return;
     }
-    let measured = numbers.measured(factors, spread);
-    let Some(ranges) = spread::ranges(&measured, weights, SAMPLES, 1) else { return };
+    if matches!(choice, Choice::MinMax(_)) && weights.len() * numbers.first.len() > QUICK {
+        sheet.warn(|| {
+            Text::new(
+                "the ranges of the weights are left out: to solve the min-max problem of {readings} readings and {planes}                  planes again for each of {samples} samples takes too long; least squares gives its ranges at once",
+            )
+            .with("readings", numbers.first.len())
+            .with("planes", weights.len())
+            .with("samples", SAMPLES)
+        });
+        return;
+    }
+    let measured = numbers.measured(choice, spread);
+    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let Some(ranges) = spread::ranges(&measured, weights, SAMPLES, threads) else { return };
     let between = |[low, high]: [f64; 2]| IntervalSet::interval(Bound::Included(low), Bound::Included(high));
     for (n, (size, angle)) in (1..).zip(ranges.sizes.iter().zip(&ranges.angles)) {
         let label = "95 % range of the correction weight in plane";

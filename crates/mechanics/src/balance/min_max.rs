@@ -42,6 +42,20 @@ pub fn min_max(
     readings: &[Complex<f64>],
     limit: Option<f64>,
 ) -> Result<MinMax, InfluenceError> {
+    min_max_within(alpha, readings, limit, GAP)
+}
+
+/// As [`min_max`], but only so near to the bound that the largest reading lies above it by `gap` of its size before
+/// balancing, or by what [`min_max`] itself leaves where that is more.
+///
+/// # Errors
+/// As [`min_max`].
+pub fn min_max_within(
+    alpha: &DMatrix<Complex<f64>>,
+    readings: &[Complex<f64>],
+    limit: Option<f64>,
+    gap: f64,
+) -> Result<MinMax, InfluenceError> {
     let (rows, planes) = alpha.shape();
     if rows < planes {
         return Err(InfluenceError::TooFewReadings { readings: rows, planes });
@@ -55,7 +69,12 @@ pub fn min_max(
     let unit = size / effect;
     let scaled = alpha / Complex::from(effect);
     let from: Vec<Complex<f64>> = readings.iter().map(|v| v / size).collect();
-    let problem = Barrier { alpha: &scaled, readings: &from, limit: limit.map(|limit| limit / unit) };
+    let problem = Barrier {
+        alpha: &scaled,
+        readings: &from,
+        limit: limit.map(|limit| limit / unit),
+        gap: gap.max(GAP),
+    };
     let (weights, bound) = problem.solve().ok_or(LinalgError::NotConverged)?;
     let weights: Vec<Complex<f64>> = weights.into_iter().map(|w| w * unit).collect();
     let residuals = residuals(alpha, readings, &weights);
@@ -67,6 +86,7 @@ struct Barrier<'a> {
     alpha: &'a DMatrix<Complex<f64>>,
     readings: &'a [Complex<f64>],
     limit: Option<f64>,
+    gap: f64,
 }
 
 impl Barrier<'_> {
@@ -79,7 +99,7 @@ impl Barrier<'_> {
         let mut sharpness = cones as f64;
         let mut steps = 0;
         loop {
-            let last = 2.0 * cones as f64 <= GAP * sharpness;
+            let last = 2.0 * cones as f64 <= self.gap * sharpness;
             let mut full = 0;
             loop {
                 steps += 1;
@@ -121,7 +141,7 @@ impl Barrier<'_> {
         };
         let mut least = largest(&best);
         for _ in 0..LAST_STEPS {
-            if least - bound <= 2.0 * GAP {
+            if least - bound <= 2.0 * self.gap {
                 break;
             }
             let (step, decrement) = self.newton(&weights, top, sharpness)?;

@@ -12,12 +12,19 @@ use std::{
 
 use nalgebra::{Complex, DMatrix};
 
-use super::influence::{TrialRun, influence_coefficients, residuals};
+use super::{
+    influence::{TrialRun, influence_coefficients, residuals},
+    min_max::min_max_within,
+};
 use crate::Real;
 
 mod two_plane;
 
 pub use two_plane::{Statistics, two_plane_statistics};
+
+/// How near to the least possible the largest reading of a sample is brought, over the uncertainty of the readings:
+/// what a range cannot show need not be found.
+const SAMPLE_GAP: f64 = 1e-3;
 
 /// Standard uncertainties of a reading.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,6 +44,15 @@ pub enum Influence<'a> {
     Known(&'a DMatrix<Complex<f64>>),
 }
 
+/// How the weights of a sample are chosen: as those were that the ranges belong to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Choice<'a> {
+    /// Least squares, with the importance of each reading; 1 where it is left out.
+    LeastSquares(&'a [f64]),
+    /// The largest reading as small as possible, each weight within the limit.
+    MinMax(Option<f64>),
+}
+
 /// A job of field balancing as it was measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measurement<'a> {
@@ -44,8 +60,8 @@ pub struct Measurement<'a> {
     pub first: &'a [Complex<f64>],
     /// The source of the influence coefficients.
     pub influence: Influence<'a>,
-    /// The importance of each reading; 1 where it is left out.
-    pub importance: &'a [f64],
+    /// How the weights are chosen.
+    pub choice: Choice<'a>,
     /// The uncertainty of each reading.
     pub spread: ReadingSpread,
 }
@@ -53,8 +69,8 @@ pub struct Measurement<'a> {
 /// Ranges that hold 95 % of the samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ranges {
-    /// Size of the weight of least squares in each plane. It begins at zero where the given weight cannot be told from
-    /// none: noise alone makes weights that are larger than it.
+    /// Size of the weight in each plane. It begins at zero where the given weight cannot be told from none: noise alone
+    /// makes weights that are larger than it. The given weight always lies in it.
     pub sizes: Vec<[f64; 2]>,
     /// Its angle, rad, unwrapped about the angle of the given weights; a whole turn where the size begins at zero.
     pub angles: Vec<[f64; 2]>,
@@ -113,7 +129,7 @@ fn mix(mut bits: u64) -> u64 {
     bits ^ (bits >> 31)
 }
 
-/// The ranges of the weights of least squares and of the readings that `weights` leave, from `samples` jobs that
+/// The ranges of the weights and of the readings that `weights` leave, from `samples` jobs that
 /// might as well have been measured. `None` where a sample has no answer or a number is not finite.
 pub fn ranges(
     measured: &Measurement<'_>,
@@ -162,7 +178,9 @@ pub fn ranges(
             // Of the intervals that hold 95 %, one with the estimate in it; nothing is known of its angle.
             return ([0.0, column(plane)(0.95)], [weight.arg() - PI, weight.arg() + PI]);
         }
-        ([low, high], middle(planes + plane).map(|turn| turn + weight.arg()))
+        // An interval that also reaches to the estimate, as that of a weight at its limit must, holds no less.
+        let [back, on] = middle(planes + plane);
+        ([low, high.max(weight.norm())], [back.min(0.0), on.max(0.0)].map(|turn| turn + weight.arg()))
     };
     let (sizes, angles) = weights.iter().enumerate().map(of_plane).unzip();
     let ranges = Ranges {
@@ -199,7 +217,13 @@ fn one_sample(
             influence_coefficients(&first, &runs, stay).ok()?
         }
     };
-    let found = normal_equations(&alpha, &first, measured.importance)?;
+    let found = match measured.choice {
+        Choice::LeastSquares(importance) => normal_equations(&alpha, &first, importance)?,
+        Choice::MinMax(limit) => {
+            let doubt = measured.spread.amplitude.max(measured.spread.phase);
+            min_max_within(&alpha, &first, limit, SAMPLE_GAP * doubt).ok()?.weights
+        }
+    };
     for (plane, (found, nominal)) in found.iter().zip(weights).enumerate() {
         row[plane] = found.norm();
         row[planes + plane] = if nominal.norm() > 0.0 { (found / nominal).arg() } else { found.arg() };

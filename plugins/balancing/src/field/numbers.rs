@@ -5,7 +5,7 @@ use dalembert_mechanics::{
     Real,
     balance::{
         influence::{self, TrialRun},
-        spread::{self, Measurement, ReadingSpread},
+        spread::{self, Choice, Measurement, ReadingSpread},
     },
 };
 use nalgebra::{Complex, DMatrix};
@@ -125,13 +125,13 @@ impl Numbers {
     }
 
     /// The same numbers for sampling.
-    pub(super) fn measured<'a>(&'a self, factors: &'a [f64], spread: ReadingSpread) -> Measurement<'a> {
+    pub(super) fn measured<'a>(&'a self, choice: Choice<'a>, spread: ReadingSpread) -> Measurement<'a> {
         let influence = if self.known {
             spread::Influence::Known(&self.alpha)
         } else {
             spread::Influence::Runs(&self.runs, self.stay)
         };
-        Measurement { first: &self.first, influence, importance: factors, spread }
+        Measurement { first: &self.first, influence, choice, spread }
     }
 }
 
