@@ -128,14 +128,19 @@ impl Analysis for TogglePress {
         let left = sheet.step(
             "s",
             "mm",
-            l1 + l2 - l1 * alpha.cos() - l2 * beta.cos(),
-            "Way of the ram until the links are in line",
+            l1 * 2.0 * (alpha / 2.0).sin().powi(2) + l2 * 2.0 * (beta / 2.0).sin().powi(2),
+            "Way of the ram until the links are in line, L₁ (1 − cos α) + L₂ (1 − cos β) with 1 − cos x = 2 sin²(x/2)",
         );
         sheet.answer("fixed_link_force", "Compression of the link at the fixed pin", first);
         sheet.answer("ram_link_force", "Compression of the link at the ram", second);
         sheet.answer("guide_force", "Force of the guide on the ram", side);
         sheet.answer("remaining_stroke", "Way of the ram until the links are in line", left);
         sheet.verify(|| {
+            sheet.check(
+                "the way of the ram from the lengths along the line of thrust",
+                l1 + l2 - l1 * alpha.cos() - l2 * beta.cos(),
+                left,
+            );
             sheet.check("the thrust from P = Q (tan α + tan β)", knee / (alpha.tan() + beta.tan()), thrust);
             sheet.check("the forces along the line of thrust at the knee", first * alpha.cos(), thrust);
             let (mechanism, drawn) = self.built(beta.value(), knee.value());

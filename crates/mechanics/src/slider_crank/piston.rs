@@ -20,10 +20,11 @@ pub fn obliquity_with_offset<S: Real>(crank: S, rod: S, offset: S, angle: S) -> 
     ((crank * angle.sin() - offset) / rod).asin()
 }
 
-/// Displacement of the piston of an in-line engine, `s = r[(1 − cos θ) + n(1 − cos φ)]`, m.
+/// Displacement of the piston of an in-line engine, `s = r[(1 − cos θ) + n(1 − cos φ)]`, m, with
+/// `1 − cos x = 2 sin²(x/2)`, which keeps its digits near the dead centre.
 #[inline]
 pub fn displacement<S: Real>(crank: S, ratio: S, angle: S, obliquity: S) -> S {
-    crank * ((S::from(1.0) - angle.cos()) + ratio * (S::from(1.0) - obliquity.cos()))
+    crank * 2.0 * ((angle / 2.0).sin().powi(2) + ratio * (obliquity / 2.0).sin().powi(2))
 }
 
 /// Distance of the piston from the crankshaft along the stroke, `x = r cos θ + l cos φ`, m.
@@ -97,10 +98,10 @@ pub fn acceleration<S: Real>(
 pub mod two_term {
     use crate::Real;
 
-    /// Displacement of the piston, `s = r[(1 − cos θ) + sin²θ/(2n)]`, m.
+    /// Displacement of the piston, `s = r[(1 − cos θ) + sin²θ/(2n)]`, m, with `1 − cos θ = 2 sin²(θ/2)`.
     #[inline]
     pub fn displacement<S: Real>(crank: S, ratio: S, angle: S) -> S {
-        crank * ((S::from(1.0) - angle.cos()) + angle.sin().powi(2) / (ratio * 2.0))
+        crank * ((angle / 2.0).sin().powi(2) * 2.0 + angle.sin().powi(2) / (ratio * 2.0))
     }
 
     /// Velocity of the piston, `v = r ω [sin θ + sin 2θ/(2n)]`, m/s.
@@ -148,13 +149,14 @@ pub mod two_term {
 pub mod harmonics {
     use crate::Real;
 
-    /// Displacement of the piston, `s = r[(1 − cos θ) + Σ Aₖ (1 − cos kθ)/k²]`, m; amplitudes of the orders 2, 4, ….
+    /// Displacement of the piston, `s = r[(1 − cos θ) + Σ Aₖ (1 − cos kθ)/k²]`, m, with `1 − cos x = 2 sin²(x/2)`;
+    /// amplitudes of the orders 2, 4, ….
     #[inline]
     pub fn displacement<S: Real>(crank: S, amplitudes: &[S], angle: S) -> S {
-        let one = || S::from(1.0);
-        let first = one() - angle.cos();
-        let higher = amplitudes.iter().zip(orders()).map(|(a, k)| *a * (one() - (angle * k).cos()) / (k * k));
-        crank * S::sum(std::iter::once(first).chain(higher))
+        let first = (angle / 2.0).sin().powi(2);
+        let higher =
+            amplitudes.iter().zip(orders()).map(|(a, k)| *a * (angle * (k / 2.0)).sin().powi(2) / (k * k));
+        crank * 2.0 * S::sum(std::iter::once(first).chain(higher))
     }
 
     /// Velocity of the piston, `v = r ω [sin θ + Σ Aₖ sin kθ/k]`, m/s.
