@@ -18,7 +18,7 @@ fn every_answer_scales_with_its_dimension() {
     for_every_problem(|name, entry, record, here| {
         let there =
             entry.solve(&scaled(record), &Stop::new()).unwrap_or_else(|err| panic!("{name} scaled: {err}"));
-        assert_eq!(here.answers.len(), there.answers.len(), "{name}");
+        assert_eq!(names(here), names(&there), "{name}");
         for (a, b) in here.answers.iter().zip(&there.answers) {
             let (want, got) = (numbers(&a.value), numbers(&b.value));
             assert_eq!(want.len(), got.len(), "{name}: {}", a.name);
@@ -51,6 +51,7 @@ fn the_unit_of_an_input_does_not_change_the_answers() {
                     draft.read(&entry.shape()).unwrap_or_else(|err| panic!("{name}: {text}: {err:?}"));
                 let there =
                     entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {text}: {err}"));
+                assert_eq!(names(here), names(&there), "{name}: other answers with {path} = {text}");
                 for (a, b) in here.answers.iter().zip(&there.answers) {
                     let (want, got) = (numbers(&a.value), numbers(&b.value));
                     let size = want.iter().fold(0.0f64, |size, x| size.max(x.abs()));
@@ -133,6 +134,11 @@ fn numbers(value: &AnswerValue) -> Vec<f64> {
             })
             .collect(),
     }
+}
+
+/// Which answers there are: rounding has no part in that.
+fn names(solution: &Solution) -> Vec<String> {
+    solution.answers.iter().map(|answer| answer.name.to_string()).collect()
 }
 
 fn scale(dim: Dim) -> f64 {

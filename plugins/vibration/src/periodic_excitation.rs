@@ -2,7 +2,7 @@
 
 use dalembert_core::{
     About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, TableExhibit, Text,
-    Worksheet, register,
+    Worksheet, register, trace::ROUNDING,
 };
 use dalembert_mechanics::{
     Real, sdof,
@@ -111,7 +111,7 @@ impl Analysis for PeriodicExcitation {
         };
         let system = System { ratio, zeta, excited, height, source };
         system.mean(&given.waveform, &pieces, sheet);
-        for (row, n) in written(&pieces).into_iter().enumerate() {
+        for (row, n) in written(&self.waveform, &pieces).into_iter().enumerate() {
             sheet.keep_going()?;
             system.harmonic(&given.waveform, &pieces, n, row, sheet);
         }
@@ -143,8 +143,12 @@ enum Excited<N> {
     Base,
 }
 
-/// The harmonics that are written out: the first that are there.
-fn written(pieces: &[Piece]) -> Vec<u32> {
+/// The harmonics that are written out: of a textbook's wave the first that are there, which its symmetry says. Of a table
+/// the first of all: whether one of them vanishes would be left to the last places of what was typed.
+fn written(waveform: &Waveform, pieces: &[Piece]) -> Vec<u32> {
+    if matches!(waveform, Waveform::Table { .. }) {
+        return (1..=60).take(WRITTEN).collect();
+    }
     (1..=60).filter(|n| is_there(pieces, *n)).take(WRITTEN).collect()
 }
 
@@ -225,6 +229,12 @@ impl<N: Real> System<N> {
     ) {
         let index = n as usize;
         let (a, b) = periodic::harmonic(pieces, n);
+        // What is left of the pieces that cancel is zero.
+        let added: f64 = pieces
+            .iter()
+            .map(|piece| piece.value.abs() + (piece.slope * (piece.to - piece.from)).abs())
+            .sum();
+        let (a, b) = if a.hypot(b) <= ROUNDING * added { (0.0, 0.0) } else { (a, b) };
         let source = wave.amplitude(self.source, n, (a, b), self.wave(), sheet);
         sheet.check_zero(
             "coefficient of the harmonic from the pieces of the wave",
@@ -390,7 +400,7 @@ impl PeriodicExcitation {
         sheet.show(|| {
             let (ratio, zeta) = (system.ratio.value(), system.zeta.value());
             let shares = || (0..=240u16).map(|n| f64::from(n) / 120.0);
-            let harmonics: Vec<(u32, f64, f64)> = written(pieces)
+            let harmonics: Vec<(u32, f64, f64)> = written(&self.waveform, pieces)
                 .into_iter()
                 .map(|n| {
                     let (a, b) = periodic::harmonic(pieces, n);
