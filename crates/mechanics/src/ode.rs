@@ -24,6 +24,13 @@ const HELD: u32 = 15;
 /// The error of the polynomial between the ends of a step, over what is allowed at its end, that is usual at most: a
 /// step with more is longer than the estimates of its error are good for.
 const USUAL: f64 = 500.0;
+/// Gaps between the stages of a step, the widest first: their middle, and how far from it is still far from the stages.
+const GAPS: [[f64; 2]; 3] = [[7.0 / 15.0, 0.06], [0.159, 0.015], [0.026, 0.01]];
+/// A step is shortened at most to this part for the sake of a gap.
+const LEAST: f64 = 0.3;
+/// The end of a step keeps this part of it away from a singular position, after so many tries.
+const CLEAR: f64 = 0.25;
+const RELAID: u32 = 4;
 /// The largest value of x⁴ (1 − x)³ from 0 to 1, the last term of the polynomial.
 const LAST_TERM: f64 = 256.0 * 27.0 / 823_543.0;
 
@@ -57,6 +64,12 @@ pub trait Problem {
     /// Brings a state back to what it must satisfy after each step; false if it is too far from it.
     fn settle(&mut self, _time: f64, _state: &mut [f64]) -> bool {
         true
+    }
+
+    /// How long before and after a state, whose rates were just found, the motion passes a singular position: one where
+    /// its rates are lost to rounding. Steps are laid so that none of their stages falls near it.
+    fn singular(&mut self, _time: f64, _state: &[f64], _rates: &[f64]) -> [f64; 2] {
+        [f64::INFINITY; 2]
     }
 
     /// Whether to give up.
@@ -102,7 +115,8 @@ pub enum OdeError {
         /// How many were made.
         steps: usize,
     },
-    /// Something decays so much faster than the motion lasts that an explicit method must crawl.
+    /// The motion asks for too many steps, since something decays so much faster than it lasts that stability alone
+    /// holds the steps of an explicit method short.
     #[error("the motion is stiff at {at}: something in it decays much faster than the rest moves")]
     Stiff {
         /// When.
@@ -153,6 +167,9 @@ pub struct Integrator {
     looked_between: bool,
     /// The polynomial over the last step, once asked for.
     between: Option<[Vec<f64>; 7]>,
+    /// How long until the motion passes a singular position, from the state and from that before.
+    ahead: f64,
+    ahead_before: f64,
     tried: Vec<f64>,
     last_stage: Vec<f64>,
     allowed: Vec<f64>,
@@ -189,6 +206,8 @@ impl Integrator {
             stepped: false,
             looked_between: false,
             between: None,
+            ahead: f64::INFINITY,
+            ahead_before: f64::INFINITY,
             tried: zeros.clone(),
             last_stage: zeros.clone(),
             allowed: zeros,
@@ -247,6 +266,8 @@ impl Integrator {
             part.resize(n, 0.0);
         }
         problem.rates(self.time, &self.state, &mut self.slopes[0]);
+        let [_, ahead] = problem.singular(self.time, &self.state, &self.slopes[0]);
+        (self.ahead, self.ahead_before) = (ahead, ahead);
         (self.stepped, self.between) = (false, None);
         if finite(&self.slopes[0]) { Ok(()) } else { Err(OdeError::NotFinite { at: self.time }) }
     }
@@ -254,7 +275,7 @@ impl Integrator {
     /// Makes one step, not beyond a time.
     ///
     /// # Errors
-    /// `NotFinite`, `TooShort`, `TooManySteps`, `Stiff`, `Stopped`; `Input` for an allowed error that is not positive.
+    /// `NotFinite`, `TooShort`, `TooManySteps` or `Stiff`, `Stopped`; `Input` for an allowed error that is not positive.
     pub fn advance<P: Problem>(&mut self, problem: &mut P, until: f64) -> Result<(), OdeError> {
         let left = until - self.time;
         if !left.is_finite() || left <= 0.0 {
@@ -268,17 +289,26 @@ impl Integrator {
         self.before = self.time;
         self.state_before.clone_from(&self.state);
         let mut step = self.next;
-        let (mut shortened, mut at_all) = (false, true);
+        self.ahead_before = self.ahead;
+        let mut singular = self.ahead;
+        let (mut shortened, mut at_all, mut relaid) = (false, true, 0);
         loop {
             if problem.stopped() {
                 return Err(OdeError::Stopped);
             }
             if self.steps >= self.most_steps {
-                return Err(OdeError::TooManySteps { at: self.time, steps: self.steps });
+                let (at, steps) = (self.time, self.steps);
+                let stiff = self.held >= HELD;
+                return Err(if stiff {
+                    OdeError::Stiff { at }
+                } else {
+                    OdeError::TooManySteps { at, steps }
+                });
             }
             self.steps += 1;
-            let whole = step * 1.01 >= left;
-            let taken = if whole { left } else { step };
+            let wanted = if step * 1.01 >= left { left } else { step };
+            let taken = laid(wanted, left, singular);
+            let whole = taken >= left;
             if taken <= 4.0 * f64::EPSILON * self.before.abs().max(f64::MIN_POSITIVE) {
                 let at = self.before;
                 return Err(if at_all { OdeError::TooShort { at } } else { OdeError::NotFinite { at } });
@@ -290,15 +320,21 @@ impl Integrator {
             if at_all && error <= 1.0 && problem.settle(end, &mut self.tried) {
                 problem.rates(end, &self.tried, &mut self.slopes[END]);
                 at_all = finite(&self.slopes[END]);
+                let [behind, ahead] = problem.singular(end, &self.tried, &self.slopes[END]);
+                if at_all && !whole && relaid < RELAID && behind.min(ahead) < CLEAR * taken {
+                    singular = if behind < ahead { taken - behind } else { taken + ahead };
+                    relaid += 1;
+                    continue;
+                }
                 if at_all {
-                    self.watch_stiffness(taken)?;
+                    self.watch_stiffness(taken);
                     std::mem::swap(&mut self.state, &mut self.tried);
                     let between = if self.looked_between { self.look_between(problem, taken) } else { 0.0 };
                     if between <= 1.0 {
-                        (self.time, self.stepped) = (end, true);
+                        (self.time, self.stepped, self.ahead) = (end, true, ahead);
                         let factor = (CAUTION * error.powf(-0.125)).clamp(SHORTEN, LENGTHEN);
                         let next = taken * if shortened { factor.min(1.0) } else { factor };
-                        self.next = if whole { next.max(step) } else { next };
+                        self.next = if whole || taken < step { next.max(step) } else { next };
                         return Ok(());
                     }
                     self.state.clone_from(&self.state_before);
@@ -317,6 +353,7 @@ impl Integrator {
     pub fn back(&mut self) {
         self.time = self.before;
         self.state.clone_from(&self.state_before);
+        self.ahead = self.ahead_before;
         (self.stepped, self.between) = (false, None);
     }
 
@@ -427,9 +464,9 @@ impl Integrator {
         ]
     }
 
-    /// Refuses a motion whose steps are held short by stability alone: `|Δf|/|Δy|` between the last stage and the
-    /// end of the step estimates the largest eigenvalue.
-    fn watch_stiffness(&mut self, step: f64) -> Result<(), OdeError> {
+    /// Notes whether stability alone holds the steps short: `|Δf|/|Δy|` between the last stage and the end of the step
+    /// estimates the largest eigenvalue.
+    fn watch_stiffness(&mut self, step: f64) {
         let (mut slopes, mut states) = (0.0, 0.0);
         for (n, allowed) in self.allowed.iter().enumerate() {
             slopes += ((self.slopes[END][n] - self.slopes[END - 1][n]) / allowed).powi(2);
@@ -437,16 +474,12 @@ impl Integrator {
         }
         if states > 0.0 && step * step * slopes > STABLE * STABLE * states {
             (self.held, self.free) = (self.held + 1, 0);
-            if self.held >= HELD && self.steps > 1000 {
-                return Err(OdeError::Stiff { at: self.time });
-            }
         } else {
             self.free += 1;
             if self.free == 6 {
                 self.held = 0;
             }
         }
-        Ok(())
     }
 
     /// A first step whose error is about what is allowed (§II.4, "starting step size").
@@ -488,6 +521,30 @@ impl<F: FnMut(f64, &[f64], &mut [f64])> Problem for Function<F> {
             *allowed = self.absolute + self.relative * a.abs().max(b.abs());
         }
     }
+}
+
+/// A step laid so that a singular position lies in a gap between its stages, or beyond it by as much as the next step needs
+/// for the same.
+fn laid(step: f64, left: f64, singular: f64) -> f64 {
+    let [widest, _] = GAPS[0];
+    let part = singular / step;
+    if part > 1.0 + widest {
+        return step;
+    }
+    if GAPS.iter().any(|[middle, half]| (part - middle).abs() <= *half) {
+        return step;
+    }
+    if part < widest {
+        let gap =
+            GAPS.iter().map(|[middle, _]| *middle).find(|middle| part < *middle && part > LEAST * middle);
+        return gap.map_or(step, |middle| singular / middle);
+    }
+    if step >= left {
+        // What remains up to the end takes it up.
+        let beyond = (left - singular).max(0.0) / (1.0 - widest);
+        return left - beyond.max(0.05 * left);
+    }
+    singular - widest * step
 }
 
 fn finite(x: &[f64]) -> bool {

@@ -6,7 +6,7 @@ use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Workshee
 use dalembert_mechanics::planar::{
     Braked, Contact, End, Freed, Measure, Moved, PlanarError, Run, Snapshot, State, System,
 };
-use dalembert_mechanics::{Real, Vector};
+use dalembert_mechanics::{Real, Vector, ode::OdeError};
 use nalgebra::Vector3;
 
 use crate::{
@@ -14,10 +14,12 @@ use crate::{
     sources::{HAIRER, HAUG, NIKRAVESH, PFEIFFER, RIUL},
 };
 
-/// Error that each step may add, in parts of the size of the mechanism and of its fastest velocity.
-const TOLERANCE: f64 = 1e-11;
-/// Steps before a motion is given up.
+/// Error that each step may add, in parts of the size of the mechanism and of its fastest velocity: the first that can
+/// be held.
+const TOLERANCES: [f64; 4] = [1e-11, 1e-10, 1e-9, 1e-8];
+/// Steps before a motion is given up: at least the first, of small mechanisms the second over the number of bodies.
 const STEPS: usize = 20_000;
+const STEPS_OF_BODIES: usize = 1_000_000;
 /// Moments of a motion that are shown.
 const MOMENTS: usize = 241;
 /// An energy balance further off than this part of the energies is warned of.
@@ -197,18 +199,32 @@ impl Analysis for Motion {
         sheet.keep_going()?;
         let ends: Vec<End> = self.end.end(&parts).into_iter().collect();
         let cancelled = || sheet.keep_going().is_err();
-        let run = Run {
+        let run = |tolerance: f64| Run {
             duration: self.duration,
-            tolerance: TOLERANCE,
+            tolerance,
             samples: MOMENTS,
             ends: &ends,
-            most_steps: STEPS,
+            most_steps: STEPS.max(STEPS_OF_BODIES / self.bodies.len()),
             cancelled: &cancelled,
         };
-        let moved = system.simulate(&positions, &velocities, &run);
+        let follow = |tolerance: f64| system.simulate(&positions, &velocities, &run(tolerance));
+        let [mut tolerance, looser @ ..] = TOLERANCES;
+        let mut moved = follow(tolerance);
+        for looser in looser {
+            sheet.keep_going()?;
+            if !moved.as_ref().is_err_and(asks_for_a_looser_tolerance) {
+                break;
+            }
+            let again = follow(looser);
+            if again.is_ok() {
+                (tolerance, moved) = (looser, again);
+            }
+        }
         sheet.keep_going()?;
         let moved = moved.map_err(refuse)?;
-        let this = Solved { parts: &parts, rows: &rows, system: &system, freed: &freed, moved: &moved };
+        let this =
+            Solved { parts: &parts, rows: &rows, system: &system, freed: &freed, moved: &moved, tolerance };
+        this.loosened(sheet);
         this.start(given, sheet);
         this.finish(self, sheet)?;
         this.show(self, sheet);
@@ -225,6 +241,18 @@ struct Solved<'a> {
     /// The start.
     freed: &'a Freed,
     moved: &'a Moved,
+    /// Error that each step was let add.
+    tolerance: f64,
+}
+
+/// Whether a motion may be followed with a larger error where it could not be with this one.
+fn asks_for_a_looser_tolerance(error: &PlanarError) -> bool {
+    use OdeError::{NotFinite, TooManySteps, TooShort};
+    matches!(
+        error,
+        PlanarError::Motion(NotFinite { .. } | TooManySteps { .. } | TooShort { .. })
+            | PlanarError::NotFinite
+    )
 }
 
 impl Motion {
@@ -282,6 +310,23 @@ impl Ends {
 }
 
 impl Solved<'_> {
+    /// Says that the error which the steps should have held could not be.
+    fn loosened<W: Worksheet>(&self, sheet: W) {
+        let [wanted, ..] = TOLERANCES;
+        if self.tolerance > wanted {
+            sheet.warn(|| {
+                Text::new("the motion could not be followed with an error of {wanted} in each step: it was followed with {held}, in parts of the size of the mechanism and of its fastest velocity")
+                    .with("wanted", format!("{wanted:e}"))
+                    .with("held", format!("{:e}", self.tolerance))
+            });
+        }
+    }
+
+    /// What is less than the error of a step beside the largest is zero.
+    fn without_error(&self, value: f64, largest: f64) -> f64 {
+        if value.abs() > self.tolerance * largest { value } else { 0.0 }
+    }
+
     /// The accelerations and the forces in the joints with which the motion begins.
     fn start<W: Worksheet>(&self, given: &MotionGiven<W>, sheet: W) {
         let State { accelerations, .. } = &self.freed.state;
@@ -296,7 +341,7 @@ impl Solved<'_> {
             let acceleration = sheet.found(
                 ("α0", row),
                 "rad/s^2",
-                without_error(accelerations[row - 1][2], largest),
+                self.without_error(accelerations[row - 1][2], largest),
                 (Text::new(reason).with("name", &part.name), HAUG.at("ch. 6")),
             );
             sheet.answer(("initial_acceleration", row), "Angular acceleration at the start", acceleration);
@@ -433,7 +478,7 @@ impl Solved<'_> {
             let angle = sheet.found(
                 ("θ", row),
                 "deg",
-                without_error(positions[body][2], turned),
+                self.without_error(positions[body][2], turned),
                 named("Angle of {name} at the end"),
             );
             sheet.answer(("angle", row), "Angle of the body", angle);
@@ -441,7 +486,7 @@ impl Solved<'_> {
             let speed = sheet.found(
                 ("ω", row),
                 "rad/s",
-                without_error(velocities[body][2], fastest),
+                self.without_error(velocities[body][2], fastest),
                 named("Angular velocity of {name} at the end"),
             );
             sheet.answer(("angular_velocity", row), "Angular velocity of the body", speed);
@@ -449,7 +494,7 @@ impl Solved<'_> {
             let acceleration = sheet.found(
                 ("α", row),
                 "rad/s^2",
-                without_error(accelerations[body][2], quickest),
+                self.without_error(accelerations[body][2], quickest),
                 named("Angular acceleration of {name} at the end"),
             );
             sheet.answer(("angular_acceleration", row), "Angular acceleration of the body", acceleration);
@@ -461,7 +506,7 @@ impl Solved<'_> {
             let [position, velocity, acceleration] =
                 self.system.point(self.parts.point(followed.point), &last.state);
             let vector = |[x, y]: [f64; 2], least: f64| {
-                let clean = |part| without_error(part, f64::hypot(x, y).max(least));
+                let clean = |part| self.without_error(part, f64::hypot(x, y).max(least));
                 Vector3::new(clean(x), clean(y), 0.0)
             };
             let named = |reason: &'static str| Text::new(reason).with("name", name);
@@ -522,7 +567,7 @@ impl Solved<'_> {
         let gained = sheet.found(
             "V",
             "J",
-            without_error(last.stored - start, size),
+            self.without_error(last.stored - start, size),
             "Energy gained by weights, springs and constant forces since the start",
         );
         sheet.answer("stored_energy", "Energy stored since the start", gained);
@@ -550,9 +595,4 @@ impl Solved<'_> {
         let [first, second, _] = carried(self.system, self.rows, row, &self.freed.multipliers, 1e-12);
         [first, second]
     }
-}
-
-/// What is less than the error of a step beside the largest is zero.
-fn without_error(value: f64, largest: f64) -> f64 {
-    if value.abs() > TOLERANCE * largest { value } else { 0.0 }
 }

@@ -22,9 +22,15 @@ const ALMOST: f64 = 1e-12;
 /// A correction of a step beyond this part of the size, or beyond so many times its tolerance, would be a jump.
 const JUMP: f64 = 1e-5;
 const JUMPS: f64 = 100.0;
-/// The tolerance of a step through a nearly singular position is at least this: there the rounding of positions
-/// counts in parts of the square of the way to it, and shorter steps would only come closer.
-const LEAST_WHERE_SINGULAR: f64 = 1e-9;
+/// Where a pivot has fallen to a part of what it was, rounding counts in parts of its square: once for the positions,
+/// and again for the velocities that follow from them. Along a row of loops it adds up; so much of it for each, and at
+/// most the second, is let through: shorter steps would only come closer.
+const ROUNDING: f64 = 4.0;
+const MOST_WHERE_SINGULAR: f64 = 1e-9;
+/// Below this part of what it was, a pivot leaves too little of a moment that is shown.
+const UNSAFE: f64 = 0.01;
+/// How far ahead, in parts of the size, the slopes are looked at to tell where they vanish.
+const AHEAD: f64 = 1e-5;
 /// The tolerance of a step that went where the order of elimination is of no use.
 const NOTHING: f64 = 1e-60;
 /// Orders of elimination that are remembered.
@@ -64,6 +70,8 @@ pub(super) struct Machine<'a> {
     tolerance: f64,
     /// How well the orders served since the last step, at worst.
     standing: Standing,
+    /// The smallest part of what it was to which a pivot has fallen since the last step.
+    weakest: f64,
     /// The fastest free velocity so far.
     fastest: f64,
     cancelled: &'a dyn Fn() -> bool,
@@ -109,6 +117,7 @@ impl<'a> Machine<'a> {
             has_work,
             tolerance,
             standing: Standing::Good,
+            weakest: 1.0,
             fastest: 0.0,
             cancelled,
             layout,
@@ -152,6 +161,15 @@ impl<'a> Machine<'a> {
         let finite = rates.iter().all(|x| x.is_finite());
         let work = if self.has_work { state[state.len() - 1] } else { 0.0 };
         finite.then_some((full, work))
+    }
+
+    /// Whether a state is so close to a singular position that the velocities which follow from it are rounding.
+    pub(super) fn is_singular(&mut self, time: f64, state: &[f64]) -> bool {
+        self.drive(time);
+        self.place(&state[..self.layout.kept.len()]);
+        self.eliminate();
+        let order = &self.orders[self.now];
+        order.weakest() < UNSAFE && order.standing() == Standing::NearlySingular
     }
 
     /// The kinetic energy and the energy stored in loads in the state that was last made full.
@@ -232,6 +250,7 @@ impl<'a> Machine<'a> {
             order.eliminate(&self.work.slopes);
             self.eliminated = true;
             self.standing = self.standing.max(order.standing());
+            self.weakest = self.weakest.min(order.weakest());
         }
     }
 
@@ -372,9 +391,14 @@ impl Problem for Machine<'_> {
     fn allowed(&mut self, before: &[f64], after: &[f64], allowed: &mut [f64]) {
         let kept = self.layout.kept.len();
         let free = kept..kept + self.motions.len();
+        let weakest = std::mem::replace(&mut self.weakest, 1.0);
         let tolerance = match std::mem::replace(&mut self.standing, Standing::Good) {
             Standing::Good => self.tolerance,
-            Standing::NearlySingular => self.tolerance.max(LEAST_WHERE_SINGULAR),
+            Standing::NearlySingular => {
+                let loops = self.layout.loops().len() as f64;
+                let rounding = ROUNDING * loops * f64::EPSILON / weakest.powi(2);
+                self.tolerance.max(rounding.min(MOST_WHERE_SINGULAR))
+            }
             // A shorter step comes to where another order is taken.
             Standing::Lost => NOTHING,
         };
@@ -424,6 +448,22 @@ impl Problem for Machine<'_> {
             }
         }
         false
+    }
+
+    fn singular(&mut self, time: f64, state: &[f64], rates: &[f64]) -> [f64; 2] {
+        let kept = self.layout.kept.len();
+        let fastest = rates[..kept].iter().fold(0.0f64, |most, rate| most.max(rate.abs()));
+        if !self.orders[self.now].falls() || fastest == 0.0 {
+            return [f64::INFINITY; 2];
+        }
+        let before = self.orders[self.now].rows_left();
+        let ahead = AHEAD * self.system.length / fastest;
+        let moved: Vec<f64> = state.iter().zip(&rates[..kept]).map(|(x, rate)| x + ahead * rate).collect();
+        self.drive(time + ahead);
+        self.place(&moved);
+        self.eliminate();
+        let after = self.orders[self.now].rows_left();
+        self.orders[self.now].vanish(&before, &after).map(|steps| steps * ahead)
     }
 
     fn stopped(&self) -> bool {

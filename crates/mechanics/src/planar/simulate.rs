@@ -129,8 +129,7 @@ impl System {
             }
             while samples.len() <= gaps && time_of(samples.len()) <= until {
                 let time = time_of(samples.len());
-                let state = integrator.at(&mut machine, time);
-                samples.push(sample(&mut machine, time, &state).ok_or_else(|| lost(time))?);
+                samples.push(between(&mut machine, &mut integrator, time).ok_or_else(|| lost(time))?);
             }
             let mut next = None;
             if used.is_some() || ended.is_some() {
@@ -157,6 +156,60 @@ impl System {
         }
         let contacts = machine.contacts().to_vec();
         Ok(Moved { samples, ended, contacts, steps: integrator.steps() })
+    }
+}
+
+/// A moment within the last step. Close to a singular position, where velocities and accelerations do not follow from the
+/// position, it is interpolated from moments of the step that are further away.
+fn between(machine: &mut Machine, integrator: &mut Integrator, time: f64) -> Option<Snapshot> {
+    /// Parts of the step between the moments, and how many of them are kept away from.
+    const PARTS: u32 = 11;
+    const AWAY: f64 = 2.0;
+    let state = integrator.at(machine, time);
+    if !machine.is_singular(time, &state) {
+        return sample(machine, time, &state);
+    }
+    let (begin, end) = (integrator.before(), integrator.time());
+    let at = |part: u32| {
+        if part == PARTS { end } else { begin + (end - begin) * f64::from(part) / f64::from(PARTS) }
+    };
+    let away = AWAY * (end - begin) / f64::from(PARTS);
+    let times: Vec<f64> = (0..=PARTS).map(at).filter(|other| (time - other).abs() >= away).collect();
+    let mut sum: Option<Snapshot> = None;
+    for &here in &times {
+        let others = times.iter().filter(|other| **other != here);
+        let weight: f64 = others.map(|other| (time - other) / (here - other)).product();
+        let state = integrator.at(machine, here);
+        let found = sample(machine, here, &state)?;
+        match &mut sum {
+            Some(sum) => sum.add(weight, &found),
+            None => {
+                let mut first = found.clone();
+                first.add(weight - 1.0, &found);
+                sum = Some(first);
+            }
+        }
+    }
+    sum.map(|sum| Snapshot { time, ..sum })
+}
+
+impl Snapshot {
+    /// Adds so many times another one.
+    fn add(&mut self, times: f64, other: &Snapshot) {
+        let State { positions, velocities, accelerations } = &mut self.state;
+        let parts = [
+            (positions, &other.state.positions),
+            (velocities, &other.state.velocities),
+            (accelerations, &other.state.accelerations),
+        ];
+        for (ours, theirs) in parts {
+            for (x, y) in ours.iter_mut().flatten().zip(theirs.iter().flatten()) {
+                *x += times * y;
+            }
+        }
+        self.kinetic += times * other.kinetic;
+        self.stored += times * other.stored;
+        self.work += times * other.work;
     }
 }
 

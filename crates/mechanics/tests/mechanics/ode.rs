@@ -81,6 +81,19 @@ fn the_first_zero_of_a_number_is_found_once() {
 }
 
 #[test]
+fn a_stiff_motion_is_followed_as_long_as_there_are_steps() {
+    // ẏ = −λ (y − cos t) creeps to (λ² cos t + λ sin t)/(λ² + 1).
+    const LAMBDA: f64 = 1e4;
+    let rates = |t: f64, y: &[f64], rates: &mut [f64]| rates[0] = -LAMBDA * (y[0] - t.cos());
+    for tolerance in [1e-6, 1e-8, 1e-10] {
+        let mut problem = Function { rates, relative: 0.0, absolute: tolerance };
+        let states = found(states(&mut problem, &[0.0], &[0.0, 10.0], 100_000));
+        let exact = (LAMBDA * LAMBDA * 10f64.cos() + LAMBDA * 10f64.sin()) / (LAMBDA * LAMBDA + 1.0);
+        assert!((states[1][0] - exact).abs() < 30.0 * tolerance, "{:e}", states[1][0] - exact);
+    }
+}
+
+#[test]
 fn what_cannot_go_on_is_named() {
     let blow_up = |_: f64, y: &[f64], rates: &mut [f64]| rates[0] = y[0] * y[0];
     let mut problem = Function { rates: blow_up, relative: 1e-8, absolute: 1e-8 };

@@ -87,7 +87,11 @@ impl Parts<'_> {
 /// Why a motion cannot be followed to its end.
 fn late(error: &OdeError) -> Text {
     match *error {
-        OdeError::Stiff { at } | OdeError::TooManySteps { at, .. } => Text::new(
+        OdeError::TooManySteps { at, .. } => Text::new(
+            "the motion asks for too many steps beyond {time}: too much happens in this duration; shorten it",
+        )
+        .with_quantity("time", at, "s"),
+        OdeError::Stiff { at } => Text::new(
             "the motion cannot be followed beyond {time}: something in it is much faster than the rest; take out what is very stiff or very light, or shorten the duration",
         )
         .with_quantity("time", at, "s"),

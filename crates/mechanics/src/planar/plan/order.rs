@@ -13,6 +13,8 @@ const KEPT: f64 = 0.03;
 const LOST: f64 = 0.01;
 /// Below this part of what it was when it was chosen, a pivot tells of a singular position nearby.
 const LOW: f64 = 0.05;
+/// Below this part of it, it may vanish within a step.
+const FALLS: f64 = 0.5;
 /// A row whose slopes have fallen to this part of what they were follows from the others.
 const FOLLOWS: f64 = 1e-8;
 
@@ -179,6 +181,49 @@ impl Order {
             }
         };
         self.low().map(of_pivot).max().unwrap_or(Standing::Good)
+    }
+
+    /// The smallest part of what it was to which a pivot has fallen.
+    pub(in super::super) fn weakest(&self) -> f64 {
+        let parts = self.pivots[self.first_loop..]
+            .iter()
+            .map(|pivot| (self.slopes[pivot.place] / pivot.chosen).abs());
+        parts.fold(1.0, f64::min)
+    }
+
+    /// Whether a pivot has fallen to where it may vanish soon.
+    pub(in super::super) fn falls(&self) -> bool {
+        self.pivots[self.first_loop..]
+            .iter()
+            .any(|pivot| self.slopes[pivot.place].abs() < FALLS * pivot.chosen.abs())
+    }
+
+    /// What the elimination left of the rows that are not explicit.
+    pub(in super::super) fn rows_left(&self) -> Vec<f64> {
+        let of_pivot = |index: usize| {
+            let others = self.others(index).iter().map(|(place, _)| self.slopes[*place as usize]);
+            std::iter::once(self.slopes[self.pivots[index].place]).chain(others)
+        };
+        (self.first_loop..self.pivots.len()).flat_map(of_pivot).collect()
+    }
+
+    /// How many of the ways between two places, that what is left of the rows was found in, ago and ahead a row vanishes.
+    pub(in super::super) fn vanish(&self, before: &[f64], after: &[f64]) -> [f64; 2] {
+        let mut from = 0;
+        let mut nearest = [f64::INFINITY; 2];
+        for index in self.first_loop..self.pivots.len() {
+            let row = from..from + 1 + self.others(index).len();
+            from = row.end;
+            let change = || before[row.clone()].iter().zip(&after[row.clone()]).map(|(a, b)| (*a, b - a));
+            let square: f64 = change().map(|(_, change)| change * change).sum();
+            let steps = -change().map(|(a, change)| a * change).sum::<f64>() / square;
+            let left = change().fold(0.0f64, |most, (a, change)| most.max((a + steps * change).abs()));
+            if left < LOW * self.pivots[index].chosen.abs() {
+                let side = usize::from(steps > 0.0);
+                nearest[side] = nearest[side].min(steps.abs());
+            }
+        }
+        nearest
     }
 
     /// The pivots that are far below what they were.
