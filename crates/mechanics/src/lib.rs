@@ -7,6 +7,7 @@
 pub mod balance;
 pub mod beam;
 pub mod elliptic;
+pub mod extremes;
 pub mod four_bar;
 pub mod identification;
 pub mod intervals;

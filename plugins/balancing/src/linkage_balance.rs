@@ -12,6 +12,7 @@ use dalembert_mechanics::{
         self,
         linkage::{Counterweight, Follower, Link, Linkage, Pose, Shaking},
     },
+    extremes,
 };
 
 use crate::sources::{BERKOF, NORTON};
@@ -213,19 +214,21 @@ impl Analysis for LinkageBalance {
         let clean = |x: f64| if x < 1e-9 * effort { 0.0 } else { x };
         let found =
             |symbol, unit, si, why: &'static str| sheet.found(symbol, unit, si, (why, NORTON.at("ch. 12")));
-        let why_force = "Largest shaking force over a turn, in steps of 1°";
-        let first = found("F_before", "N", force_before, why_force);
+        let why_force = "Largest shaking force over a turn";
+        let most_before = |of: &dyn Fn(&Shaking) -> f64| self.greatest(&linkage, &[], &before, of);
+        let most_after = |of: &dyn Fn(&Shaking) -> f64| self.greatest(&linkage, &counterweights, &after, of);
+        let first = found("F_before", "N", most_before(&size), why_force);
         let last = found("F_after", "N", clean(force_after), why_force);
         sheet.answer("shaking_force", "Largest shaking force before", first);
         sheet.answer("shaking_force_after", "Largest shaking force after", last);
-        let why_moment = "Largest shaking moment about the crank pivot over a turn, in steps of 1°";
-        let first = found("M_before", "N*m", largest(&before, |s| s.moment.abs()), why_moment);
-        let last = found("M_after", "N*m", largest(&after, |s| s.moment.abs()), why_moment);
+        let why_moment = "Largest shaking moment about the crank pivot over a turn";
+        let first = found("M_before", "N*m", most_before(&|s| s.moment.abs()), why_moment);
+        let last = found("M_after", "N*m", most_after(&|s| s.moment.abs()), why_moment);
         sheet.answer("shaking_moment", "Largest shaking moment before", first);
         sheet.answer("shaking_moment_after", "Largest shaking moment after", last);
-        let why_torque = "Largest torque on the crank over a turn, in steps of 1°";
-        let first = found("T_before", "N*m", largest(&before, |s| s.torque.abs()), why_torque);
-        let last = found("T_after", "N*m", largest(&after, |s| s.torque.abs()), why_torque);
+        let why_torque = "Largest torque on the crank over a turn";
+        let first = found("T_before", "N*m", most_before(&|s| s.torque.abs()), why_torque);
+        let last = found("T_after", "N*m", most_after(&|s| s.torque.abs()), why_torque);
         sheet.answer("torque", "Largest torque on the crank before", first);
         sheet.answer("torque_after", "Largest torque on the crank after", last);
         if last.value() > 1.05 * first.value() {
@@ -245,8 +248,8 @@ impl Analysis for LinkageBalance {
                     Text::new("Largest force over a turn, {when}: {joint}, from the balance of each link");
                 (why.with_text("when", when).with_text("joint", label), NORTON.at("ch. 11"))
             };
-            let first = sheet.found(("P_before", joint + 1), "N", largest(&before, of), why("before"));
-            let last = sheet.found(("P_after", joint + 1), "N", largest(&after, of), why("after"));
+            let first = sheet.found(("P_before", joint + 1), "N", most_before(&of), why("before"));
+            let last = sheet.found(("P_after", joint + 1), "N", most_after(&of), why("after"));
             sheet.answer(("joint_force", joint + 1), label, first);
             sheet.answer(("joint_force_after", joint + 1), label, last);
         }
@@ -445,6 +448,26 @@ fn size(shaking: &Shaking) -> f64 {
 
 fn largest(all: &[Shaking], of: impl Fn(&Shaking) -> f64) -> f64 {
     all.iter().map(of).fold(0.0, f64::max)
+}
+
+impl LinkageBalance {
+    /// The largest value over a turn of what the linkage with some counterweights does, from what it does at the places.
+    fn greatest(
+        &self,
+        linkage: &Linkage,
+        counterweights: &[Counterweight],
+        all: &[Shaking],
+        of: impl Fn(&Shaking) -> f64,
+    ) -> f64 {
+        // One place beyond the turn, so that each has two neighbours.
+        let places: Vec<f64> = (0..=all.len() + 1).map(|n| TAU * n as f64 / all.len() as f64).collect();
+        let values: Vec<f64> = (0..places.len()).map(|n| of(&all[n % all.len()])).collect();
+        let at = |angle: f64| {
+            let pose = linkage.pose(angle, self.speed);
+            pose.map_or(0.0, |pose| of(&linkage.shaking(&pose, counterweights)))
+        };
+        extremes::greatest_about(at, &places, &values).map_or(0.0, |top| top.value)
+    }
 }
 
 /// The size of the forces that cancel: all masses with their reach at the speed of the crank.

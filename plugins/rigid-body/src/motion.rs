@@ -3,7 +3,7 @@
 mod inputs;
 mod pictures;
 
-use std::array;
+use std::{array, f64::consts::PI};
 
 use dalembert_core::{About, Analysis, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
@@ -11,7 +11,7 @@ use dalembert_mechanics::{
     ode::OdeError,
     rigid::{
         self,
-        simulate::{self as follow, Body, Loads, Run, Sample, SimulateError, Turning},
+        simulate::{self as follow, Body, Loads, Run, Sample, SimulateError, Turning, Watched},
     },
 };
 use nalgebra::Vector3;
@@ -62,10 +62,12 @@ impl Analysis for Motion {
             cancelled: &cancelled,
         };
         let free = loads.torques.is_empty() && body.arm == Vector3::zeros() && ends.is_empty();
+        let watched = Some(Watched { of: self.axis.vector(), against: Vector3::z() });
         let moved = if free {
-            follow::simulate_free(&body, &from, RADIANS, &Run { most_steps: FREE_STEPS, ..run })
+            let run = Run { most_steps: FREE_STEPS, ..run };
+            follow::simulate_free_watching(&body, &from, RADIANS, &run, watched)
         } else {
-            follow::simulate(&body, &from, &loads, &run)
+            follow::simulate_watching(&body, &from, &loads, &run, watched)
         };
         sheet.keep_going()?;
         let moved = moved.map_err(|error| refusal(&error))?;
@@ -265,13 +267,14 @@ impl Motion {
         let axis =
             vector("a", "1", clean(axis, 1.0), "Direction of the followed axis of the body at the end");
         sheet.answer_vector("axis", "Direction of the axis at the end", axis);
-        let [least, most_tilt] = self.tilts(moved);
-        let least =
-            sheet.found("θ_min", "deg", least, "Least angle of the axis to the vertical Z on the way");
-        sheet.answer("least_tilt", "Least angle of the axis to Z", least);
-        let largest =
-            sheet.found("θ_max", "deg", most_tilt, "Largest angle of the axis to the vertical Z on the way");
-        sheet.answer("largest_tilt", "Largest angle of the axis to Z", largest);
+        if let Some(tilts) = moved.angles {
+            let why = "Least angle of the axis to the vertical Z on the way";
+            let least = sheet.found("θ_min", "deg", clean_angle(tilts.least.value), why);
+            sheet.answer("least_tilt", "Least angle of the axis to Z", least);
+            let why = "Largest angle of the axis to the vertical Z on the way";
+            let largest = sheet.found("θ_max", "deg", clean_angle(tilts.greatest.value), why);
+            sheet.answer("largest_tilt", "Largest angle of the axis to Z", largest);
+        }
         if body.arm != Vector3::zeros() {
             let centre = last.turning.attitude * body.arm;
             let centre = vector(
@@ -338,40 +341,6 @@ impl Motion {
             );
         });
     }
-
-    /// The least and the largest angle of the axis to the vertical, between the samples by cubics.
-    fn tilts(&self, moved: &follow::Motion) -> [f64; 2] {
-        let axis = self.axis.vector();
-        let height = |sample: &Sample| {
-            let axis = sample.turning.attitude * axis;
-            (axis.z, sample.omega.cross(axis).z)
-        };
-        let angle = |sample: &Sample| (sample.turning.attitude * axis).angle(&Vector3::z());
-        let angles = moved.samples.iter().map(angle);
-        let (mut least, mut most) =
-            (angles.clone().fold(f64::INFINITY, f64::min), angles.fold(f64::NEG_INFINITY, f64::max));
-        for pair in moved.samples.windows(2) {
-            let step = pair[1].time - pair[0].time;
-            let ((u, du), (v, dv)) = (height(&pair[0]), height(&pair[1]));
-            let (du, dv) = (du * step, dv * step);
-            if du * dv >= 0.0 {
-                continue;
-            }
-            // The zero of the slope of the cubic through both heights with both slopes.
-            let (a, b) = (3.0 * (du + dv - 2.0 * (v - u)), 2.0 * (3.0 * (v - u) - 2.0 * du - dv));
-            let root = (b * b - 4.0 * a * du).max(0.0).sqrt();
-            let s = -2.0 * du / (b + root.copysign(b));
-            let other = if a == 0.0 { s } else { -(b + root.copysign(b)) / (2.0 * a) };
-            for s in [s, other] {
-                if (0.0..=1.0).contains(&s) {
-                    let (c, d) = (3.0 * (v - u) - 2.0 * du - dv, du + dv - 2.0 * (v - u));
-                    let angle = (u + s * (du + s * (c + s * d))).clamp(-1.0, 1.0).acos();
-                    (least, most) = (least.min(angle), most.max(angle));
-                }
-            }
-        }
-        [least, most]
-    }
 }
 
 /// `H = J ω`, in principal axes where they are known, otherwise with the rows of the tensor.
@@ -409,6 +378,18 @@ fn next_power(drift: f64) -> f64 {
 /// What is rounding alone beside the largest is zero.
 fn clean(vector: Vector3<f64>, largest: f64) -> Vector3<f64> {
     vector.map(|x| if x.abs() > 1e-12 * largest { x } else { 0.0 })
+}
+
+/// An angle to a direction, without the rounding of one along it.
+fn clean_angle(angle: f64) -> f64 {
+    const ROUNDING: f64 = 1e-9;
+    if angle < ROUNDING {
+        0.0
+    } else if PI - angle < ROUNDING {
+        PI
+    } else {
+        angle
+    }
 }
 
 fn refusal(error: &SimulateError) -> Refusal {

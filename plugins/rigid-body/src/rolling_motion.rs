@@ -199,19 +199,18 @@ impl RollingMotion {
         sheet.answer("contact_y", "Contact at the end, Y", y);
         let angle = found("θ_e", "deg", last.inclination, "Angle of its plane to the floor at the end");
         sheet.answer("inclination", "Angle of its plane to the floor at the end", angle);
-        let angles = rolled.moments.iter().map(|m| m.inclination);
         let least = found(
             "θ_min",
             "deg",
-            angles.clone().fold(PI, f64::min),
-            "Least angle on the way, of the moments shown",
+            rolled.inclination.least.value,
+            "Least angle on the way: at a turning point, or at an end",
         );
         sheet.answer("least_inclination", "Least angle on the way", least);
         let most = found(
             "θ_max",
             "deg",
-            angles.fold(0.0, f64::max),
-            "Largest angle on the way, of the moments shown",
+            rolled.inclination.greatest.value,
+            "Largest angle on the way: at a turning point, or at an end",
         );
         sheet.answer("largest_inclination", "Largest angle on the way", most);
         let fastest = rolled.moments.iter().flat_map(|m| m.omega).fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -224,16 +223,12 @@ impl RollingMotion {
         sheet.answer_vector("omega", "Angular velocity at the end, axes 123", omega);
         let normal = found("N", "N", clean(last.normal, self.mass * self.gravity), "Normal force at the end");
         sheet.answer("normal", "Normal force at the end", normal);
-        // Where it lifts off any friction is too much.
-        let held = rolled.moments.len() - usize::from(rolled.ended == Ended::Lifts);
-        let demand = rolled.moments[..held].iter().map(demand).fold(0.0, f64::max);
-        let demand = found(
-            "μ_min",
-            "1",
-            clean(demand, 1.0),
-            "Largest friction over normal force on the way, of the moments shown",
-        );
-        sheet.answer("friction_needed", "Coefficient of friction needed", demand);
+        // Where it lifts off no friction is enough.
+        if let Some(demand) = rolled.demand {
+            let most = clean(demand.greatest.value, 1.0);
+            let most = found("μ_min", "1", most, "Largest friction over normal force on the way");
+            sheet.answer("friction_needed", "Coefficient of friction needed", most);
+        }
         let drift = rolled.energy_drift();
         let bound = (-12..0).map(|power| 10.0_f64.powi(power)).find(|bound| drift <= *bound).unwrap_or(1.0);
         let bound = found(
@@ -290,7 +285,7 @@ impl RollingMotion {
             over("Normal force and friction", "force", "N", forces)
         });
         sheet.show(|| {
-            let series = vec![line("F/N", &|m| demand(m).min(1e3))];
+            let series = vec![line("F/N", &|m| m.demand().min(1e3))];
             let plot = Plot::new(
                 "Friction over normal force",
                 Axis::linear("Time", "s"),
@@ -348,13 +343,6 @@ impl RollingMotion {
             scene
         })
     }
-}
-
-/// Friction over normal force.
-fn demand(moment: &Moment) -> f64 {
-    let [along, across] = moment.friction;
-    let friction = along.hypot(across);
-    if moment.normal > 0.0 { friction / moment.normal } else { 0.0 }
 }
 
 fn refusal(error: &RollingError) -> Refusal {

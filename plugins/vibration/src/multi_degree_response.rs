@@ -21,6 +21,8 @@ use crate::{
 
 /// Points of a curve.
 const POINTS: usize = 400;
+/// The most looks at the motion for its largest displacement, times the number of poles.
+const LOOKS: usize = 10_000_000;
 /// The most steps of the second way; longer motions are not followed step by step.
 const LIMIT: usize = 150;
 
@@ -347,21 +349,23 @@ impl MultiDegreeResponse {
         let grid: Vec<f64> = (0..=POINTS).map(|point| duration * point as f64 / POINTS as f64).collect();
         let states: Vec<Vec<Complex<f64>>> = grid.iter().map(|time| motion.state(*time)).collect();
         for row in &self.observed {
-            let at = row.coordinate - 1;
-            let size = |point: usize| poles.displacement(at, &states[point]).abs();
-            let best = (0..=POINTS).max_by(|&p, &q| size(p).total_cmp(&size(q))).unwrap_or(0);
-            let sign = poles.displacement(at, &states[best]).signum();
-            let rising = |time: f64| sign * poles.velocity(at, &motion.state(time)) > 0.0;
-            let ends = [grid[best.saturating_sub(1)], grid[(best + 1).min(POINTS)]];
-            let time = top(rising, ends).unwrap_or(grid[best]);
-            let largest = sign * poles.displacement(at, &motion.state(time));
+            sheet.keep_going()?;
+            let Some(farthest) =
+                motion.farthest(row.coordinate - 1, duration, LOOKS / poles.roots.len().max(1))
+            else {
+                sheet.warn(|| {
+                    Text::new("the largest displacement of coordinate {at} is not sought over so many oscillations: shorten the duration of the curves")
+                        .with("at", row.coordinate)
+                });
+                continue;
+            };
             let largest = sheet.found(
                 ("x_m", row.coordinate),
                 "m",
-                finite(sign * largest)?,
-                "Largest displacement in the time of the curves, found from their highest point",
+                finite(farthest.value)?,
+                "Largest displacement in the time of the curves: of all turning points of the motion, and its ends, the farthest from zero",
             );
-            let time = sheet.found(("t_m", row.coordinate), "s", time, "Its time");
+            let time = sheet.found(("t_m", row.coordinate), "s", farthest.time, "Its time");
             sheet.answer(("largest", row.coordinate), "Largest displacement in the time shown", largest);
             sheet.answer(("largest_time", row.coordinate), "Time of the largest displacement", time);
         }
@@ -410,22 +414,6 @@ fn table(points: &[ForcePoint]) -> Result<Vec<Piece>, Refusal> {
         pieces.push(Piece { start: last.time, value: 0.0, slope: 0.0 });
     }
     Ok(pieces)
-}
-
-/// Where a motion that rises at the first of two times and falls at the second one turns.
-fn top(rising: impl Fn(f64) -> bool, [mut from, mut to]: [f64; 2]) -> Option<f64> {
-    if !rising(from) || rising(to) {
-        return None;
-    }
-    for _ in 0..60 {
-        let middle = f64::midpoint(from, to);
-        if rising(middle) {
-            from = middle;
-        } else {
-            to = middle;
-        }
-    }
-    Some(f64::midpoint(from, to))
 }
 
 fn finite(number: f64) -> Result<f64, Refusal> {

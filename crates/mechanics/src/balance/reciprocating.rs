@@ -9,7 +9,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::Real;
+use crate::{Real, extremes};
 
 /// A piston in an engine.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -124,35 +124,15 @@ pub fn shaking(pistons: &[Piston], motion: PistonMotion, about: f64, angle: f64)
     (force, couple)
 }
 
-/// Greatest size over a turn of a vector that turns and pulsates, from 360 points and a golden section about the
-/// largest of them: angle and size.
+/// Greatest size over a turn of a vector that turns and pulsates: angle and size.
 pub fn greatest(vector: impl Fn(f64) -> [f64; 2]) -> (f64, f64) {
     let size = |angle: f64| {
         let [x, y] = vector(angle);
         x.hypot(y)
     };
-    let step = TAU / 360.0;
-    let (mut best, mut most) = (0.0, -1.0);
-    for k in 0..360 {
-        let angle = step * f64::from(k);
-        let here = size(angle);
-        if here > most {
-            (best, most) = (angle, here);
-        }
-    }
-    let golden = (5.0f64.sqrt() - 1.0) / 2.0;
-    let (mut low, mut high) = (best - step, best + step);
-    for _ in 0..40 {
-        let (left, right) = (high - golden * (high - low), low + golden * (high - low));
-        if size(left) > size(right) {
-            high = right;
-        } else {
-            low = left;
-        }
-    }
-    let angle = f64::midpoint(low, high);
-    let refined = size(angle);
-    if refined > most { (angle, refined) } else { (best, most) }
+    // One place beyond the turn, so that each has two neighbours.
+    let places: Vec<f64> = (0..=361).map(|k| TAU / 360.0 * f64::from(k)).collect();
+    extremes::greatest(size, &places).map_or((0.0, 0.0), |top| (top.time, top.value))
 }
 
 /// The crank angles of engines in line with pistons at `positions` and equal masses, taken from `angles` in the order

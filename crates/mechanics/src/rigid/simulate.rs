@@ -12,6 +12,7 @@ use nalgebra::{DMatrix, Matrix3, UnitQuaternion, Vector3};
 pub use self::free::FreeRotation;
 use self::machine::Machine;
 use crate::{
+    extremes::{Extremes, Look},
     linalg::symmetric_eigen,
     ode::{self, Integrator, OdeError},
 };
@@ -137,10 +138,31 @@ pub struct Sample {
 pub struct Motion {
     /// From the start to the end.
     pub samples: Vec<Sample>,
+    /// The least and the largest angle of the watched directions, rad.
+    pub angles: Option<Extremes>,
     /// Which of the ends it came to, if any.
     pub ended: Option<usize>,
     /// How many steps were made.
     pub steps: usize,
+}
+
+/// Directions whose angle is watched.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Watched {
+    /// In the body, a unit vector.
+    pub of: Vector3<f64>,
+    /// In space, a unit vector.
+    pub against: Vector3<f64>,
+}
+
+impl Watched {
+    /// The angle, which turns where the cosine does, but has a corner where the directions coincide.
+    fn look(&self, sample: &Sample) -> Look {
+        let of = sample.turning.attitude * self.of;
+        let value = of.cross(&self.against).norm().atan2(of.dot(&self.against));
+        let rate = -sample.omega.cross(&of).dot(&self.against);
+        Look { value, smooth: -of.dot(&self.against), rate }
+    }
 }
 
 impl Motion {
@@ -263,6 +285,22 @@ impl History {
 /// # Errors
 /// `Inertia`, `NotFinite`; `Motion` when it is stopped or asks for too many steps.
 pub fn simulate(body: &Body, start: &Turning, loads: &Loads, run: &Run) -> Result<Motion, SimulateError> {
+    simulate_watching(body, start, loads, run, None)
+}
+
+/// The same, with the extremes of an angle.
+///
+/// # Errors
+/// As [`simulate`].
+pub fn simulate_watching(
+    body: &Body,
+    start: &Turning,
+    loads: &Loads,
+    run: &Run,
+    watched: Option<Watched>,
+) -> Result<Motion, SimulateError> {
+    /// Looks at each step, which is a small part of a turn.
+    const LOOKS: u32 = 4;
     let finite = loads.finite()
         && body.mass.is_finite()
         && [body.arm, start.omega_body].iter().flatten().all(|x| x.is_finite())
@@ -278,6 +316,7 @@ pub fn simulate(body: &Body, start: &Turning, loads: &Loads, run: &Run) -> Resul
     let time_of = |n: usize| if n == gaps { run.duration } else { run.duration * n as f64 / gaps as f64 };
     let mut samples = Vec::with_capacity(run.samples);
     samples.push(machine.sample(0.0, &state)?);
+    let mut angles = watched.map(|watched| Extremes::at(0.0, watched.look(&samples[0]).value));
     let breaks = machine.breaks();
     let mut ended = None;
     while integrator.time() < run.duration && ended.is_none() {
@@ -292,6 +331,21 @@ pub fn simulate(body: &Body, start: &Turning, loads: &Loads, run: &Run) -> Resul
                 (until, ended) = (time, Some(index));
             }
         }
+        if let (Some(watched), Some(angles)) = (watched, &mut angles) {
+            let before = integrator.before();
+            let mut look = |time: f64| {
+                let state = integrator.at(&mut machine, time);
+                machine.sample(time, &state).map_or(NO_LOOK, |sample| watched.look(&sample))
+            };
+            let place = |part: u32| {
+                if part == LOOKS {
+                    until
+                } else {
+                    before + (until - before) * f64::from(part) / f64::from(LOOKS)
+                }
+            };
+            (0..LOOKS).for_each(|part| angles.follow(&mut look, [place(part), place(part + 1)]));
+        }
         while samples.len() <= gaps && time_of(samples.len()) <= until {
             let time = time_of(samples.len());
             let state = integrator.at(&mut machine, time);
@@ -302,14 +356,31 @@ pub fn simulate(body: &Body, start: &Turning, loads: &Loads, run: &Run) -> Resul
             samples.push(machine.sample(until, &state)?);
         }
     }
-    Ok(Motion { samples, ended, steps: integrator.steps() })
+    Ok(Motion { samples, angles, ended, steps: integrator.steps() })
 }
+
+/// A look at what is no number.
+const NO_LOOK: Look = Look { value: f64::NAN, smooth: f64::NAN, rate: f64::NAN };
 
 /// Follows a free motion in steps of about a part of a radian that keep energy and angular momentum.
 ///
 /// # Errors
 /// `Inertia`, `NotFinite`, `Step`; `Motion` when it is stopped or asks for too many steps.
 pub fn simulate_free(body: &Body, start: &Turning, radians: f64, run: &Run) -> Result<Motion, SimulateError> {
+    simulate_free_watching(body, start, radians, run, None)
+}
+
+/// The same, with the extremes of an angle.
+///
+/// # Errors
+/// As [`simulate_free`].
+pub fn simulate_free_watching(
+    body: &Body,
+    start: &Turning,
+    radians: f64,
+    run: &Run,
+    watched: Option<Watched>,
+) -> Result<Motion, SimulateError> {
     let (moments, axes) = body.principal()?;
     let to_body = principal_attitude(&axes);
     let omega = axes.tr_mul(&start.omega_body);
@@ -323,16 +394,10 @@ pub fn simulate_free(body: &Body, start: &Turning, radians: f64, run: &Run) -> R
     let step = run.duration / (each * gaps) as f64;
     let mut rotation = FreeRotation::new(moments, start.attitude * to_body, omega, step)?;
     let mut samples = Vec::with_capacity(gaps + 1);
-    for n in 0..=gaps {
-        if n > 0 {
-            if (run.cancelled)() {
-                return Err(OdeError::Stopped.into());
-            }
-            (0..each).for_each(|_| rotation.advance());
-        }
+    let sampled = |rotation: &FreeRotation, time: f64| {
         let attitude = rotation.attitude();
-        samples.push(Sample {
-            time: run.duration * n as f64 / gaps as f64,
+        Sample {
+            time,
             turning: Turning {
                 attitude: attitude * to_body.inverse(),
                 omega_body: axes * rotation.omega_body(),
@@ -343,9 +408,39 @@ pub fn simulate_free(body: &Body, start: &Turning, radians: f64, run: &Run) -> R
             potential: 0.0,
             work: 0.0,
             impulse: Vector3::zeros(),
-        });
+        }
+    };
+    let mut angles = watched.map(|watched| Extremes::at(0.0, watched.look(&sampled(&rotation, 0.0)).value));
+    for n in 0..=gaps {
+        if n > 0 {
+            if (run.cancelled)() {
+                return Err(OdeError::Stopped.into());
+            }
+            for at in 0..each {
+                let before = watched.map(|_| rotation.clone());
+                rotation.advance();
+                let (Some(watched), Some(angles), Some(before)) = (watched, &mut angles, before) else {
+                    continue;
+                };
+                // Within a step: a shorter one from its begin.
+                let begun = ((n - 1) * each + at) as f64 * step;
+                let mut look = |time: f64| {
+                    let part = time - begun;
+                    let within = if part >= step {
+                        Ok(rotation.clone())
+                    } else if part <= 0.0 {
+                        Ok(before.clone())
+                    } else {
+                        before.after(part)
+                    };
+                    within.map_or(NO_LOOK, |rotation| watched.look(&sampled(&rotation, time)))
+                };
+                angles.follow(&mut look, [begun, begun + step]);
+            }
+        }
+        samples.push(sampled(&rotation, run.duration * n as f64 / gaps as f64));
     }
-    Ok(Motion { samples, ended: None, steps: each * gaps })
+    Ok(Motion { samples, angles, ended: None, steps: each * gaps })
 }
 
 /// The rotation whose columns are the principal axes.

@@ -12,7 +12,7 @@ use std::{
 use nalgebra::{DMatrix, DVector};
 
 use crate::elliptic::agm;
-use crate::{linalg, roots};
+use crate::{extremes, linalg, roots};
 
 /// Mass, damping, stiffness and the coefficient of the cube.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -253,13 +253,9 @@ impl TwoHarmonics {
 
     /// Largest displacement, m.
     pub fn amplitude(&self) -> f64 {
-        const SAMPLES: u32 = 360;
-        let at = |n: f64| self.displacement(TAU * n / f64::from(SAMPLES));
-        let best = (0..SAMPLES).map(f64::from).max_by(|a, b| at(*a).total_cmp(&at(*b))).unwrap_or(0.0);
-        // A parabola through the largest sample and its neighbours.
-        let [before, top, after] = [at(best - 1.0), at(best), at(best + 1.0)];
-        let bend = before - 2.0 * top + after;
-        if bend == 0.0 { top } else { at(best + (before - after) / (2.0 * bend)) }
+        const PLACES: u32 = 72;
+        let places: Vec<f64> = (0..=PLACES + 1).map(|n| TAU * f64::from(n) / f64::from(PLACES)).collect();
+        extremes::greatest(|phase| self.displacement(phase), &places).map_or(0.0, |top| top.value)
     }
 
     /// Amplitudes of the first and of the third harmonic, m.

@@ -5,7 +5,10 @@ use std::f64::consts::FRAC_PI_2;
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::poles::{Poles, advance, advance_harmonic};
-use crate::linalg::{self, LinalgError};
+use crate::{
+    extremes::{Extreme, Extremes, Look},
+    linalg::{self, LinalgError},
+};
 
 /// From a time on, a force changes evenly, until the next piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -105,6 +108,110 @@ impl<'a> Motion<'a> {
             }
         }
         state
+    }
+}
+
+impl Motion<'_> {
+    /// The displacement of a mass that is farthest from zero from time zero to another one, to 1e-9; none where it takes
+    /// more than so many looks at the motion.
+    ///
+    /// A stretch is cut in halves until the cubic through its ends, with its error `h⁴/384 max |x⁗|`, cannot come so far
+    /// out, or is as exact as that.
+    pub fn farthest(&self, row: usize, until: f64, most_looks: usize) -> Option<Extreme> {
+        const PARTS: u32 = 64;
+        const EXACT: f64 = 1e-9;
+        /// What is resolved where no bound holds, at resonance: this part of a radian of the fastest pole.
+        const RESOLVED: f64 = 0.05;
+        let mut looks = 0;
+        let mut number = |time: f64| {
+            looks += 1;
+            let state = self.state(time);
+            let look = Look::of(self.poles.displacement(row, &state), self.poles.velocity(row, &state));
+            (look, looks)
+        };
+        let fastest = self.harmonics.iter().map(|(_, frequency)| *frequency);
+        let fastest = fastest.chain(self.poles.roots.iter().map(|root| root.norm())).fold(0.0, f64::max);
+        let mut places: Vec<f64> = (0..=PARTS).map(|n| until * f64::from(n) / f64::from(PARTS)).collect();
+        places.extend(self.breaks.iter().map(|(time, _)| *time).filter(|time| *time < until));
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let seen: Vec<(f64, Look)> = places.iter().map(|time| (*time, number(*time).0)).collect();
+        let (_, first) = seen.first()?;
+        let mut found = Extremes::at(0.0, first.value);
+        let mut floor = seen.iter().fold(0.0f64, |most, (_, look)| most.max(look.value.abs()));
+        let mut open: Vec<[(f64, Look); 2]> = seen.windows(2).rev().map(|pair| [pair[0], pair[1]]).collect();
+        let mut bends = (usize::MAX, Bends::default());
+        while let Some([(from, a), (to, b)]) = open.pop() {
+            let step = to - from;
+            let broken = self.breaks.iter().rposition(|(start, _)| *start <= from).unwrap_or(0);
+            if bends.0 != broken {
+                bends = (broken, self.bends(row, broken));
+            }
+            let error =
+                bends.1.most([from, to].map(|time| time - self.breaks[broken].0)) * step.powi(4) / 384.0;
+            let (rise, fall) = (a.value + a.rate * step / 3.0, b.value - b.rate * step / 3.0);
+            let reach = [a.value, rise, fall, b.value].map(f64::abs).into_iter().fold(0.0, f64::max) + error;
+            if reach < floor {
+                continue;
+            }
+            if error <= EXACT * floor || step * fastest <= RESOLVED {
+                let mut look = |time: f64| number(time).0;
+                found.follow(&mut look, [from, to]);
+                floor = floor.max(found.farthest().value.abs());
+                continue;
+            }
+            let middle = f64::midpoint(from, to);
+            let (look, looks) = number(middle);
+            if looks > most_looks {
+                return None;
+            }
+            floor = floor.max(look.value.abs());
+            open.push([(middle, look), (to, b)]);
+            open.push([(from, a), (middle, look)]);
+        }
+        Some(found.farthest())
+    }
+
+    /// What bounds the fourth derivative of a displacement after a break.
+    fn bends(&self, row: usize, broken: usize) -> Bends {
+        let (start, state) = &self.breaks[broken];
+        let mut bends = Bends { steady: 0.0, dying: Vec::with_capacity(state.len()) };
+        let shapes = self.poles.shapes.row(row);
+        let mut free: Vec<Complex<f64>> = Vec::with_capacity(state.len());
+        for ((z, root), [constant, slope]) in state.iter().zip(&self.poles.roots).zip(&self.laws[broken]) {
+            free.push(z + constant / root + slope / (root * root));
+        }
+        for (inputs, frequency) in &self.harmonics {
+            let turning = Complex::new(0.0, *frequency);
+            let (mut ahead, mut back) = (Complex::<f64>::ZERO, Complex::<f64>::ZERO);
+            for (n, (root, [forward, backward])) in self.poles.roots.iter().zip(inputs).enumerate() {
+                let [forward, backward] =
+                    [forward / (turning - root), backward / (-turning - root)].map(|z| z / 2.0);
+                (ahead, back) = (ahead + shapes[n] * forward, back + shapes[n] * backward);
+                free[n] -= (forward + backward) * (root * *start).exp();
+            }
+            bends.steady += (ahead.norm() + back.norm()) * frequency.powi(4);
+        }
+        for (n, root) in self.poles.roots.iter().enumerate() {
+            bends.dying.push(((shapes[n] * free[n]).norm() * root.norm().powi(4), root.re));
+        }
+        bends
+    }
+}
+
+/// Bounds of the parts of a fourth derivative after a break: what stays, and what dies away, with its rate.
+#[derive(Debug, Clone, Default)]
+struct Bends {
+    steady: f64,
+    dying: Vec<(f64, f64)>,
+}
+
+impl Bends {
+    /// The most between two times after the break.
+    fn most(&self, [from, to]: [f64; 2]) -> f64 {
+        let dying =
+            self.dying.iter().map(|(size, rate)| size * (rate * if *rate > 0.0 { to } else { from }).exp());
+        self.steady + dying.sum::<f64>()
     }
 }
 

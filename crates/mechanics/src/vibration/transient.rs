@@ -7,6 +7,8 @@
 
 use crate::roots;
 
+pub use crate::extremes::{Extreme, Extremes};
+
 pub mod closed;
 
 mod coupled;
@@ -77,24 +79,6 @@ pub struct Output {
     pub displacement: f64,
     /// Weight of the velocity over the natural frequency.
     pub velocity: f64,
-}
-
-/// A value and the first time at which it is reached.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extreme {
-    /// When, s.
-    pub time: f64,
-    /// The value.
-    pub value: f64,
-}
-
-/// The least and the greatest value over a stretch of time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extremes {
-    /// The least.
-    pub least: Extreme,
-    /// The greatest.
-    pub greatest: Extreme,
 }
 
 /// Why there is no motion.
@@ -235,8 +219,7 @@ impl Motion {
     /// The least and the greatest value of an output between two times; the second may be infinite. Extremes
     /// between the pieces' ends are found where the rate is zero, to `1e-13` of the time.
     pub fn extremes(&self, output: Output, [from, to]: [f64; 2]) -> Result<Extremes, TransientError> {
-        let first = Extreme { time: from, value: self.output(output, from) };
-        let mut found = Extremes { least: first, greatest: first };
+        let mut found = Extremes::at(from, self.output(output, from));
         for (n, piece) in self.pieces.iter().enumerate() {
             let end = self.pieces.get(n + 1).map_or(f64::INFINITY, |next| next.from).min(to);
             let start = piece.from.max(from);
@@ -323,25 +306,6 @@ impl Motion {
 
     fn value(&self, output: Output, state: State) -> f64 {
         output.displacement * state.displacement + output.velocity * state.velocity / self.oscillator.natural
-    }
-}
-
-impl Extremes {
-    /// The one that is farther from zero; the greatest where both are as far.
-    pub fn farthest(self) -> Extreme {
-        let (least, greatest) = (self.least.value.abs(), self.greatest.value.abs());
-        if least > greatest * (1.0 + 1e-9) { self.least } else { self.greatest }
-    }
-
-    fn note(&mut self, seen: Extreme) {
-        // What rounding alone tells apart is not later and higher.
-        let rounding = 1e-12 * self.greatest.value.abs().max(self.least.value.abs());
-        if seen.value > self.greatest.value + rounding {
-            self.greatest = seen;
-        }
-        if seen.value < self.least.value - rounding {
-            self.least = seen;
-        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Efforts, motions and places of rest, each found in two ways, and what is refused.
 
+mod chains;
 mod driven;
 mod mechanism;
 mod solved;

@@ -1,6 +1,7 @@
 //! The motion of a disc that rolls without slip, from a start.
 
 use crate::{
+    extremes::{Extremes, Look},
     ode::{Integrator, OdeError, Problem},
     roots,
 };
@@ -83,10 +84,22 @@ pub struct Moment {
 pub struct Rolled {
     /// From the start to the end.
     pub moments: Vec<Moment>,
+    /// The least and the largest inclination, rad.
+    pub inclination: Extremes,
+    /// The least and the largest friction over the normal force; none where it leaves the floor.
+    pub demand: Option<Extremes>,
     /// What ended it.
     pub ended: Ended,
     /// How many steps were made.
     pub steps: usize,
+}
+
+impl Moment {
+    /// Friction over the normal force, infinite where the floor does not press.
+    pub fn demand(&self) -> f64 {
+        let [along, across] = self.friction;
+        if self.normal > 0.0 { along.hypot(across) / self.normal } else { f64::INFINITY }
+    }
 }
 
 impl Rolled {
@@ -182,6 +195,9 @@ pub fn roll(
     cancelled: &dyn Fn() -> bool,
 ) -> Result<Rolled, RollingError> {
     const STEPS: usize = 40_000;
+    /// Looks at each step, which is a small part of a turn, and how far beside a time the rate is taken.
+    const LOOKS: u32 = 4;
+    const BESIDE: f64 = 1e-5;
     let good = disc.good()
         && inclination > limits.flat
         && inclination < std::f64::consts::PI - limits.flat
@@ -214,9 +230,12 @@ pub fn roll(
         Ended::Time => 1.0,
     };
     let mut ended = Ended::Time;
+    let mut inclinations = Extremes::at(0.0, inclination);
+    let mut demand = Extremes::at(0.0, moments[0].demand());
     for at_once in [Ended::Lifts, Ended::Slips] {
         if left(at_once, &moments[0]) < 0.0 {
-            return Ok(Rolled { moments, ended: at_once, steps: 0 });
+            let demand = (at_once != Ended::Lifts).then_some(demand);
+            return Ok(Rolled { moments, inclination: inclinations, demand, ended: at_once, steps: 0 });
         }
     }
     while integrator.time() < duration && ended == Ended::Time {
@@ -229,6 +248,31 @@ pub fn roll(
                 (until, ended) = (time, end);
             }
         }
+        let (before, end) = (integrator.before(), integrator.time());
+        let mut at = |time: f64| disc.moment(time, &integrator.at(&mut problem, time));
+        for part in 0..LOOKS {
+            let place = |part: u32| {
+                if part == LOOKS {
+                    until
+                } else {
+                    before + (until - before) * f64::from(part) / f64::from(LOOKS)
+                }
+            };
+            let stretch = [place(part), place(part + 1)];
+            let mut inclined = |time: f64| {
+                let moment = at(time);
+                Look::of(moment.inclination, moment.omega[0])
+            };
+            inclinations.follow(&mut inclined, stretch);
+            let beside = BESIDE * (end - before);
+            let mut demanded = |time: f64| {
+                let [early, late] = [(time - beside).max(before), (time + beside).min(end)];
+                Look::of(at(time).demand(), (at(late).demand() - at(early).demand()) / (late - early))
+            };
+            if ended != Ended::Lifts {
+                demand.follow(&mut demanded, stretch);
+            }
+        }
         while moments.len() <= gaps && time_of(moments.len()) <= until {
             let time = time_of(moments.len());
             let state = integrator.at(&mut problem, time);
@@ -239,7 +283,8 @@ pub fn roll(
             moments.push(disc.moment(until, &state));
         }
     }
-    Ok(Rolled { moments, ended, steps: integrator.steps() })
+    let demand = (ended != Ended::Lifts).then_some(demand);
+    Ok(Rolled { moments, inclination: inclinations, demand, ended, steps: integrator.steps() })
 }
 
 struct Following<'a> {

@@ -94,6 +94,17 @@ impl FreeRotation {
         })
     }
 
+    /// The body a time later that is shorter than a step.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn after(&self, time: f64) -> Result<Self, SimulateError> {
+        let inertia = self.inverse.map(f64::recip);
+        let mut later = Self::new(inertia, self.attitude(), self.omega_body(), time)?;
+        later.advance();
+        Ok(later)
+    }
+
     /// Makes one step.
     pub fn advance(&mut self) {
         let [a, b, c] = self.slopes;
