@@ -93,32 +93,49 @@ fn crossings(
     (found, range)
 }
 
-/// The greatest (`sign` 1) or least (`sign` −1) moment: the best knot, and near it a place where the slope is zero.
+/// The greatest (`sign` 1) or least (`sign` −1) moment: of the knots, and of the places near those that may belong to the
+/// highest top where the slope is zero.
 fn extreme(moment: &impl Fn(f64) -> f64, knots: &[f64], at: &[f64], sign: f64) -> (f64, f64) {
     let size = at.iter().fold(0.0f64, |size, value| size.max(value.abs()));
+    let last = knots.len() - 1;
+    let (period, width) = (knots[last], knots[last] / last as f64);
+    let step = 0.02 * width;
+    let slope = |angle: f64| {
+        8.0 * (moment(angle + step) - moment(angle - step))
+            - (moment(angle + 2.0 * step) - moment(angle - 2.0 * step))
+    };
     let mut best = 0;
     for (k, value) in at.iter().enumerate() {
         if sign * value > sign * at[best] + 1e-9 * size {
             best = k;
         }
     }
-    let knot = (knots[best], at[best]);
-    let period = knots[knots.len() - 1];
-    let width = period / (knots.len() - 1) as f64;
-    let step = 0.02 * width;
-    let slope = |angle: f64| {
-        8.0 * (moment(angle + step) - moment(angle - step))
-            - (moment(angle + 2.0 * step) - moment(angle - 2.0 * step))
+    let refined = |knot: usize| {
+        let (low, high) = (knots[knot] - width, knots[knot] + width);
+        if sign * slope(low) <= 0.0 || sign * slope(high) >= 0.0 {
+            return None;
+        }
+        let angle = roots::find(slope, [low, high], |_| std::ops::ControlFlow::Continue(())).ok()?;
+        Some((angle.rem_euclid(period), moment(angle)))
     };
-    let (low, high) = (knot.0 - width, knot.0 + width);
-    if sign * slope(low) <= 0.0 || sign * slope(high) >= 0.0 {
-        return knot;
+    let mut found = (knots[best], at[best]);
+    if let Some(top) = refined(best).filter(|top| sign * top.1 > sign * found.1 + 1e-12 * size) {
+        found = top;
     }
-    let Ok(angle) = roots::find(slope, [low, high], |_| std::ops::ControlFlow::Continue(())) else {
-        return knot;
-    };
-    let value = moment(angle);
-    if sign * value > sign * knot.1 + 1e-12 * size { (angle.rem_euclid(period), value) } else { knot }
+    for (knot, value) in at.iter().enumerate().take(last) {
+        let beside =
+            [at[if knot == 0 { last - 1 } else { knot - 1 }], at[knot + 1]].map(|value| sign * value);
+        let here = sign * value;
+        // A smooth top is higher than its knot by less than the knot is higher than its lower neighbour.
+        let may = here >= beside[0].max(beside[1]) && 2.0 * here - beside[0].min(beside[1]) > sign * found.1;
+        if !may || knot == best {
+            continue;
+        }
+        if let Some(top) = refined(knot).filter(|top| sign * top.1 > sign * found.1 + 1e-9 * size) {
+            found = top;
+        }
+    }
+    found
 }
 
 /// What is rounding beside numbers of that size is zero.

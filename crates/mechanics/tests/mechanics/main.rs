@@ -11,6 +11,7 @@ mod chain;
 mod dimensions;
 mod eigen;
 mod engine;
+mod extremes;
 mod forced;
 mod free_vibration;
 mod friction;
