@@ -326,9 +326,24 @@ fn every_published_answer_is_verified() {
         assert_eq!(verified[verdict], count(verdict));
     }
     assert_eq!(count("differing"), 0, "{verified:#}");
+    let kinds = ["published", "closed form", "other program", "own earlier value", "refusal"];
+    assert_eq!(verified["by_truth"].as_object().unwrap().keys().collect::<Vec<_>>(), kinds);
+    for kind in kinds {
+        let counted = &verified["by_truth"][kind];
+        let count = |verdict: &str| {
+            rows.iter().filter(|row| row["truth"] == kind && row["verdict"] == verdict).count()
+        };
+        assert_eq!(
+            (&counted["agreed"], &counted["disputed"]),
+            (&count("agreed").into(), &count("disputed").into())
+        );
+    }
     for row in rows {
         let keys: Vec<&String> = row.as_object().unwrap().keys().collect();
-        assert_eq!(keys, ["analysis", "case", "source", "answer", "printed", "ours", "verdict", "why"]);
+        let named =
+            ["analysis", "case", "source", "truth", "seen", "answer", "printed", "ours", "verdict", "why"];
+        assert_eq!(keys, named);
+        assert_eq!(row["truth"] == "published", !row["seen"].is_null(), "{row}");
         assert!(row["verdict"] != "disputed" || row["why"] != "", "{row}");
     }
     let amplitude = rows.iter().find(|row| row["analysis"] == FAN && row["answer"] == "amplitude").unwrap();

@@ -93,8 +93,8 @@ fn labels_begin_with_capitals_in_both_languages() {
 /// What people read of a case.
 fn words_of(case: &Case) -> Vec<Text> {
     let reasons = case.expect.iter().filter_map(|expected| match &expected.how {
-        Hold::Within(_, why) | Hold::Disputed(why) => Some(why.clone()),
-        Hold::ToTheLastPlace => None,
+        Hold::Within(_, why) | Hold::Disputed { why, .. } => Some(why.clone()),
+        Hold::ToTheLastPlace | Hold::Computed => None,
     });
     [case.title(), case.source.clone(), case.note.clone()].into_iter().chain(reasons).collect()
 }

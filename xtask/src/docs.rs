@@ -92,7 +92,11 @@ fn described(analysis: &Json, solved: &Json, verdicts: &BTreeMap<(String, String
     for (n, case) in array(&analysis["cases"]).iter().enumerate() {
         let (name, source) = (text(case, "name"), text(case, "source"));
         let counts = verdicts.get(&(id.to_owned(), name.to_owned())).copied().unwrap_or_default();
-        section += &format!("{}. {name} — {source} ({}): {counts}\n", n + 1, text(case, "truth"));
+        let seen = match text(case, "seen") {
+            "" => String::new(),
+            seen => format!(", {seen}"),
+        };
+        section += &format!("{}. {name} — {source} ({}{seen}): {counts}\n", n + 1, text(case, "truth"));
     }
     section += "\nSources:\n\n";
     for source in array(&analysis["sources"]) {

@@ -166,7 +166,12 @@ fn catalogue(root: &Path) -> Found {
     let count =
         |name: &str| counts[name].as_u64().with_context(|| format!("`verify --json` counts no {name}"));
     let (agreed, disputed, differing) = (count("agreed")?, count("disputed")?, count("differing")?);
-    let words = format!("{agreed} agreed, {disputed} disputed, {differing} differing");
+    // What somebody printed is said apart from what was computed.
+    let printed = &counts["by_truth"]["published"];
+    let words = format!(
+        "{agreed} agreed, {disputed} disputed, {differing} differing; {} and {} of these were printed",
+        printed["agreed"], printed["disputed"]
+    );
     ensure!(differing == 0 && agreed > 0 && shown.success(), words);
     Ok(words)
 }

@@ -282,3 +282,5 @@ there-is-no-name = não há `{ $name }`
 path-text-read-as-value-as-in-every-file-without-format-2 = { $path } = { $text }: lido como { $value }, como em todo arquivo sem `format = 2`
 show-is-a-table-of-answers-and-their-units-as-in-show-amplitude-mm-6-digits = `show` é uma tabela de respostas e suas unidades, como em [show] amplitude = "mm; 6 digits"
 count-digits-write-from-1-to-17-digits = `{ $count } digits`: escreva de 1 a 17 algarismos
+a-check-of-the-solution-fails = uma verificação da solução falha
+the-right-value-beside-the-disputed-one-is-right = o valor certo ao lado do contestado é { $right }

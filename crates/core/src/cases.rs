@@ -17,6 +17,8 @@ pub struct Case {
     pub source: Text,
     /// What kind of truth its answers are.
     pub truth: Truth,
+    /// Where its printed answers were seen; of published answers alone.
+    pub seen: Option<Seen>,
     /// Remarks; may be empty.
     pub note: Text,
     /// Its inputs, as they are typed.
@@ -40,6 +42,19 @@ pub enum Truth {
     OwnEarlierValue,
 }
 
+/// Where a printed answer was seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// In the book, paper, manual or standard that printed it.
+    Book,
+    /// In the worked output of a companion: scripts that somebody wrote to the examples of a book.
+    Companion,
+    /// On a page that quotes or works the problem: course notes, an answer site, a repository.
+    Site,
+    /// Nowhere again: it is quoted from memory, or how it came here is not known.
+    Recalled,
+}
+
 /// A printed answer.
 #[derive(Clone, Debug)]
 pub struct Expected {
@@ -56,10 +71,18 @@ pub struct Expected {
 pub enum Hold {
     /// To half a unit in the last printed place.
     ToTheLastPlace,
+    /// To half a unit in the last place, and to four significant digits where fewer are written: what is computed is
+    /// known as well as it is wanted, so `0.3 N` is 0.3000 N and `0 N` is nothing.
+    Computed,
     /// To a share of itself, because its source rounded on the way.
     Within(f64, Text),
-    /// It is wrong, and why. Agreeing with it is a fault: the dispute is stale.
-    Disputed(Text),
+    /// It is wrong. Agreeing with it is a fault: the dispute is stale.
+    Disputed {
+        /// Why it is wrong.
+        why: Text,
+        /// The right value, held to half a unit in its last place.
+        ours: String,
+    },
 }
 
 /// A printed answer beside ours.
@@ -120,7 +143,7 @@ impl Case {
         self.draft.read(&entry.shape()).map_err(SolveError::Fields)
     }
 
-    /// Solves the case and holds every answer to what was printed.
+    /// Solves the case and holds every answer to what was printed. A check of the solution that fails differs too.
     pub fn verify(&self, entry: &Entry) -> Result<Vec<Verdict>, SolveError> {
         let solved = self.record(entry).and_then(|record| entry.solve(&record, &Stop::new()));
         match (&self.refused, solved) {
@@ -140,7 +163,8 @@ impl Case {
             }]),
             (_, Err(err)) => Err(err),
             (None, Ok(solution)) => {
-                Ok(self.expect.iter().map(|expected| verdict(expected, &solution)).collect())
+                let answers = self.expect.iter().map(|expected| verdict(expected, &solution));
+                Ok(answers.chain(failed_checks(&solution)).collect())
             }
         }
     }
@@ -154,12 +178,24 @@ pub fn agrees(answer: &Answer, printed: &str) -> Option<bool> {
 
 impl Truth {
     /// The name in case files.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Truth::Published => "published",
             Truth::ClosedForm => "closed form",
             Truth::OtherProgram => "other program",
             Truth::OwnEarlierValue => "own earlier value",
+        }
+    }
+}
+
+impl Seen {
+    /// The name in case files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Seen::Book => "book",
+            Seen::Companion => "companion",
+            Seen::Site => "site",
+            Seen::Recalled => "recalled",
         }
     }
 }
@@ -179,7 +215,7 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
     let text = |key: &str| table.get(key).and_then(Item::as_str).map(str::to_owned);
     let name = text("name").ok_or("a case has no name")?;
     for (key, _) in table {
-        if !["name", "source", "truth", "note", "inputs", "expect", "refused"].contains(&key) {
+        if !["name", "source", "truth", "seen", "note", "inputs", "expect", "refused"].contains(&key) {
             return Err(format!("{name}: there is no key `{key}` in a case"));
         }
     }
@@ -191,6 +227,14 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
         Some("own earlier value") => Truth::OwnEarlierValue,
         Some(other) => return Err(format!("{name}: `{other}` is no kind of truth")),
     };
+    let seen = match text("seen").as_deref() {
+        None => None,
+        Some("book") => Some(Seen::Book),
+        Some("companion") => Some(Seen::Companion),
+        Some("site") => Some(Seen::Site),
+        Some("recalled") => Some(Seen::Recalled),
+        Some(other) => return Err(format!("{name}: nothing is seen in a `{other}`")),
+    };
     let inputs = table.get("inputs").ok_or_else(|| format!("{name}: there are no inputs"))?;
     let mut reading = Reading { format: Format::LATEST, errors: Vec::new(), notes: Vec::new() };
     let draft = file::draft_of(inputs, &entry.shape(), "inputs", &mut reading);
@@ -201,30 +245,44 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
     for (answer, item) in
         table.get("expect").and_then(Item::as_table_like).into_iter().flat_map(TableLike::iter)
     {
-        expect.push(expected(answer, item).map_err(|why| format!("{name}: {answer}: {why}"))?);
+        expect.push(expected(answer, item, truth).map_err(|why| format!("{name}: {answer}: {why}"))?);
     }
     let refused = text("refused");
     if expect.is_empty() && refused.is_none() {
         return Err(format!("{name}: nothing is expected"));
     }
+    match (truth, seen) {
+        (Truth::Published, None) if !expect.is_empty() => {
+            return Err(format!(
+                "{name}: say where its answers were seen: `seen` is book, companion, site or recalled"
+            ));
+        }
+        (Truth::ClosedForm | Truth::OtherProgram | Truth::OwnEarlierValue, Some(_)) => {
+            return Err(format!("{name}: only published answers were `seen`"));
+        }
+        _ => {}
+    }
     let (source, note) = (Text::new(source), Text::new(text("note").unwrap_or_default()));
-    Ok(Case { name, source, truth, note, draft, expect, refused })
+    Ok(Case { name, source, truth, seen, note, draft, expect, refused })
 }
 
-fn expected(answer: &str, item: &Item) -> Result<Expected, String> {
+fn expected(answer: &str, item: &Item, truth: Truth) -> Result<Expected, String> {
     let answer = answer.to_owned();
+    let to_the_last_place = if truth == Truth::Published { Hold::ToTheLastPlace } else { Hold::Computed };
     if let Some(printed) = item.as_str() {
-        return Ok(Expected { answer, printed: printed.to_owned(), how: Hold::ToTheLastPlace });
+        return Ok(Expected { answer, printed: printed.to_owned(), how: to_the_last_place });
     }
     let table = item.as_table_like().ok_or("write a text, or a table with `printed`")?;
     let text = |key: &str| table.get(key).and_then(Item::as_str).map(str::to_owned);
     let printed = text("printed").ok_or("`printed` is missing")?;
-    let how = match (text("disputed"), table.get("within").and_then(Item::as_float), text("because")) {
-        (Some(why), None, None) => Hold::Disputed(Text::new(why)),
-        (None, Some(share), Some(why)) if share < 0.05 => Hold::Within(share, Text::new(why)),
-        (None, Some(_), Some(_)) => return Err("a share of 5 % or more holds nothing".into()),
-        (None, None, None) => Hold::ToTheLastPlace,
-        _ => return Err("write `disputed`, or `within` and `because`".into()),
+    let within = table.get("within").and_then(Item::as_float);
+    let how = match (text("disputed"), text("ours"), within, text("because")) {
+        (Some(why), Some(ours), None, None) => Hold::Disputed { why: Text::new(why), ours },
+        (Some(_), None, None, None) => return Err("a disputed answer needs `ours`, the right value".into()),
+        (None, None, Some(share), Some(why)) if share < 0.05 => Hold::Within(share, Text::new(why)),
+        (None, None, Some(_), Some(_)) => return Err("a share of 5 % or more holds nothing".into()),
+        (None, None, None, None) => to_the_last_place,
+        _ => return Err("write `disputed` and `ours`, or `within` and `because`".into()),
     };
     Ok(Expected { answer, printed, how })
 }
@@ -234,9 +292,16 @@ fn verdict(expected: &Expected, solution: &Solution) -> Verdict {
         None => ("no such answer".to_owned(), None),
         Some(answer) => compare(answer, expected),
     };
+    let right = |ours: &str| {
+        solution.answer(&expected.answer).and_then(|answer| agrees(answer, ours)).unwrap_or(false)
+    };
     let (outcome, why) = match (&expected.how, near) {
-        (Hold::Disputed(why), Some(false)) => (Outcome::Disputed, why.clone()),
-        (Hold::Disputed(_), Some(true)) => {
+        (Hold::Disputed { ours, .. }, Some(false)) if !right(ours) => {
+            let why = Text::new("the right value beside the disputed one is {right}");
+            (Outcome::Differing, why.with("right", ours))
+        }
+        (Hold::Disputed { why, .. }, Some(false)) => (Outcome::Disputed, why.clone()),
+        (Hold::Disputed { .. }, Some(true)) => {
             (Outcome::Differing, Text::from("this dispute is stale: the printed value is ours"))
         }
         (Hold::Within(_, why), Some(true)) => (Outcome::Agreed, why.clone()),
@@ -245,6 +310,17 @@ fn verdict(expected: &Expected, solution: &Solution) -> Verdict {
         _ => (Outcome::Differing, Text::from("")),
     };
     Verdict { answer: expected.answer.clone(), printed: expected.printed.clone(), ours, outcome, why }
+}
+
+/// A verdict for each check that fails.
+fn failed_checks(solution: &Solution) -> impl Iterator<Item = Verdict> {
+    solution.checks.iter().filter(|check| !check.passed).map(|check| Verdict {
+        answer: "check".into(),
+        printed: check.what.english(),
+        ours: format!("{:e}", check.residual),
+        outcome: Outcome::Differing,
+        why: Text::from("a check of the solution fails"),
+    })
 }
 
 /// Ours as it is written beside the printed answer, and whether they agree.
@@ -263,11 +339,19 @@ fn compare(answer: &Answer, expected: &Expected) -> (String, Option<bool>) {
 
 /// Half a unit in the last printed place, or the share that the case grants.
 fn tolerance(expected: &Expected, printed: f64, last_place: f64) -> f64 {
+    let half = 0.5 * last_place * (1.0 + 1e-9) + 1e-12 * printed.abs();
     match expected.how {
         Hold::Within(share, _) => share * printed.abs(),
-        _ => 0.5 * last_place * (1.0 + 1e-9) + 1e-12 * printed.abs(),
+        // A nought without decimals says nothing of how small it is.
+        Hold::Computed if printed == 0.0 && expected.printed.contains('.') => half,
+        Hold::Computed if printed == 0.0 => 1e-4 * half,
+        Hold::Computed => half.min(FOUR_DIGITS * printed.abs()),
+        Hold::ToTheLastPlace | Hold::Disputed { .. } => half,
     }
 }
+
+/// Half a unit in the fourth significant digit of 1, as a share of it.
+const FOUR_DIGITS: f64 = 5e-4;
 
 fn compare_scalar(si: f64, dim: Dim, expected: &Expected) -> (String, Option<bool>) {
     let printed = match units::read_any(&expected.printed) {

@@ -1923,10 +1923,6 @@ g-r-fowles-g-l-cassiday-analytical-mechanics-problem-9-9-thin-square-plate-at-45
 the-earth = A Terra
 g-r-fowles-g-l-cassiday-analytical-mechanics-problem-9-13-i-s-i-1-00327-at-0-2-to-the-axis = G. R. Fowles, G. L. Cassiday, Analytical Mechanics, problema 9.13: I_s/I = 1,00327, ω a 0,2″ do eixo
 euler-s-period-of-a-rigid-earth-1-0-00327-days-the-real-one-of-chandler-is-longer-since-the-earth = Período de Euler de uma Terra rígida, 1/0,00327 dias; o real, de Chandler, é mais longo, pois a Terra cede.
-capsule-of-2-mg-as-a-homework-site-has-it = Cápsula de 2 Mg, como a traz um site de exercícios
-r-c-hibbeler-engineering-mechanics-dynamics-12th-ed-problem-21-71-printed-numbers-a-homework-site = R. C. Hibbeler, Engineering Mechanics: Dynamics, 12ª ed., problema 21-71 (números impressos: um site de exercícios)
-by-the-closed-forms-66-587-81-729-rad-s-and-97-428-rad-s-direct-since-i-z-i-the-4-537-500-of-the-site = Pelas formas fechadas θ = 66,587°, φ̇ = 81,729 rad/s e ψ̇ = 97,428 rad/s, direta, pois I_z < I. O 4 537 500 do site é I ω_y = 60 500 · 75 kg·m²/s, a parte transversal de H_G.
-the-site-divides-150-rad-s-taken-for-h-g-by-the-moment-of-inertia-and-calls-the-transverse-part-of-h = O site divide 150 rad/s, tomados por H_G, pelo momento de inércia, e chama a parte transversal de H_G de velocidade angular; φ̇ = H_G/I = 4 944 626/60 500 = 81,73 rad/s.
 capsule-of-2-mg = Cápsula de 2 Mg
 r-c-hibbeler-engineering-mechanics-dynamics-12th-ed-problem-21-71-by-tan-t-r-a-h-g-i-t-1-r-a = R. C. Hibbeler, Engineering Mechanics: Dynamics, 12ª ed., problema 21-71, por tan θ = ω_t/(r ω_a), φ̇ = H_G/I_t, ψ̇ = (1 − r) ω_a
 space-station-of-four-shells-at-20 = Estação espacial de quatro cascas, a 20°
@@ -2004,16 +2000,8 @@ khurmi-gupta-theory-of-machines-ch-14-example-14-9 = Khurmi & Gupta, Theory of M
 the-same-ship-steers = O mesmo navio em curva
 n-16-1-knots-of-1855-m-h-on-100-m-the-couple-of-the-turn-is-m-k-v-r-500-100-16-1-1855-3600-100-n-m = 16,1 nós de 1855 m/h em 100 m; o binário da curva é m k² ω v/R = 500 · 100π · (16,1 · 1855/3600)/100 N·m.
 ship-that-turns-to-the-right = Navio em curva para a direita
-rattan-theory-of-machines-naval-ship-of-2-2-t-rotor-solution-printed-at-askfilo-com = Rattan, Theory of Machines, navio de guerra com rotor de 2,2 t, solução impressa em askfilo.com
-part-a-the-printed-words-raise-the-bow-for-a-rotor-clockwise-from-aft-and-a-turn-to-the-right-it-is = Item (a). O texto impresso levanta a proa; para um rotor horário visto da popa e uma curva para a direita ela é abaixada, como diz a reação para bombordo, +y.
-the-source-rounds-the-speeds-5-56-m-s-and-20-95-rad-s = a fonte arredonda as velocidades: 5,56 m/s e 20,95 rad/s
-the-printed-effect-bow-raised-has-the-sign-of-a-turn-to-the-left-h-for-the-right-turn-points-to = o efeito impresso, proa levantada, tem o sinal de uma curva para a esquerda; Ω × H da curva para a direita aponta para boreste e sua reação para bombordo, o que abaixa a proa
 ship-whose-bow-rises = Navio cuja proa sobe
-part-b-the-printed-words-turn-the-bow-to-port-it-goes-to-starboard-for-the-reaction-points-down = Item (b). O texto impresso vira a proa para bombordo; ela vai para boreste, pois a reação aponta para baixo.
-the-source-rounds-the-speed-of-the-rotor-and-its-moment-of-inertia = a fonte arredonda a velocidade do rotor e o seu momento de inércia
-the-printed-effect-bow-to-port-belongs-to-a-falling-bow-with-the-bow-rising-the-reaction-points-down = o efeito impresso, proa para bombordo, é o de uma proa que desce; com a proa subindo, a reação aponta para baixo e a vira para boreste
 ship-that-rolls = Navio que balança
-part-c-the-ship-rolls-about-an-axis-along-the-axle-so-there-is-no-couple = Item (c): o navio balança em torno de um eixo paralelo ao do rotor, logo não há binário.
 turbine-on-a-turn-to-port = Turbina em uma curva para bombordo
 freemathhelp-com-thread-110138 = freemathhelp.com, tópico 110138
 the-thread-has-no-answer-m-k-2v-d-810-150-0-005-n-m-the-bow-is-raised = O tópico não traz resposta: m k² ω · 2v/D = 810 · 150π · 0,005 N·m. A proa se levanta.
@@ -2051,9 +2039,7 @@ stability-of-the-upright-top-i-a-4-i-t-k-goldstein-classical-mechanics-5-7 = est
 a-hundredth-of-a-degree-off-the-vertical-stands-for-upright-what-happens-5-above-and-below-the = Um centésimo de grau fora da vertical vale como em pé. O que acontece 5 % acima e abaixo do limiar está entre os casos de rigid-body/top-nutation.
 spin-for-a-precession-of-5-228-rad-s = Rotação própria para uma precessão de 5,228 rad/s
 top-of-30-rev-s-fast = Pião de 30 rev/s, rápido
-d-halliday-r-resnick-j-walker-fundamentals-of-physics-chapter-on-rolling-torque-and-angular-momentum = D. Halliday, R. Resnick, J. Walker, Fundamentals of Physics, capítulo sobre rolamento, torque e momento angular: problema do pião em precessão, 0,50 kg, 30 rev/s, 30° (resposta impressa: um site de exercícios)
 clockwise-seen-from-above-is-negative-the-precession-has-the-sense-of-the-spin-with-g-9-8-m-s-it-is-2 = O sentido horário visto de cima é negativo; a precessão tem o sentido da rotação própria. Com g = 9,8 m/s² é −2,08 rad/s.
-the-moment-of-the-weight-was-taken-with-sin-30-and-the-angular-momentum-without-it-both-carry-sin-m-g = O momento do peso foi tomado com sen 30° e o momento angular sem ele. Ambos levam sen θ: φ̇ = m g l/(I_a ψ̇) = 2,08 rad/s.
 axis-level = Eixo na horizontal
 at-90-the-quadratic-is-linear-k-i-a = com θ = 90° a equação do segundo grau é linear: φ̇ = K/(I_a ψ̇)
 the-formula-for-fast-tops-is-exact-here-the-transverse-moment-is-given-about-the-mass-centre-4-10-0-5 = A fórmula do pião rápido é exata aqui. O momento transversal é dado em relação ao centro de massa: 4·10⁻⁴ + 0,5 · 0,06² kg·m².
@@ -2258,8 +2244,7 @@ disc-on-an-arm-r-0-406-m = Disco em um braço, r = 0,406 m
 here-r-0-406-m-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-stands-on-a-figure-that-is-lost-of = Aqui r = 0,406 m: as notas imprimem H = 3,63 r² j + 21,78 r² k; o raio está em uma figura que se perdeu, de cujos números só se conhece 0,406 m.
 plate-welded-to-a-shaft-that-speeds-up = Placa soldada a um eixo que acelera
 university-homework-square-plate-on-a-vertical-shaft-at-30 = Lista de exercícios universitária, placa quadrada em um eixo vertical a 30°
-a-plate-of-1-kg-and-side-2-m-is-welded-by-the-middle-o-of-an-edge-y-along-its-middle-line-30-from-the = Uma placa de 1 kg e lado de 2 m é soldada pelo meio O de uma aresta, y ao longo da sua linha média, a 30° do eixo; 3 rad/s, crescendo a 5 rad/s². A página imprime H_O = 0,866 i + 2,5 k: o i é erro de impressão por j, como mostram a sua própria força e o seu momento.
-a-misprint-the-component-0-866-is-along-j-the-middle-line-of-the-plate-only-so-do-the-printed-force = um erro de impressão: a componente 0,866 é em j, a linha média da placa; só assim decorrem a força e o momento impressos
+a-plate-of-1-kg-and-side-2-m-is-welded-by-the-middle-o-of-an-edge-y-along-its-middle-line-30-from-the = Uma placa de 1 kg e lado 2 m é soldada pelo meio O de uma borda, y ao longo de sua linha média, a 30° do eixo; 3 rad/s, crescendo a 5 rad/s².
 the-same-disc-from-axes-fixed-in-it = O mesmo disco, em eixos fixos nele
 closed-form-i-z-turned-by-90-about-z = forma fechada: I_z ω₁ω₂ girado de 90° em torno de z
 disc-of-4-kg-and-0-2-m-on-an-arm-at-5-rad-s-spinning-at-10-rad-s-a-quarter-turn-on-the-couple-4-i-of = Disco de 4 kg e 0,2 m em um braço a 5 rad/s, girando a 10 rad/s, um quarto de volta depois: o binário 4 i do braço é −4 j do disco.
@@ -2453,9 +2438,7 @@ nutation-depends-on-it = a nutação depende dele
 
 # turn_indicator.toml
 level-turn-at-800-km-h = Curva nivelada a 800 km/h
-beer-johnston-dynamics-turn-indicator-of-an-aircraft-solution-printed-at-askfilo-com = Beer & Johnston, Dynamics, indicador de curva de uma aeronave, solução impressa em askfilo.com
 disc-of-200-g-40-mm-10-000-rpm-the-springs-of-500-n-m-100-mm-apart-and-the-radius-of-600-m-complete = Disco de 200 g, 40 mm, 10 000 rpm; as molas de 500 N/m, afastadas de 100 mm, e o raio de 600 m completam os dados.
-the-source-sets-the-centripetal-force-of-the-aircraft-against-the-springs-and-finds-an-angle-of-164 = a fonte põe a força centrípeta da aeronave contra as molas, e acha um ângulo de 164 voltas; o que inclina o garfo é o binário giroscópico, 0,062 N·m, contra 2 k (d/2)² sen θ: 1,42°
 level-turn-our-value = Curva nivelada, nosso valor
 closed-form-sin-i-a-2-k-d-2-i-a-i-t = forma fechada: sen θ = I_a ω Ω/(2 k (d/2)² − (I_a − I_t) Ω²)
 the-gyroscopic-couple-with-the-axle-level-is-0-062056-n-m-the-part-i-a-i-t-changes-the-angle-in-the = O binário giroscópico com o eixo do rotor nivelado é 0,062056 N·m. A parte (I_a − I_t) Ω² altera o ângulo no quinto algarismo.
@@ -2537,3 +2520,10 @@ closed-form-at-tan-v-g-r-the-road-pushes-along-its-normal-alone = forma fechada:
 n-45-v-g-r-all-loads-are-equal-m-g-2-4 = β = 45°, v² = g R: todas as cargas são iguais, m g √2/4.
 centre-of-mass-behind-the-rear-axle = Centro de massa atrás do eixo traseiro
 a-vehicle-at-rest-needs-its-centre-of-mass-between-its-axles = um veículo em repouso precisa ter o centro de massa entre os eixos
+c-i-for-a-ship-with-a-rotor-of-2-2-t-and-320-mm-at-200-rpm = C = I ω Ω, para um navio com rotor de 2,2 t e 320 mm a 200 rpm
+a-rotor-that-turns-clockwise-seen-from-aft-lowers-the-bow-in-a-turn-to-the-right-its-reaction-points = Um rotor que gira no sentido horário visto da popa abaixa a proa em uma curva para a direita: sua reação aponta para bombordo, +y.
+the-ship-turns-to-starboard-for-the-reaction-points-down = O navio vira para boreste, pois a reação aponta para baixo.
+the-ship-rolls-about-an-axis-along-the-axle-so-there-is-no-couple = O navio balança em torno de um eixo ao longo do eixo do rotor: não há conjugado.
+m-g-l-i-a-for-a-top-of-0-50-kg-at-30-rev-s = φ̇ = m g l/(I_a ψ̇), para um pião de 0,50 kg a 30 rev/s
+clockwise-seen-from-above-is-negative-the-precession-has-the-sense-of-the-spin = Horário visto de cima é negativo; a precessão tem o sentido da rotação própria.
+i-2-k-d-2-sin-for-the-data-of-a-problem-of-beer-johnston-dynamics = I ω Ω = 2 k (d/2)² sen θ, para os dados de um problema de Beer & Johnston, Dynamics

@@ -4428,8 +4428,6 @@ the-same-with-critical-damping = O mesmo com amortecimento crítico
 the-same-without-damping-unbounded = O mesmo sem amortecimento: sem limite
 x-f-2k-sin-t-t-cos-t-at-t-50 = x = F₀/(2k) (sen ωt − ωt cos ωt) em ωt = 50
 heavy-mass-on-a-soft-spring-at-its-natural-frequency = Massa pesada sobre mola macia, na sua frequência natural
-code-aster-validation-manual-v2-01-106-sdld106 = Manual de validação do Code_Aster, V2.01.106, SDLD106
-the-manual-writes-the-response-as-f-k-m-jc-the-damping-term-is-j-c-at-resonance-x-f-c-1-0-4-0-2-1-267 = O manual escreve a resposta como F/(K − Ω²M + jC). O termo de amortecimento é jΩC: na ressonância X = F/(cω) = 1/(0,4π · 0,2π) = 1,267 m.
 weight-in-oil = Peso imerso em óleo
 w-t-thomson-theory-of-vibration-with-applications-ch-3-free-period-1-80-s-ratio-of-successive = W. T. Thomson, Theory of Vibration with Applications, cap. 3: período livre de 1,80 s, razão de amplitudes sucessivas de 4,2; F = 2 cos 3t; X = F/√((k − mω²)² + (cω)²)
 the-mass-of-2-lb-0-907-kg-is-recalled-it-is-cut-off-in-the-statement-that-was-seen = A massa de 2 lb, 0,907 kg, é citada de memória: está cortada no enunciado consultado.
@@ -4882,7 +4880,7 @@ the-printed-stiffness-and-diameter-are-those-of-the-stiff-branch-the-soft-one-is
 the-soft-branch-is-missing-diameters-up-to-113-4-mm-keep-the-rotor-clear-as-well-above-its-critical = Falta o ramo flexível: diâmetros de até 113,4 mm também mantêm o rotor sem contato, acima da sua velocidade crítica.
 the-turbine-of-the-textbook-without-damping-and-margins = A turbina do livro, sem amortecimento nem margens
 s-s-rao-mechanical-vibrations-4th-ed-ex-3-5 = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5
-the-book-solves-m-e-k-m-r-at-600-rpm-which-is-the-stiff-side-of-the-resonance-there-a-shaft-of-127-0 = O livro resolve m₀eω²/(k − mω²) = R a 600 rpm, que ali é o lado rígido da ressonância. Um eixo de 127,0 mm tem a sua velocidade crítica em 601 rpm, dentro da faixa. Os eixos flexíveis terminam em 126,74 mm, os rígidos começam em 401,6 mm.
+the-printed-solution-solves-m-e-k-m-r-at-600-rpm-which-is-the-stiff-side-of-the-resonance-there-a = A solução impressa resolve m₀eω²/(k − mω²) = R a 600 rpm, que ali é o lado rígido da ressonância. Um eixo de 127,0 mm tem a sua velocidade crítica em 601 rpm, dentro da faixa. Os eixos flexíveis terminam em 126,74 mm, os rígidos começam em 401,6 mm.
 the-textbook-turbine-as-it-should-have-come-out = A turbina do livro com o resultado correto
 s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-with-k-m-m-e-r-at-600-and-6000-rpm = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5, com k = (m ∓ m₀e/R)ω² a 600 e 6000 rpm
 the-turbine-with-next-to-no-damping = A turbina quase sem amortecimento
@@ -5193,14 +5191,11 @@ the-source-writes-2z-0-0008-m-and-goes-on-with-z-0-004-m-the-record-is-8-mm-from
 undamped-vibrometer-at-twice-its-natural-frequency = Vibrômetro sem amortecimento no dobro da sua frequência natural
 g-k-grover-mechanical-vibrations-ex-4-11-1 = G. K. Grover, Mechanical Vibrations, ex. 4.11.1
 accelerometer-far-above-its-natural-frequency = Acelerômetro muito acima da sua frequência natural
-exercise-on-an-accelerometer-of-1-khz-with-answers-homeworksource-com-1109896 = Exercício sobre um acelerômetro de 1 kHz com respostas (homeworksource.com 1109896)
 the-reading-is-1-1-16-2-0-1-4-0-0666-of-the-acceleration-the-error-is-93-34 = A leitura é 1/√((1 − 16)² + (2 · 0,1 · 4)²) = 0,0666 da aceleração: o erro é −93,34 %.
 n-1-1-r-2-r-1-01-at-r-0-1005-so-the-error-is-1-at-100-5-hz-at-46-hz-it-is-0-21 = 1/√((1 − r²)² + (2ζr)²) = 1,01 em r = 0,1005, portanto o erro é de 1 % a 100,5 Hz; a 46 Hz é de 0,21 %.
 the-accelerometer-as-it-should-have-come-out = O acelerômetro com o resultado correto
 r-from-1-r-4-r-1-1-01-factor-and-phase-in-closed-form = r por (1 − r²)² + 4ζ²r² = 1/1,01²; fator e fase em forma fechada
 vibrometer-known-by-its-two-natural-frequencies = Vibrômetro conhecido pelas suas duas frequências naturais
-textbook-exercise-answered-by-a-homework-site-studyx-ai-111617473 = Exercício de livro respondido por um site de exercícios (studyx.ai 111617473)
-the-site-used-a-formula-for-a-bandwidth-with-0-6-the-reading-overshoots-by-4-2-it-comes-back-to-2-at = O site usou uma fórmula de largura de banda. Com ζ = 0,6 a leitura tem um excesso de 4,2 %; ela volta a +2 % a 35,12 Hz, e 4 Hz fica abaixo da frequência natural, onde um vibrômetro quase nada lê.
 the-same-vibrometer-as-it-should-have-come-out = O mesmo vibrômetro com o resultado correto
 u-2-1-2-u-1-1-1-02-in-u-f-f-peak-1-2-1 = u² − 2(1 − 2ζ²)u + 1 = 1/1,02² em u = (fₙ/f)²; pico 1/(2ζ√(1 − ζ²))
 flattest-accelerometer = Acelerômetro de resposta mais plana
@@ -5288,3 +5283,28 @@ pseudo-acceleration-of-this-mode-straight-over-the-period-between-two-rows = Pse
 pseudo-acceleration-of-this-mode-straight-over-the-frequency-between-two-rows = Pseudoaceleração deste modo, reta sobre a frequência entre duas linhas
 pseudo-acceleration-of-this-mode-straight-in-a-log-log-diagram-between-two-rows = Pseudoaceleração deste modo, reta em um diagrama log-log entre duas linhas
 straight-between-the-points-zero-before-the-first-and-after-the-last-the-displacement-is-that = Reta entre os pontos, zero antes do primeiro e depois do último. O deslocamento é o relativo à base.
+k-m-and-x-f-c-for-the-data-of-the-test-sdld106-of-code-aster = ωₙ = √(k/m) e X = F/(c ω), para os dados do teste SDLD106 do Code_Aster
+n-1-1-r-2-r-of-an-accelerometer-of-1-khz = 1/√((1 − r²)² + (2ζr)²) de um acelerômetro de 1 kHz
+r-1-r-2-r-1-02-above-the-resonance-with-1-0-8 = r²/√((1 − r²)² + (2ζr)²) = 1,02 acima da ressonância, com ζ = √(1 − 0,8²)
+tip-of-an-overhang = Ponta de um balanço
+k-3ei-a-l-a-by-the-energy-of-bending = k = 3EI/(a²(L + a)), pela energia de flexão
+leaf-spring-of-six-leaves = Feixe de seis molas
+k-8nebt-3l-by-the-energy-of-bending-of-a-lozenge-of-breadth-nb = k = 8nEbt³/(3L³), pela energia de flexão de um losango de largura nb
+tapered-bar-in-tension = Barra cônica em tração
+k-e-d-d-4l-by-the-integral-of-dx-ea = k = πE d₁d₂/(4L), pela integral de dx/(EA)
+k-ga-h-of-a-pad = k = GA/h de um coxim
+gas-behind-a-piston = Gás atrás de um pistão
+k-npa-v-by-differences-of-p-p-v-v = k = npA²/V, por diferenças de p = p₀(V₀/V)ⁿ
+taut-string-pushed-sideways = Corda tensa empurrada de lado
+k-t-a-t-b-by-statics-of-the-deflected-string = k = T/a + T/b, pela estática da corda defletida
+bob-of-a-pendulum-pushed-sideways = Massa de um pêndulo empurrada de lado
+k-mg-l-of-a-pendulum = k = mg/l de um pêndulo
+pontoon-that-heaves-in-sea-water = Flutuador que oscila na água do mar
+k-ga-by-the-potential-energy-of-the-displaced-liquid = k = ρgA, pela energia potencial do líquido deslocado
+mercury-in-a-u-tube = Mercúrio em um tubo em U
+k-2-ga-by-the-potential-energy-gaz-of-the-columns = k = 2ρgA, pela energia potencial ρgAz² das colunas
+tapered-shaft-in-torsion = Eixo cônico em torção
+k-t-by-the-integral-of-dx-gj-of-a-shaft-that-tapers = k_t pela integral de dx/(GJ) de um eixo cônico
+k-t-ei-dn-of-the-wire = k_t = EI/(πDn) do arame
+hairspring-of-1-5-m = Mola espiral de 1,5 m
+k-t-ei-l-of-the-strip = k_t = EI/L da fita

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use dalembert_core::{
     Entry, Field, Insides, Limit, Locale, Measure, Shape, Stop, Text, Variant,
-    cases::{self, Case, Hold},
+    cases::{self, Case, Hold, Seen},
     table,
 };
 use dalembert_report::{Block, Document, Line};
@@ -75,7 +75,8 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
     let case = |(n, case): (usize, &Case)| {
         let [name, source, note] = [&case.title(), &case.source, &case.note].map(|text| text.render(locale));
         let note = if note.is_empty() { note } else { format!(". {note}") };
-        format!("{}: {name} — {source} ({}){note}", n + 1, say(case.truth.name()))
+        let seen = case.seen.map_or_else(String::new, |seen| format!(", {}", say(seen_in(seen))));
+        format!("{}: {name} — {source} ({}{seen}){note}", n + 1, say(case.truth.name()))
     };
     Document {
         title: say(about.title),
@@ -93,6 +94,16 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
                 about.sources.iter().map(|source| format!("{}: {}", source.short, source.full)).collect(),
             ),
         ],
+    }
+}
+
+/// Where a published answer was seen, in words.
+pub(crate) fn seen_in(seen: Seen) -> &'static str {
+    match seen {
+        Seen::Book => "seen in print",
+        Seen::Companion => "seen in a companion's output",
+        Seen::Site => "seen on a page that quotes it",
+        Seen::Recalled => "recalled",
     }
 }
 
@@ -227,17 +238,21 @@ fn described(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale
     let say = |words: &'static str| Text::from(words).render(locale);
     let case = |case: &Case| {
         let expected = |expected: &cases::Expected| {
-            let (how, why) = match &expected.how {
-                Hold::ToTheLastPlace => ("to the last place", String::new()),
-                Hold::Within(_, why) => ("within", why.english()),
-                Hold::Disputed(why) => ("disputed", why.english()),
+            let (how, why, ours) = match &expected.how {
+                Hold::ToTheLastPlace => ("to the last place", String::new(), None),
+                Hold::Computed => ("to the last place, and to four digits", String::new(), None),
+                Hold::Within(_, why) => ("within", why.english(), None),
+                Hold::Disputed { why, ours } => ("disputed", why.english(), Some(ours)),
             };
-            (expected.answer.clone(), json!({ "printed": expected.printed, "held": how, "why": why }))
+            let printed = &expected.printed;
+            let held = json!({ "printed": printed, "held": how, "why": why, "ours": ours });
+            (expected.answer.clone(), held)
         };
         json!({
             "name": case.name,
             "source": case.source.english(),
             "truth": case.truth.name(),
+            "seen": case.seen.map(Seen::name),
             "note": case.note.english(),
             "expect": case.expect.iter().map(expected).collect::<Map<_, _>>(),
             "refused": case.refused,

@@ -4,20 +4,20 @@ use std::process::ExitCode;
 
 use dalembert_core::{
     Entry, Text,
-    cases::{self, Case, Outcome, Verdict},
+    cases::{self, Case, Outcome, Seen, Truth, Verdict},
 };
 use dalembert_report::{Block, Document, Line};
 use serde_json::json;
 
 use crate::{
     arguments::Verify,
-    commands::list::matching,
+    commands::{list::matching, show::seen_in},
     console::{Console, print_json},
     failure::Failure,
     solving::guarded,
 };
 
-/// Holds every printed answer against ours. Status 1 as soon as one differs.
+/// Holds every answer of every case against ours. Status 1 as soon as one differs or a check fails.
 pub(crate) fn run(verify: &Verify, console: &Console) -> Result<ExitCode, Failure> {
     let found = matching(&verify.filter);
     if found.is_empty() {
@@ -40,10 +40,26 @@ struct Held {
     entry: &'static Entry,
     name: Text,
     source: Text,
-    truth: &'static str,
+    /// What its answers are held to; a refusal is a kind of its own.
+    kind: &'static str,
+    seen: Option<Seen>,
     verdicts: Vec<Verdict>,
 }
 
+/// What answers are held to, in the order in which they are counted. The last one is of case files that cannot be read.
+const KINDS: [&str; 6] = [
+    Truth::Published.name(),
+    Truth::ClosedForm.name(),
+    Truth::OtherProgram.name(),
+    Truth::OwnEarlierValue.name(),
+    REFUSAL,
+    "",
+];
+
+/// A problem without an answer, which must be refused in the words of its case.
+const REFUSAL: &str = "refusal";
+
+#[derive(Clone, Copy, Default)]
 struct Counts {
     agreed: usize,
     disputed: usize,
@@ -51,16 +67,32 @@ struct Counts {
 }
 
 impl Counts {
-    fn of(held: &[Held]) -> Self {
-        let count = |outcome| {
-            held.iter().flat_map(|case| &case.verdicts).filter(|verdict| verdict.outcome == outcome).count()
-        };
-        Self {
-            agreed: count(Outcome::Agreed),
-            disputed: count(Outcome::Disputed),
-            differing: count(Outcome::Differing),
+    fn of<'h>(held: impl IntoIterator<Item = &'h Held>) -> Self {
+        let mut counts = Self::default();
+        for verdict in held.into_iter().flat_map(|case| &case.verdicts) {
+            match verdict.outcome {
+                Outcome::Agreed => counts.agreed += 1,
+                Outcome::Disputed => counts.disputed += 1,
+                Outcome::Differing => counts.differing += 1,
+            }
         }
+        counts
     }
+
+    fn words(self) -> Text {
+        Text::new("{agreed} agreed, {disputed} disputed, {differing} differing")
+            .with("agreed", self.agreed)
+            .with("disputed", self.disputed)
+            .with("differing", self.differing)
+    }
+}
+
+/// The counts of each kind of truth that there is.
+fn by_kind(held: &[Held]) -> impl Iterator<Item = (&'static str, Counts)> {
+    KINDS
+        .into_iter()
+        .map(move |kind| (kind, Counts::of(held.iter().filter(|case| case.kind == kind))))
+        .filter(|(_, counts)| counts.agreed + counts.disputed + counts.differing > 0)
 }
 
 /// The cases of an analysis. What cannot be solved or read differs.
@@ -87,7 +119,8 @@ fn held(entry: &'static Entry) -> Vec<Held> {
                 verdicts: verdicts(&case),
                 name: case.title(),
                 source: case.source,
-                truth: case.truth.name(),
+                kind: if case.refused.is_some() { REFUSAL } else { case.truth.name() },
+                seen: case.seen,
             })
             .collect(),
         Err(why) => {
@@ -95,7 +128,8 @@ fn held(entry: &'static Entry) -> Vec<Held> {
                 entry,
                 name: Text::from(""),
                 source: Text::from(""),
-                truth: "",
+                kind: "",
+                seen: None,
                 verdicts: failed(why),
             }]
         }
@@ -109,6 +143,8 @@ fn rows(held: &[Held], counts: &Counts) -> serde_json::Value {
                 "analysis": case.entry.about.id,
                 "case": case.name.english(),
                 "source": case.source.english(),
+                "truth": case.kind,
+                "seen": case.seen.map(Seen::name),
                 "answer": verdict.answer,
                 "printed": verdict.printed,
                 "ours": verdict.ours,
@@ -117,10 +153,15 @@ fn rows(held: &[Held], counts: &Counts) -> serde_json::Value {
             })
         })
     });
+    let of_kind = |(kind, counts): (&str, Counts)| {
+        let Counts { agreed, disputed, differing } = counts;
+        (kind.to_owned(), json!({ "agreed": agreed, "disputed": disputed, "differing": differing }))
+    };
     json!({
         "agreed": counts.agreed,
         "disputed": counts.disputed,
         "differing": counts.differing,
+        "by_truth": by_kind(held).map(of_kind).collect::<serde_json::Map<_, _>>(),
         "rows": rows.collect::<Vec<_>>(),
     })
 }
@@ -132,7 +173,9 @@ fn document(held: &[Held], counts: &Counts, console: &Console) -> Document {
     for of_analysis in held.chunk_by(|a, b| std::ptr::eq(a.entry, b.entry)) {
         blocks.push(Block::Heading(of_analysis[0].entry.about.id.to_owned()));
         for case in of_analysis {
-            let truth = if case.truth.is_empty() { String::new() } else { format!(" ({})", say(case.truth)) };
+            let seen = case.seen.map_or_else(String::new, |seen| format!(", {}", say(seen_in(seen))));
+            let truth =
+                if case.kind.is_empty() { String::new() } else { format!(" ({}{seen})", say(case.kind)) };
             blocks.push(Block::Paragraph(format!(
                 "{} — {}{truth}",
                 render(&case.name),
@@ -157,10 +200,12 @@ fn document(held: &[Held], counts: &Counts, console: &Console) -> Document {
             blocks.push(Block::Lines(lines));
         }
     }
-    let total = Text::new("{agreed} agreed, {disputed} disputed, {differing} differing")
-        .with("agreed", counts.agreed)
-        .with("disputed", counts.disputed)
-        .with("differing", counts.differing);
-    blocks.push(Block::Paragraph(total.render(&console.locale)));
+    let of_kind = |(kind, counts): (&'static str, Counts)| Line {
+        label: if kind.is_empty() { String::new() } else { say(kind) },
+        value: render(&counts.words()),
+        ..Line::default()
+    };
+    blocks.push(Block::Lines(by_kind(held).map(of_kind).collect()));
+    blocks.push(Block::Paragraph(render(&counts.words())));
     Document { title: String::new(), blocks }
 }
