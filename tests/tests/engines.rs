@@ -17,15 +17,15 @@ const PROGRAMS: [(&str, usize); 7] = [
     ("Exudyn", 18),
     ("MuJoCo", 72),
     ("ROSS", 98),
-    ("SciPy", 450),
+    ("SciPy", 468),
     ("hsbalance", 66),
     ("mpmath", 452),
     ("pylinkage", 82),
 ];
 
 /// How many numbers, analyses and families they reach together at least.
-const NUMBERS: usize = 1238;
-const ANALYSES: usize = 50;
+const NUMBERS: usize = 1256;
+const ANALYSES: usize = 51;
 const FAMILIES: [&str; 4] = ["balancing", "rigid-body", "vibration", "virtual-work"];
 
 /// The largest error that a number may be given relative to its size: one that grows by a hundredth always fails.
