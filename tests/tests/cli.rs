@@ -170,7 +170,7 @@ fn json_of_a_solve_has_the_agreed_shape() {
     assert_eq!((&amplitude["unit"], &amplitude["si_unit"]), (&"mm".into(), &"m".into()));
     assert!((amplitude["si"].as_f64().unwrap() - 0.0194564).abs() < 5e-8, "{amplitude}");
     assert!((amplitude["value"].as_f64().unwrap() - 19.4564).abs() < 5e-5, "{amplitude}");
-    let lag = &solved["answers"]["phase_lag"];
+    let lag = &solved["answers"]["phase"];
     assert_eq!((&lag["unit"], &lag["si_unit"]), (&"deg".into(), &"rad".into()));
     let [degrees, radians] = ["value", "si"].map(|key| lag[key].as_f64().unwrap());
     assert!((degrees.to_radians() - radians).abs() < 1e-15, "{lag}");

@@ -120,7 +120,7 @@ fn the_largest_displacement_of_a_blow_is_that_of_its_first_swing() {
                 "analysis = \"vibration/multi-degree-response\"\n[inputs]\nduration = \"{duration} s\"\n\
                  damping.ratio = {{ ratio = \"{ratio}\" }}\n\
                  system.chain = {{ masses = [{{ mass = \"1 kg\", spring = \"4*pi^2 N/m\" }}] }}\n\
-                 start = [{{ coordinate = 1, velocity = \"1 m/s\" }}]\nobserved = [{{ coordinate = 1 }}]\n"
+                 start = [{{ coordinate = 1, velocity = \"1 m/s\" }}]\nobserved = [{{ coordinate = 1 }}]\ntimes = \"[s]\\n0.1\"\n"
             );
             let phase = f64::acos(ratio);
             let largest = f64::exp(-ratio * phase / f64::sqrt(1.0 - ratio * ratio)) / std::f64::consts::TAU;

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use dalembert_core::{
-    AnswerValue, Draft, Field, Number, Record, Shape, Solution, Stop, Value, cases, file, find, gravity,
-    registry, vary,
+    AnswerValue, Draft, Field, Number, Record, Shape, Solution, Stop, Value, cases, file, gravity, registry,
+    vary,
 };
 use dalembert_plugins as _;
 use dalembert_units::unit;

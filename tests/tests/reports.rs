@@ -31,7 +31,13 @@ fn printed_steps_give_their_results() {
             .digits(digits);
             locale.style.ascii = ascii;
             for step in &solution.steps {
-                let written = printer::step(&solution, step, &locale);
+                let mut written = printer::step(&solution, step, &locale);
+                if language == Language::Portuguese {
+                    // As it is read where the language is known.
+                    for text in [&mut written.substitution, &mut written.result] {
+                        *text = units::with_point(text).into_owned();
+                    }
+                }
                 if written.substitution.is_empty() {
                     continue;
                 }

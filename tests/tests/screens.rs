@@ -449,9 +449,9 @@ fn units_are_cycled_without_changing_the_quantity() {
 fn a_converted_number_is_written_and_nudged_as_a_person_would() {
     let mut person = Person::in_portuguese(110, 30).opens(FAN);
     person.types("<end>uuuu");
-    assert!(line_with(&person.sees(), "▸ Rotação").contains("104,719755 rad/s"), "{}", person.sees());
+    assert!(line_with(&person.sees(), "▸ Rotação").contains("104.719755 rad/s"), "{}", person.sees());
     person.types("+");
-    assert!(line_with(&person.sees(), "▸ Rotação").contains("104,819755 rad/s"), "{}", person.sees());
+    assert!(line_with(&person.sees(), "▸ Rotação").contains("104.819755 rad/s"), "{}", person.sees());
 }
 
 #[test]

@@ -134,7 +134,7 @@ fn what_is_edited_outside_is_here_and_can_be_taken_back() {
     assert!(person.types("z").sees().contains("19.456"));
     person.editor = |text| text.replace("[inputs]", "[inputs");
     let broken = person.types("E").sees();
-    assert!(broken.contains("cannot be read") && broken.contains("line 4"), "{broken}");
+    assert!(broken.contains("cannot be read") && broken.contains("line 5"), "{broken}");
     assert!(person.types("<down><enter>").sees().contains("19.456"), "nothing is lost");
     person.editor = str::to_owned;
     assert!(person.types("E").sees().contains("nothing was changed"));

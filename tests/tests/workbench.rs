@@ -111,7 +111,8 @@ fn a_problem_file_is_opened_changed_and_saved() {
     pty.types("q");
     assert_eq!(pty.exit_code(), Some(0));
     let saved = fs::read_to_string(&path).expect("the file is there");
-    assert_eq!(saved, text.replace("1000 rpm", "1200 rpm"));
+    let latest = text.replace("-unbalance\"\n", "-unbalance\"\nformat = 2\n");
+    assert_eq!(saved, latest.replace("1000 rpm", "1200 rpm"));
 }
 
 #[test]

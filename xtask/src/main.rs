@@ -14,6 +14,8 @@ usage: cargo xtask COMMAND
   docs [--check]             write the reference in docs/, or see that it is up to date
   pictures [--check]         draw the pictures in docs/pictures/ from their sessions, or see that they are up to date
   soak mutants               the result of each function of mechanics times 1.01: does the catalogue notice?
+  soak rotors                2000 random rotors: each answered, every check holds?
+  soak chains                chains of 1 to 100 four-bars through singular positions
   soak perturb --draws N     every case N times with its numbers changed at random: answered or refused with reason?
   bench [PART]...            measure; parts: plain units solve keys tui
 ";

@@ -331,7 +331,7 @@ fn compare(answer: &Answer, expected: &Expected) -> (String, Option<bool>) {
         AnswerValue::List(numbers) => compare_list(numbers, &answer.unit, expected),
         AnswerValue::Set(..) => {
             let ours = answer.shown(&Locale::english().digits(6));
-            let near = compare_set(&answer.shown(&Locale::english()), &expected.printed, expected);
+            let near = compare_set(&answer.shown(&Locale::english().digits(15)), &expected.printed, expected);
             (ours, near)
         }
     }

@@ -88,7 +88,9 @@ impl Extremes {
         let curve = 3.0 * (bend - 2.0 * rise);
         let part = (3.0 * rise - (2.0 * a.rate + b.rate) * step) / -curve;
         let slope = a.rate * step - curve * part * part;
-        if deep > 0 && part > 0.0 && part < 1.0 && slope * (a.rate + b.rate) < 0.0 {
+        // A bulge that rounding may have made is none.
+        let bulges = slope.abs() * step > ROUNDING * (a.smooth.abs() + b.smooth.abs());
+        if deep > 0 && bulges && part > 0.0 && part < 1.0 && slope * (a.rate + b.rate) < 0.0 {
             let middle = from + part * step;
             if middle > from && middle < to {
                 let seen = (middle, number(middle));
@@ -100,7 +102,9 @@ impl Extremes {
 }
 
 /// How often a stretch in which a number may turn twice is cut.
-const DEEP: u32 = 12;
+const DEEP: u32 = 6;
+/// What two neighbouring values differ by through rounding, in parts of their size.
+const ROUNDING: f64 = 1e-13;
 
 /// The greatest value of a smooth number, and where it is, from places that are a share of its shortest period apart: about
 /// each place that is higher than its neighbours, and may belong to the highest top, the top is found by parabolas held

@@ -92,7 +92,7 @@ impl Draw {
         let (mut rotor, count) = self.shaft();
         for node in [0, count] {
             let k = self.decades(1e4, 1e8);
-            let mut row = |draw: &mut Self| {
+            let row = |draw: &mut Self| {
                 let (stiff, along) = (k * draw.between(0.7, 1.3), k * draw.between(0.5, 0.9));
                 let cross = k * draw.between(0.02, 0.3);
                 let damping = k * draw.decades(1e-6, 3e-4);

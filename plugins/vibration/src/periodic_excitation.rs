@@ -19,6 +19,8 @@ use crate::{
 
 /// The most harmonics that are written out.
 const WRITTEN: usize = 5;
+/// The harmonics of a table that are written out, whether they vanish or not.
+const OF_TABLE: u32 = 10;
 /// The most harmonics that are added up.
 const ADDED: u32 = 4000;
 
@@ -147,7 +149,7 @@ enum Excited<N> {
 /// the first of all: whether one of them vanishes would be left to the last places of what was typed.
 fn written(waveform: &Waveform, pieces: &[Piece]) -> Vec<u32> {
     if matches!(waveform, Waveform::Table { .. }) {
-        return (1..=60).take(WRITTEN).collect();
+        return (1..=OF_TABLE).collect();
     }
     (1..=60).filter(|n| is_there(pieces, *n)).take(WRITTEN).collect()
 }

@@ -340,7 +340,7 @@ impl RotorDynamics {
         sheet.verify(|| {
             sheet.check_zero(
                 "the frequency balances the powers of inertia, rotation, damping and stiffness in the shape of the mode",
-                frequency - by_energy.im,
+                (frequency.value() - by_energy.im).into(),
                 scale,
             );
         });
@@ -358,7 +358,7 @@ impl RotorDynamics {
         sheet.verify(|| {
             sheet.check_zero(
                 "the growth balances the powers of inertia, rotation, damping and stiffness in the shape of the mode",
-                growth - by_energy.re,
+                (growth.value() - by_energy.re).into(),
                 scale,
             );
         });
@@ -449,7 +449,7 @@ impl RotorDynamics {
                 let rounding = modes::polished(all, &critical.mode, critical.speed).map_or(0.0, |there| there.rounding);
                 sheet.check_zero(
                     "at this speed a natural frequency of the equations of all nodes is the wanted multiple of the speed",
-                    speed * self.slope - there.map_or(f64::NAN, |lambda| lambda.im),
+                    (speed.value() * self.slope - there.map_or(f64::NAN, |lambda| lambda.im)).into(),
                     self.slope * critical.speed * (STILL * rounding / AGREEMENT).max(1.0),
                 );
             });

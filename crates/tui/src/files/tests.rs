@@ -236,7 +236,7 @@ fn strays_beside_a_file_go_when_it_is_opened_or_saved() {
         fs::write(&stray, "mass").unwrap();
         use_it(&path);
         assert!(stray.exists(), "a save may be under way");
-        fs::File::options().write(true).open(&stray).unwrap().set_modified(old).unwrap();
+        File::options().write(true).open(&stray).unwrap().set_modified(old).unwrap();
         use_it(&path);
         assert_eq!(names(folder.path()), ["fan.toml"]);
     }

@@ -253,8 +253,9 @@ impl Shown<'_> {
 
 fn response(sweep: &[Sample]) -> Plot {
     let curve = |value: fn(Orbit) -> f64| {
-        let at =
-            |&(speed, motion): &Sample| (speed, motion.map_or(f64::NAN, |[x, y]| value(Orbit::of(x, y))));
+        let at = |&(speed, motion): &Sample| {
+            (speed, motion.map_or(f64::INFINITY, |[x, y]| value(Orbit::of(x, y))))
+        };
         sweep.iter().map(at).collect()
     };
     Plot::new(
@@ -269,7 +270,7 @@ fn response(sweep: &[Sample]) -> Plot {
 }
 
 fn phase(sweep: &[Sample]) -> Plot {
-    let at = |&(speed, motion): &Sample| (speed, motion.map_or(f64::NAN, |[x, _]| x.arg()));
+    let at = |&(speed, motion): &Sample| (speed, motion.map_or(f64::INFINITY, |[x, _]| x.arg()));
     Plot::new(
         "Phase of the unbalance response along x",
         Axis::linear("speed", "rpm"),
@@ -286,7 +287,7 @@ fn branches(diagram: Option<&Campbell>, value: fn(&Mode) -> f64) -> Vec<Series> 
             .speeds
             .iter()
             .zip(branch)
-            .map(|(&speed, mode)| (speed, mode.as_ref().map_or(f64::NAN, value)));
+            .map(|(&speed, mode)| (speed, mode.as_ref().map_or(f64::INFINITY, value)));
         Series::line(Text::new("mode {n}").with("n", n + 1), points.collect())
     };
     diagram.branches.iter().enumerate().map(branch).collect()

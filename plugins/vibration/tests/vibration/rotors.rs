@@ -1,8 +1,6 @@
 //! Random rotors as a person enters them: every one is answered, and every check of it holds.
-//!
-//! `ROTOR_DRAWS=2000` looks further.
 
-use std::f64::consts::TAU;
+use std::{f64::consts::TAU, ops::Range};
 
 use dalembert_core::{Analysis, Inputs, Lift, Sheet, Solution, Stop, Trail};
 use dalembert_vibration::rotor_dynamics::{
@@ -109,11 +107,19 @@ fn solved(problem: &RotorDynamics) -> Result<Solution, String> {
 
 #[test]
 fn random_rotors_are_answered_and_their_checks_hold() {
-    let draws: u64 = std::env::var("ROTOR_DRAWS").map_or(24, |draws| draws.parse().unwrap());
-    let first: u64 = std::env::var("ROTOR_FIRST").map_or(0, |first| first.parse().unwrap());
-    assert!(draws > 0);
+    answered(0..24);
+}
+
+/// The same of many more, as `cargo xtask soak rotors` runs it.
+#[test]
+#[ignore = "takes minutes"]
+fn two_thousand_random_rotors_are_answered_and_their_checks_hold() {
+    answered(0..2000);
+}
+
+fn answered(draws: Range<u64>) {
     let (mut refused, mut failed, mut missing, mut checks) = (Vec::new(), Vec::new(), Vec::new(), 0);
-    for n in first..first + draws {
+    for n in draws.clone() {
         let problem = Draw(n).rotor(n % 2 == 1);
         match solved(&problem) {
             Err(why) => {
@@ -141,6 +147,6 @@ fn random_rotors_are_answered_and_their_checks_hold() {
     assert!(checks > 0);
     assert!(
         refused.is_empty() && failed.is_empty() && missing.is_empty(),
-        "of {draws}: refused {refused:#?}, failed {failed:#?}, missing {missing:#?}"
+        "of {draws:?}: refused {refused:#?}, failed {failed:#?}, missing {missing:#?}"
     );
 }

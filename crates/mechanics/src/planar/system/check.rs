@@ -1,0 +1,79 @@
+//! What a mechanism must be before it is computed with: finite numbers, and bodies and joints that are there.
+
+use super::super::{Frame, Joint, Load, Measure, Mechanism, PlanarError};
+
+/// The first number or reference of a mechanism that cannot be.
+pub(super) fn check(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Result<(), PlanarError> {
+    let bodies = mechanism.bodies.len();
+    let number = |what: &'static str, index: usize| PlanarError::Number { what, index };
+    for (index, body) in mechanism.bodies.iter().enumerate() {
+        let good = |x: f64| x.is_finite() && x >= 0.0;
+        let placed = drawn.get(index).is_some_and(|at| at.iter().all(|x| x.is_finite()));
+        if !(good(body.mass) && good(body.inertia) && placed) {
+            return Err(number("body", index));
+        }
+    }
+    if mechanism.gravity.iter().any(|x| !x.is_finite()) {
+        return Err(number("the acceleration of gravity, body", 0));
+    }
+    let frame = |what: &'static str, index: usize, frame: Frame| match frame {
+        Some(body) if body >= bodies => Err(PlanarError::NoSuchBody { what, index, body, bodies }),
+        _ => Ok(()),
+    };
+    let measured = |what: &'static str, index: usize, measure: &Measure| {
+        let finite = match *measure {
+            Measure::Angle { .. } => true,
+            Measure::Component { direction, from, to } | Measure::Along { direction, from, to } => {
+                direction.iter().chain(&from.at).chain(&to.at).all(|x| x.is_finite())
+            }
+            Measure::Distance { from, to } => from.at.iter().chain(&to.at).all(|x| x.is_finite()),
+        };
+        if !finite {
+            return Err(number(what, index));
+        }
+        measure.bodies().into_iter().try_for_each(|body| frame(what, index, body))
+    };
+    for (index, joint) in mechanism.joints.iter().enumerate() {
+        for equation in joint.equations() {
+            for term in &equation.terms {
+                measured("joint", index, &term.measure)?;
+                if !term.weight.is_finite() {
+                    return Err(number("joint", index));
+                }
+            }
+            if equation.sum.is_some_and(|sum| !sum.is_finite()) {
+                return Err(number("joint", index));
+            }
+        }
+        if let Joint::Rod { length, .. } = joint
+            && *length <= 0.0
+        {
+            return Err(number("joint", index));
+        }
+    }
+    for (index, driver) in mechanism.drivers.iter().enumerate() {
+        measured("driver", index, &driver.measure)?;
+        if ![driver.value, driver.velocity, driver.acceleration].iter().all(|x| x.is_finite()) {
+            return Err(number("driver", index));
+        }
+    }
+    for (index, load) in mechanism.loads.iter().enumerate() {
+        match load {
+            Load::Force { at, force, turns_with } => {
+                frame("load", index, at.on)?;
+                frame("load", index, *turns_with)?;
+                if force.iter().chain(&at.at).any(|x| !x.is_finite()) {
+                    return Err(number("load", index));
+                }
+            }
+            Load::Effort { measure, .. } => measured("load", index, measure)?,
+            Load::Friction { joint, coefficient, radius } => {
+                let good = |x: f64| x.is_finite() && x >= 0.0;
+                if *joint >= mechanism.joints.len() || !good(*coefficient) || !good(*radius) {
+                    return Err(number("load", index));
+                }
+            }
+        }
+    }
+    Ok(())
+}
