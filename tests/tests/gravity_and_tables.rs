@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use dalembert_core::{
-    AnswerValue, Draft, Field, Number, Record, Shape, Solution, Stop, Value, cases, file, gravity, registry,
-    vary,
+    AnswerValue, Draft, Field, Number, Record, Shape, Solution, Stop, Text, Value, cases, file, gravity,
+    registry, vary,
 };
 use dalembert_plugins as _;
 use dalembert_units::unit;
@@ -65,7 +65,7 @@ fn number(solution: &Solution, name: &str) -> f64 {
 }
 
 fn warnings(solution: &Solution) -> Vec<String> {
-    solution.warnings.iter().map(|warning| warning.english()).collect()
+    solution.warnings.iter().map(Text::english).collect()
 }
 
 #[test]

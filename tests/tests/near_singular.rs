@@ -40,8 +40,8 @@ fn fault(point: &Table) -> Option<String> {
     if let Some(check) = solution.checks.iter().find(|check| !check.passed) {
         return Some(format!("{} ({:e} > {:e})", check.what.english(), check.residual, check.limit));
     }
-    let want: f64 = text(point, "value").parse().unwrap();
-    let condition = point["condition"].as_float().unwrap();
+    let want: f64 = text(point, "value").parse().expect("the value of a point is a number");
+    let condition = point["condition"].as_float().expect("a point has a condition number");
     let Some(got) = solution.answer(text(point, "answer")).and_then(dalembert_core::Answer::si) else {
         return Some("there is no such answer".to_owned());
     };

@@ -17,8 +17,8 @@ use std::{
 };
 
 use dalembert_core::{
-    AnswerValue, Entry, Record, Refusal, Solution, SolveError, Stop, Text, Value, cases, registry, text::Arg,
-    vary,
+    Answer, AnswerValue, Entry, Record, Refusal, Solution, SolveError, Stop, Text, Value, cases, registry,
+    text::Arg, vary,
 };
 use dalembert_mechanics::balance::spread::uniform_bits;
 use dalembert_plugins as _;
@@ -87,7 +87,7 @@ fn numbers_near_those_of_a_case_are_answered_or_refused_with_reason() {
             Some("input at fault") => {}
             Some(verdict) => faults.push(format!("refused {count} times, {verdict}: {template} ({first})")),
             None => {
-                faults.push(format!("refused {count} times, not in docs/refusals.md: {template} ({first})"))
+                faults.push(format!("refused {count} times, not in docs/refusals.md: {template} ({first})"));
             }
         }
     }
@@ -115,7 +115,7 @@ fn try_one(entry: &'static Entry, name: &str, record: &Record, met: &Mutex<Met>)
         Ok(Err(SolveError::Refused(Refusal::because("outside the limits of this input"))))
     };
     let took = start.elapsed();
-    let mut met = met.lock().unwrap();
+    let mut met = met.lock().expect("no draw panics with the list");
     if took > Duration::from_secs(10) {
         met.slow.push(format!("{name}: {:.0} s", took.as_secs_f64()));
     }
@@ -129,7 +129,7 @@ fn try_one(entry: &'static Entry, name: &str, record: &Record, met: &Mutex<Met>)
         Ok(Err(SolveError::Refused(Refusal::NoAnswer(why)))) => refused.push(template(&why)),
         Ok(Err(SolveError::Refused(Refusal::Stopped))) => met.faults.push(format!("{name}: stopped")),
         Ok(Err(SolveError::Fields(errors))) => {
-            refused.extend(errors.iter().map(|error| template(&error.why)))
+            refused.extend(errors.iter().map(|error| template(&error.why)));
         }
     }
     let counts = met.counts.entry(entry.about.id).or_default();
@@ -167,7 +167,7 @@ fn faults(solution: &Solution) -> Vec<String> {
         };
         let mut name = answer.name;
         name.base = of;
-        let value = solution.answers.iter().find(|answer| answer.name == name).and_then(|answer| answer.si());
+        let value = solution.answers.iter().find(|answer| answer.name == name).and_then(Answer::si);
         let Some(value) = value else {
             faults.push(format!("{}: there is no answer {name}", answer.name));
             continue;
@@ -191,7 +191,7 @@ fn template(why: &Text) -> String {
             && !inner.template.is_empty()
             && why.template.matches(char::is_alphabetic).count() < 20
         {
-            write!(all, " / {}", template(inner)).unwrap();
+            write!(all, " / {}", template(inner)).expect("a String takes all that is written");
         }
     }
     all.split_whitespace().collect::<Vec<_>>().join(" ").replace('|', "/")
@@ -230,7 +230,7 @@ fn perturb(value: &mut Value, factor: &mut impl FnMut() -> f64) {
 
 /// The verdicts of `docs/refusals.md` by template.
 fn judged() -> BTreeMap<String, String> {
-    let text = fs::read_to_string(table()).unwrap();
+    let text = fs::read_to_string(table()).expect("docs/refusals.md is there");
     let mut judged = BTreeMap::new();
     for line in text.lines().filter(|line| line.starts_with("| `")) {
         let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
@@ -258,17 +258,19 @@ fn report(met: &Met, draws: u64) {
         met.faults.len()
     );
     for (id, [drawn, answered, refused]) in &met.counts {
-        writeln!(text, "{id}: {drawn} drawn, {answered} answered, {refused} refused").unwrap();
+        writeln!(text, "{id}: {drawn} drawn, {answered} answered, {refused} refused")
+            .expect("a String takes all that is written");
     }
     let judged = judged();
     for (template, (count, first)) in &met.refusals {
         let verdict = judged.get(template).map_or("not judged", String::as_str);
-        writeln!(text, "| `{template}` | *{verdict}* | {count} | {first}").unwrap();
+        writeln!(text, "| `{template}` | *{verdict}* | {count} | {first}")
+            .expect("a String takes all that is written");
     }
     for line in met.faults.iter().chain(&met.slow) {
-        writeln!(text, "{line}").unwrap();
+        writeln!(text, "{line}").expect("a String takes all that is written");
     }
-    fs::write(path, text).unwrap();
+    fs::write(path, text).expect("the report can be written");
 }
 
 fn number(name: &str) -> Option<u64> {

@@ -34,7 +34,8 @@ fn printed_steps_give_their_results() {
                 let mut written = printer::step(&solution, step, &locale);
                 if language == Language::Portuguese {
                     // As it is read where the language is known.
-                    for text in [&mut written.substitution, &mut written.result] {
+                    let terms = written.terms.iter_mut().map(|(_, value)| value);
+                    for text in terms.chain([&mut written.substitution, &mut written.result]) {
                         *text = units::with_point(text).into_owned();
                     }
                 }

@@ -14,22 +14,14 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     match words {
         ["mutants"] => mutants::soak(root),
         ["perturb", "--draws", draws] => perturb::soak(root, draws),
-        ["rotors"] => ignored(root, "dalembert-vibration", "two_thousand_random_rotors"),
-        ["chains"] => ignored(root, "dalembert-virtual-work", "chains_of_up_to_a_hundred_four_bars"),
+        ["rotors"] => ignored(root, "vibration", "two_thousand_random_rotors"),
+        ["chains"] => ignored(root, "virtual-work", "chains_of_up_to_a_hundred_four_bars"),
         _ => bail!("write `mutants`, `perturb --draws N`, `rotors` or `chains` behind `cargo xtask soak`"),
     }
 }
 
-/// Runs a test that takes too long for every day, optimised.
-fn ignored(root: &Path, package: &str, test: &str) -> Result<()> {
-    run_command(cargo(root).args([
-        "test",
-        "--release",
-        "--package",
-        package,
-        test,
-        "--",
-        "--ignored",
-        "--nocapture",
-    ]))
+/// Runs a test of a family that takes too long for every day, optimised.
+fn ignored(root: &Path, family: &str, test: &str) -> Result<()> {
+    let folder = root.join("plugins").join(family);
+    run_command(cargo(&folder).args(["test", "--release", test, "--", "--ignored", "--nocapture"]))
 }

@@ -418,34 +418,32 @@ fn compare_list(si: &[f64], unit: &units::Unit, expected: &Expected) -> (String,
     (ours, Some(si.iter().zip(&printed).all(near)))
 }
 
-/// Sets are printed as ours are shown: `≤ 113.4 mm or ≥ 439.9 mm`, `every value`, `no value`. Each end is held
-/// to the last place printed.
+/// Sets are printed as ours are shown: `≤ 113.4 mm or ≥ 439.9 mm`, `2 m … 3 m`, `every value`, `no value`. Each end is
+/// held to the last place printed.
 fn compare_set(ours: &str, printed: &str, expected: &Expected) -> Option<bool> {
-    let ends = |text: &str| -> Option<Vec<(String, Option<units::Quantity>)>> {
-        text.split(" or ")
-            .map(|part| {
-                let part = part.trim();
-                match part.strip_prefix(['≤', '≥', '<', '>']) {
-                    Some(rest) => Some((part.chars().take(1).collect(), Some(units::read_any(rest).ok()?))),
-                    None => Some((part.to_owned(), None)),
-                }
-            })
-            .collect()
-    };
-    let (ours, printed) = (ends(ours)?, ends(printed)?);
+    /// The words or the sign of a part, and its ends.
+    fn part(text: &str) -> Option<(&str, Vec<units::Quantity>)> {
+        let read = |text: &str| units::read_any(text).ok();
+        let text = text.trim();
+        if let Some((from, to)) = text.split_once('…') {
+            return Some(("…", vec![read(from)?, read(to)?]));
+        }
+        match text.strip_prefix(['≤', '≥', '<', '>']) {
+            Some(rest) => Some((&text[..text.len() - rest.len()], vec![read(rest)?])),
+            None => Some((text, Vec::new())),
+        }
+    }
+    let parts = |text| -> Option<Vec<_>> { str::split(text, " or ").map(part).collect() };
+    let (ours, printed) = (parts(ours)?, parts(printed)?);
     if ours.len() != printed.len() {
         return Some(false);
     }
+    let near = |(ours, printed): (&units::Quantity, &units::Quantity)| {
+        (ours.si - printed.si).abs() <= tolerance(expected, printed.si, printed.last_place)
+            && ours.unit.dim.agrees(printed.unit.dim)
+    };
     Some(ours.iter().zip(&printed).all(|((sign, ours), (other, printed))| {
-        sign == other
-            && match (ours, printed) {
-                (Some(ours), Some(printed)) => {
-                    (ours.si - printed.si).abs() <= tolerance(expected, printed.si, printed.last_place)
-                        && ours.unit.dim.agrees(printed.unit.dim)
-                }
-                (None, None) => true,
-                _ => false,
-            }
+        sign == other && ours.len() == printed.len() && ours.iter().zip(printed).all(near)
     }))
 }
 

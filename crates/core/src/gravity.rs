@@ -24,10 +24,7 @@ const CUSTOMARY_UNITS: [&str; 33] = [
 
 /// Whether a field is the gravity of the problem.
 pub fn is_gravity(field: &Field) -> bool {
-    let measure = match field.shape {
-        Shape::Quantity(measure) | Shape::Vector(measure, _) => measure,
-        _ => return false,
-    };
+    let (Shape::Quantity(measure) | Shape::Vector(measure, _)) = field.shape else { return false };
     field.symbol == "g" && measure.unit == "m/s^2" && field.default.is_some()
 }
 

@@ -124,8 +124,7 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
         }
         if !headings.is_empty() {
             heading::read(&headings, separator, columns, &mut named, &mut faults);
-            heading =
-                headings.drain(..).filter(|heading| !heading.comment).last().map(|heading| heading.line);
+            heading = headings.drain(..).rfind(|heading| !heading.comment).map(|heading| heading.line);
             for (unit, named) in table.units.iter_mut().zip(&named) {
                 if let Some(named) = named {
                     unit.clone_from(named);

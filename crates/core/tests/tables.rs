@@ -1,7 +1,5 @@
 //! Tables as measuring programs write them: the unit of each column is found, asked for, or said to be assumed.
 
-#![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
-
 use dalembert_core::{Inputs, Table, Value, draft};
 
 /// A record of a motion.

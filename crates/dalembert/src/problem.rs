@@ -182,7 +182,9 @@ fn of_file(path: &Path, asked: &Asked<'_>, console: &Console) -> Result<Problem,
 
 /// The same notes, said on the error stream.
 fn told(notes: Vec<Text>, template: &'static str, console: &Console) -> Vec<Text> {
-    notes.iter().for_each(|note| console.tell(template, note));
+    for note in &notes {
+        console.tell(template, note);
+    }
     notes
 }
 

@@ -202,8 +202,9 @@ fn foiles() -> (DMatrix<Complex<f64>>, Vec<Complex<f64>>) {
     let row = |text: &str| -> Vec<Complex<f64>> {
         text.split(' ')
             .map(|entry| {
-                let (size, angle) = entry.split_once('@').unwrap();
-                Complex::from_polar(size.parse().unwrap(), angle.parse::<f64>().unwrap().to_radians())
+                let (size, angle) = entry.split_once('@').expect("a weight and its angle");
+                let [size, angle]: [f64; 2] = [size, angle].map(|text| text.parse().expect("a number"));
+                Complex::from_polar(size, angle.to_radians())
             })
             .collect()
     };

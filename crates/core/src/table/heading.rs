@@ -102,7 +102,7 @@ fn in_brackets_alone(
         }
     }
     if brackets.is_empty()
-        && let Some(word) = words(text).find(|word| is_unit_word(word))
+        && let Some(word) = words(text).find(is_unit_word)
     {
         let why = Text::new(
             "the heading says {word}, but does not part into the columns: write a heading of as many cells, such as \
@@ -147,7 +147,7 @@ fn of_cell(cell: &str, column: &'static Field) -> Result<Option<Unit>, Text> {
             return used(cell, text, unit, column);
         }
     }
-    match words(cell).find(|word| is_unit_word(word)) {
+    match words(cell).find(is_unit_word) {
         Some(word) => Err(unfit(word, column)),
         None => written_otherwise(cell, column),
     }
@@ -157,7 +157,7 @@ fn of_cell(cell: &str, column: &'static Field) -> Result<Option<Unit>, Text> {
 fn used(cell: &str, text: &str, unit: Unit, column: &'static Field) -> Result<Option<Unit>, Text> {
     let at = text.as_ptr() as usize - cell.as_ptr() as usize;
     let rest = [&cell[..at], &cell[at + text.len()..]];
-    match rest.into_iter().flat_map(words).find(|word| is_unit_word(word)) {
+    match rest.into_iter().flat_map(words).find(is_unit_word) {
         Some(word) => Err(unfit(word, column)),
         None => Ok(Some(unit)),
     }

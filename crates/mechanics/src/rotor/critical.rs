@@ -169,7 +169,8 @@ fn whirl(rotor: &Assembled, mode: &Mode, slope: f64) -> Option<Mode> {
         let before = omega;
         omega = (elastic / inertia).sqrt();
         // Also where it is not a number.
-        if !((omega - first).abs() < 1e-2 * first) {
+        let is_near = (omega - first).abs() < 1e-2 * first;
+        if !is_near {
             return None;
         }
         if (omega - before).abs() < 1e-13 * omega {

@@ -253,7 +253,8 @@ impl Solver<'_> {
             let change = solve(&left)?;
             let size = self.size(&change) / self.size(&x);
             // Also where it is not a number.
-            if !(size < 0.5 * last) {
+            let shrinks = size < 0.5 * last;
+            if !shrinks {
                 break;
             }
             for (x, change) in x.iter_mut().flatten().zip(change.iter().flatten()) {

@@ -246,6 +246,7 @@ pub fn thousands(text: &str, mark: char) -> Option<&str> {
 /// use dalembert_units::with_point;
 /// assert_eq!(with_point("(1,250; -0,5) m"), "(1.250; -0.5) m");
 /// assert_eq!(with_point("1,234.5 m"), "1,234.5 m");
+/// assert_eq!(with_point("atan2(1,5, −2,5)"), "atan2(1.5, −2.5)");
 /// ```
 pub fn with_point(text: &str) -> Cow<'_, str> {
     if !text.contains(',') {
@@ -254,7 +255,8 @@ pub fn with_point(text: &str) -> Cow<'_, str> {
     let ended = |at: usize| text[at..].find(|c: char| !is_of_a_number(c)).map_or(text.len(), |end| at + end);
     let (mut pointed, mut at) = (String::with_capacity(text.len()), 0);
     while let Some(start) = text[at..].find(is_of_a_number).map(|start| at + start) {
-        let end = ended(start);
+        // A comma behind a number ends a clause.
+        let end = start + text[start..ended(start)].trim_end_matches(',').len().max(1);
         pointed.push_str(&text[at..start]);
         match text[start..end].split_once(',') {
             Some((whole, decimals))

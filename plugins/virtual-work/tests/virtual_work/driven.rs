@@ -169,7 +169,7 @@ range = "turn"
 fn at(text: &str, value: f64) -> Solution {
     let record = record(text);
     let moved = moved(&record, value);
-    let entry = find("virtual-work/mechanism").unwrap();
+    let entry = find("virtual-work/mechanism").expect("it is registered");
     entry.solve(&moved, &Stop::new()).unwrap_or_else(|error| panic!("at {value}: {error}"))
 }
 
@@ -180,10 +180,11 @@ fn record(text: &str) -> Record {
 
 /// The record with another value of its first driver, in SI.
 fn moved(record: &Record, si: f64) -> Record {
-    let value = vary::inputs(record)
-        .into_iter()
-        .find(|input| input.path.starts_with("drivers[1].what.") && input.path.ends_with(".value"));
-    vary::changed(record, &value.expect("a driver has a value").path, si).unwrap()
+    let value = vary::inputs(record).into_iter().find(|input| {
+        input.path.starts_with("drivers[1].what.") && input.path.rsplit('.').next() == Some("value")
+    });
+    vary::changed(record, &value.expect("a driver has a value").path, si)
+        .expect("the path is that of an input")
 }
 
 fn scalar(solution: &Solution, name: &str) -> f64 {
@@ -194,7 +195,7 @@ fn scalar(solution: &Solution, name: &str) -> f64 {
 }
 
 fn point(solution: &Solution) -> [f64; 2] {
-    match solution.answer("position[1]").unwrap().value {
+    match solution.answer("position[1]").expect("a point is watched").value {
         AnswerValue::Number(Number::Vector([x, y, _]), _) => [x, y],
         ref other => panic!("{other:?}"),
     }
@@ -311,7 +312,7 @@ fn a_range_that_is_cut_short_is_reported() {
 /// What is plotted over the first driver is what a solve at that value of it gives.
 #[test]
 fn a_sweep_is_the_direct_solve_at_each_of_its_values() {
-    let entry = find("virtual-work/mechanism").unwrap();
+    let entry = find("virtual-work/mechanism").expect("it is registered");
     let published = cases::cases(entry).unwrap().into_iter().filter_map(|case| case.record(entry).ok());
     let own = [GEARS, JANSEN, PEAUCELLIER, WHITWORTH, WHEEL, CORD].map(record);
     let mut compared = 0;
