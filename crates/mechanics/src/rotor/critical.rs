@@ -191,6 +191,7 @@ pub fn crossings(reduced: &Reduced<'_>, campbell: &Campbell, slope: f64) -> Resu
     let mut steps: Vec<(Spectrum, Spectrum)> =
         campbell.spectra.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())).collect();
     let narrow = 1e-3 * campbell.speeds.last().copied().unwrap_or(0.0);
+    let mut tried = 0;
     while let Some((left, right)) = steps.pop() {
         // A motion that begins or ends to swing changes the places of all others.
         let even = left.modes.len() == right.modes.len() && left.overdamped.len() == right.overdamped.len();
@@ -204,6 +205,11 @@ pub fn crossings(reduced: &Reduced<'_>, campbell: &Campbell, slope: f64) -> Resu
             let ends = [(left.speed, above(one, left.speed)), (right.speed, above(other, right.speed))];
             if (ends[0].1 > 0.0) == (ends[1].1 > 0.0) {
                 continue;
+            }
+            // A rotor whose spectra are rounding alone crosses the line without end.
+            tried += 1;
+            if tried > MOST_CROSSINGS {
+                return Err(linalg::LinalgError::NotConverged.into());
             }
             let at = |speed: f64| Ok(reduced.modes(speed)?.modes.into_iter().nth(k));
             let found = zero(reduced, ends, at, above, |lambda, speed| lambda.im - slope * speed)?;
@@ -234,6 +240,8 @@ pub fn instability(reduced: &Reduced<'_>, campbell: &Campbell) -> Result<Instabi
     Ok(bands(reduced, &campbell.speeds, reduced.count + MOST_MORE)?.0)
 }
 
+/// So many crossings are refined at most.
+const MOST_CROSSINGS: usize = 60;
 /// So many modes more are looked at for stability at most.
 const MOST_MORE: usize = 4;
 
