@@ -121,6 +121,9 @@ pub enum RotorError {
         /// The speed, rad/s.
         speed: f64,
     },
+    /// Somebody asked to stop.
+    #[error("stopped")]
+    Stopped,
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] LinalgError),

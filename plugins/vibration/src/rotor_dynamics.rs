@@ -139,7 +139,9 @@ impl Analysis for RotorDynamics {
         sheet.keep_going()?;
 
         let asked = [self.speed, self.highest_speed.max(self.speed)];
-        let reduced = Reduced::new(&all, self.modes, &asked).map_err(refusal)?;
+        let cancelled = || sheet.keep_going().is_err();
+        let reduced =
+            Reduced::to_within(&all, self.modes, &asked, modes::EXACT, &cancelled).map_err(refusal)?;
         let mut spectrum = reduced.modes(self.speed).map_err(refusal)?;
         if spectrum.modes.is_empty() {
             return Err(Refusal::because(
@@ -669,7 +671,7 @@ impl RotorDynamics {
     fn finer(&self, discs: &[[f64; 3]]) -> Option<Spectrum> {
         let (rotor, _) = self.rotor(discs, 2 * self.elements).ok()?;
         let all = Assembled::new(&rotor).ok()?;
-        let reduced = Reduced::to_within(&all, self.modes, &[self.speed], 1e-7).ok()?;
+        let reduced = Reduced::to_within(&all, self.modes, &[self.speed], 1e-7, &|| false).ok()?;
         reduced.modes(self.speed).ok()
     }
 
@@ -777,6 +779,7 @@ pub(super) fn refusal(error: RotorError) -> Refusal {
             "the search for the modes of this rotor did not converge; that is a limit of the program, not of the rotor: \
              another number of elements may lead round it",
         ),
+        RotorError::Stopped => Refusal::Stopped,
         RotorError::Value { .. } | RotorError::Node { .. } | RotorError::Linalg(_) => Refusal::because(
             "the numbers of this rotor cannot be computed with: check units, diameters and stiffnesses",
         ),

@@ -212,7 +212,7 @@ impl Analysis for Motion {
         let mut moved = follow(tolerance);
         for looser in looser {
             sheet.keep_going()?;
-            if !moved.as_ref().is_err_and(asks_for_a_looser_tolerance) {
+            if !moved.as_ref().is_err_and(|error| asks_for_a_looser_tolerance(error, self.duration)) {
                 break;
             }
             let again = follow(looser);
@@ -245,14 +245,17 @@ struct Solved<'a> {
     tolerance: f64,
 }
 
-/// Whether a motion may be followed with a larger error where it could not be with this one.
-fn asks_for_a_looser_tolerance(error: &PlanarError) -> bool {
+/// Whether a motion of that duration may be followed with a larger error where it could not be with this one.
+fn asks_for_a_looser_tolerance(error: &PlanarError, duration: f64) -> bool {
     use OdeError::{NotFinite, TooManySteps, TooShort};
-    matches!(
-        error,
-        PlanarError::Motion(NotFinite { .. } | TooManySteps { .. } | TooShort { .. })
-            | PlanarError::NotFinite
-    )
+    // The length of a step goes with the eighth root of its error.
+    let [tightest, .., loosest] = TOLERANCES;
+    let longer = (loosest / tightest).powf(1.0 / 8.0);
+    match error {
+        PlanarError::Motion(NotFinite { .. } | TooShort { .. }) | PlanarError::NotFinite => true,
+        PlanarError::Motion(TooManySteps { at, .. }) => at * longer >= duration,
+        _ => false,
+    }
 }
 
 impl Motion {

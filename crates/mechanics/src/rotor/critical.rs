@@ -184,14 +184,13 @@ fn whirl(rotor: &Assembled, mode: &Mode, slope: f64) -> Option<Mode> {
 /// them by size passes it.
 ///
 /// # Errors
-/// `Linalg`.
+/// `Linalg`, `Stopped`.
 pub fn crossings(reduced: &Reduced<'_>, campbell: &Campbell, slope: f64) -> Result<Criticals, RotorError> {
     let above = |mode: &Mode, speed: f64| mode.frequency() - slope * speed;
     let mut all = Criticals::default();
     let mut steps: Vec<(Spectrum, Spectrum)> =
         campbell.spectra.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())).collect();
     let narrow = 1e-3 * campbell.speeds.last().copied().unwrap_or(0.0);
-    let mut tried = 0;
     while let Some((left, right)) = steps.pop() {
         // A motion that begins or ends to swing changes the places of all others.
         let even = left.modes.len() == right.modes.len() && left.overdamped.len() == right.overdamped.len();
@@ -205,11 +204,6 @@ pub fn crossings(reduced: &Reduced<'_>, campbell: &Campbell, slope: f64) -> Resu
             let ends = [(left.speed, above(one, left.speed)), (right.speed, above(other, right.speed))];
             if (ends[0].1 > 0.0) == (ends[1].1 > 0.0) {
                 continue;
-            }
-            // A rotor whose spectra are rounding alone crosses the line without end.
-            tried += 1;
-            if tried > MOST_CROSSINGS {
-                return Err(linalg::LinalgError::NotConverged.into());
             }
             let at = |speed: f64| Ok(reduced.modes(speed)?.modes.into_iter().nth(k));
             let found = zero(reduced, ends, at, above, |lambda, speed| lambda.im - slope * speed)?;
@@ -227,7 +221,7 @@ pub fn crossings(reduced: &Reduced<'_>, campbell: &Campbell, slope: f64) -> Resu
 /// so much that it could pass zero there and come back.
 ///
 /// # Errors
-/// `Linalg`.
+/// `Linalg`, `Stopped`.
 pub fn instability(reduced: &Reduced<'_>, campbell: &Campbell) -> Result<Instability, RotorError> {
     // Where the last of the lowest modes is one of a pair, either may be the one that is looked at, and what grows would
     // come and go: then more of them are.
@@ -240,8 +234,6 @@ pub fn instability(reduced: &Reduced<'_>, campbell: &Campbell) -> Result<Instabi
     Ok(bands(reduced, &campbell.speeds, reduced.count + MOST_MORE)?.0)
 }
 
-/// So many crossings are refined at most.
-const MOST_CROSSINGS: usize = 60;
 /// So many modes more are looked at for stability at most.
 const MOST_MORE: usize = 4;
 
@@ -352,7 +344,9 @@ fn zero(
         mode = polished(reduced.rotor, &mode, speed)?.mode;
         Ok(exact(mode.lambda, speed))
     };
-    let mut width = 1e-8 * guess;
+    // A zero at standstill has no size of its own.
+    let size = guess.max(1e-8 * highest);
+    let mut width = 1e-8 * size;
     let around = loop {
         let (from, to) = ((guess - width).max(ends[0].0), (guess + width).min(ends[1].0));
         let (Ok(f), Ok(g)) = (at(from), at(to)) else { return Ok(Found::Lost(guess)) };
@@ -360,7 +354,7 @@ fn zero(
             break [(from, f), (to, g)];
         }
         width *= 30.0;
-        if width > 0.02 * guess {
+        if width > 0.02 * size {
             return Ok(Found::Lost(guess));
         }
     };

@@ -13,7 +13,7 @@ use super::{
 use crate::linalg;
 
 /// Where a share of the square of a natural frequency is as good as exact.
-const EXACT: f64 = 1e-10;
+pub const EXACT: f64 = 1e-10;
 
 /// What may be lost of the energy of a mode when shapes are condensed, as a multiple of the share that is as good as
 /// exact: shapes taken for one mode hold most of what is lost of another.
@@ -64,6 +64,7 @@ pub struct Reduced<'a> {
     pub(super) rotor: &'a Assembled,
     basis: Basis,
     pub(super) count: usize,
+    cancelled: &'a dyn Fn() -> bool,
 }
 
 impl Mode {
@@ -114,18 +115,23 @@ impl<'a> Reduced<'a> {
     /// # Errors
     /// `Buckled` where the rotor is statically unstable; `Linalg`.
     pub fn new(rotor: &'a Assembled, count: usize, speeds: &[f64]) -> Result<Self, RotorError> {
-        Self::to_within(rotor, count, speeds, EXACT)
+        Self::to_within(rotor, count, speeds, EXACT, &|| false)
     }
 
-    /// The same, exact to within a share of the squares of the natural frequencies.
+    /// The same, exact to within a share of the squares of the natural frequencies. Whatever is found of this model is
+    /// given up once `cancelled` says so.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`]; `Stopped`.
     pub fn to_within(
         rotor: &'a Assembled,
         count: usize,
         speeds: &[f64],
         share: f64,
+        cancelled: &'a dyn Fn() -> bool,
     ) -> Result<Self, RotorError> {
         let middle = speeds.iter().sum::<f64>() / speeds.len().max(1) as f64;
-        let mut reduced = Self { rotor, basis: Basis::new(rotor, middle)?, count };
+        let mut reduced = Self { rotor, basis: Basis::new(rotor, middle)?, count, cancelled };
         let mut found = Vec::new();
         let mut creeps = false;
         for &speed in speeds {
@@ -169,13 +175,16 @@ impl<'a> Reduced<'a> {
     /// The lowest modes at a speed.
     ///
     /// # Errors
-    /// `Linalg`.
+    /// `Linalg`, `Stopped`.
     pub fn modes(&self, speed: f64) -> Result<Spectrum, RotorError> {
         self.lowest(speed, self.count)
     }
 
     /// So many of the lowest modes at a speed; those beyond the number that the shapes were taken for are less exact.
     pub(super) fn lowest(&self, speed: f64, count: usize) -> Result<Spectrum, RotorError> {
+        if (self.cancelled)() {
+            return Err(RotorError::Stopped);
+        }
         let (stiffness, damping) = self.matrices(speed);
         let frequencies = &self.basis.frequencies;
         let m = frequencies.len();

@@ -58,7 +58,7 @@ impl StiffnessMap {
         let held = Rotor { supports: fixed.into_iter().chain(pins).collect(), ..rotor.clone() };
         let held = Assembled::new(&held)?;
         let factors = held.stiffness.factors(0.0).ok_or(RotorError::Buckled)?;
-        let reduced = Reduced::to_within(&held, count + 4, &[0.0, highest], SHARE)?;
+        let reduced = Reduced::to_within(&held, count + 4, &[0.0, highest], SHARE, &|| false)?;
         let mut shapes: Vec<DVector<f64>> = Vec::new();
         for (node, _) in &places {
             let mut unit = DVector::zeros(2 * rotor.nodes());
