@@ -267,8 +267,9 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         self.hold(what.into(), (left.value() - right.value()).abs(), scale.abs(), error);
     }
 
-    fn check_residual(self, what: impl Into<Text>, residual: f64, scale: f64, error: f64) {
-        self.hold(what.into(), residual.abs(), scale.abs(), error.abs());
+    fn check_residual(self, what: impl Into<Text>, residual: Term<'s>, scale: f64, error: f64) {
+        let error = error.abs() + self.error_between(residual.node(), None);
+        self.hold(what.into(), residual.value().abs(), scale.abs(), error);
     }
 
     fn check_vector(self, what: impl Into<Text>, left: Vect<'s>, right: Vect<'s>) {

@@ -68,9 +68,10 @@ pub trait Worksheet: Copy {
     /// Holds two ways to the same number together beside `scale`, the size of what was added up to make it: a sum that
     /// may cancel.
     fn check_sum(self, what: impl Into<Text>, left: Self::Num, right: Self::Num, scale: f64);
-    /// Holds a residual that a numerical method left to zero beside `scale`. `error` is what the last places of the
-    /// numbers in it may change in it: its derivative times their rounding, or what differences of it show.
-    fn check_residual(self, what: impl Into<Text>, residual: f64, scale: f64, error: f64);
+    /// Holds a residual that a numerical method left to zero beside `scale`. `error` is what the last places of its
+    /// numbers may change in it, beside what the trace knows of: its derivative times their rounding, or what differences
+    /// of it show.
+    fn check_residual(self, what: impl Into<Text>, residual: Self::Num, scale: f64, error: f64);
     /// Holds several residuals of one kind to zero at once: the worst of them speaks for all.
     fn check_zeros(self, what: impl Into<Text>, residuals: impl IntoIterator<Item = f64>, scale: f64) {
         let worse = |worst: f64, residual: f64| {

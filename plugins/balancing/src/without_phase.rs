@@ -151,7 +151,7 @@ impl Analysis for WithoutPhase {
                 )
                 .with("plane", plane)
                 .with("sensor", sensor),
-                effect.slope.into(),
+                effect.gradient.into(),
                 1.0,
             );
         }

@@ -2527,3 +2527,4 @@ the-ship-rolls-about-an-axis-along-the-axle-so-there-is-no-couple = O navio bala
 m-g-l-i-a-for-a-top-of-0-50-kg-at-30-rev-s = φ̇ = m g l/(I_a ψ̇), para um pião de 0,50 kg a 30 rev/s
 clockwise-seen-from-above-is-negative-the-precession-has-the-sense-of-the-spin = Horário visto de cima é negativo; a precessão tem o sentido da rotação própria.
 i-2-k-d-2-sin-for-the-data-of-a-problem-of-beer-johnston-dynamics = I ω Ω = 2 k (d/2)² sen θ, para os dados de um problema de Beer & Johnston, Dynamics
+the-mass-centre-lies-beyond-the-edge-of-the-base-seen-along-the-line-of-contact-the-cone-tips-at-rest = o centro de massa está além da borda da base, visto ao longo da geratriz de contato: o cone tomba parado; escreva um centro de massa mais próximo do vértice

@@ -123,6 +123,12 @@ impl Analysis for RollingCone {
                 ),
             ),
         };
+        if (centre * cos).value() > slant.value() {
+            return Err(Refusal::because(
+                "the mass centre lies beyond the edge of the base, seen along the line of contact: the cone tips at rest; write a \
+                 mass centre nearer to the apex",
+            ));
+        }
         let (precession, omega) = match given.known {
             KnownGiven::Precession { precession } => {
                 let omega = sheet.step(

@@ -267,7 +267,7 @@ impl TopNutation {
             if let Some([advance, error]) = by_equal_weights(motion, body, own, vertical) {
                 sheet.check_residual(
                     "the precession in one nutation by equal weights",
-                    advance - motion.advance(),
+                    (advance - motion.advance()).into(),
                     advance.abs().max(motion.period() * motion.precession_at_limits()[1].abs()),
                     error,
                 );

@@ -154,7 +154,7 @@ impl Analysis for BarOnTwoSprings {
                         ("Node: the point behind the centre of mass that rests, y + θx = 0", RAO.at("§5.5")),
                     );
                     sheet.answer(("node", mode + 1), "Node behind the centre of mass", node);
-                    nodes[mode] = Some(node.value());
+                    nodes[mode] = Some(node);
                 }
             }
             None => sheet.warn(|| {
@@ -168,8 +168,8 @@ impl Analysis for BarOnTwoSprings {
             // The two nodes are centre of oscillation and of suspension to each other.
             sheet.check(
                 "the distances of the two nodes multiply to the square of the radius of gyration",
-                (-first * second).into(),
-                (moment.value() / mass.value()).into(),
+                -(first * second),
+                moment / mass,
             );
         }
         let matrices = (

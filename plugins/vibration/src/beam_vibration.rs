@@ -224,11 +224,12 @@ impl Analysis for BeamVibration {
                     beta.powi(4),
                 );
                 if let Some(other) = shapes.get(n) {
-                    let size = shape.inertia_product(shape) * other.inertia_product(other);
-                    sheet.check_zero(
+                    let size = (shape.inertia_product(shape) * other.inertia_product(other)).sqrt();
+                    sheet.check_residual(
                         Text::new("shapes {n} and {m} are orthogonal").with("n", n).with("m", n + 1),
                         W::Num::from(shape.inertia_product(other)),
-                        size.sqrt(),
+                        size,
+                        size * (shape.rounding() + other.rounding()),
                     );
                 }
             });

@@ -430,7 +430,7 @@ fn verify_mode<W: Worksheet>(reduced: &Reduced<W::Num>, mode: &Mode, frequency: 
     let square = frequency.value().powi(2);
     sheet.check_residual(
         "elastic energy over kinetic energy of the shape is ω²",
-        elastic / kinetic - square,
+        (elastic / kinetic - square).into(),
         square,
         f64::EPSILON * twist_error / kinetic,
     );
@@ -439,7 +439,7 @@ fn verify_mode<W: Worksheet>(reduced: &Reduced<W::Num>, mode: &Mode, frequency: 
         let places = 4.0 * f64::EPSILON;
         sheet.check_residual(
             "the Holzer residual vanishes at the natural frequency",
-            residual(0.0),
+            residual(0.0).into(),
             1.0,
             (residual(places) - residual(-places)).abs(),
         );

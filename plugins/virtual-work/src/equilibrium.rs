@@ -220,13 +220,13 @@ impl Equilibrium {
             let slack = 100.0;
             sheet.check_residual(
                 name("the potential energy has no slope by {name}"),
-                slope,
+                slope.into(),
                 slack * most / step,
                 (slope - rough_slope) / 8.0,
             );
             sheet.check_residual(
                 name("the differences of the potential energy have the second derivative by {name}"),
-                bend - here.stiffness[(driver, driver)],
+                (bend - here.stiffness[(driver, driver)]).into(),
                 slack * most / (step * step),
                 (bend - rough_bend) / 8.0,
             );

@@ -3,7 +3,7 @@
 //! With the trial weight at the angle `θ` a sensor reads `S = |V| |1 + z e^{iθ}|`, `z` being the effect of the weight
 //! at angle 0 over the vibration without it. Three angles tell `z`, and more than three how well it is known.
 
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, DMatrix, DVector, Matrix2, Vector2};
 
 use crate::linalg::{self, LinalgError};
 
@@ -18,8 +18,8 @@ pub struct Effect {
     pub mean_square: f64,
     /// What the best effect leaves of each size, over the first size.
     pub left: Vec<f64>,
-    /// The slope of the sum of squares at the best effect, over the size of its terms: zero at the least.
-    pub slope: f64,
+    /// The gradient of the sum of squares at the best effect, over the size of its terms: zero at the least.
+    pub gradient: f64,
 }
 
 /// The effect of a trial weight from sizes of the vibration, `(angle, size over the size without weight)`.
@@ -42,7 +42,7 @@ pub fn effect(runs: &[(f64, f64)]) -> Result<Effect, LinalgError> {
             runs.iter().map(|(angle, size)| (z * Complex::cis(*angle) + 1.0).norm() - size),
         )
     };
-    let slopes = |z: Complex<f64>| {
+    let jacobian = |z: Complex<f64>| {
         DMatrix::from_fn(runs.len(), 2, |row, column| {
             let turn = Complex::cis(runs[row].0);
             let sum = z * turn + 1.0;
@@ -50,25 +50,47 @@ pub fn effect(runs: &[(f64, f64)]) -> Result<Effect, LinalgError> {
             if sum.norm() == 0.0 { 0.0 } else { (sum.conj() * toward).re / sum.norm() }
         })
     };
-    // Gauss and Newton, each step halved until the squares fall.
+    let gradient = |z: Complex<f64>| jacobian(z).tr_mul(&left(z));
+    // A size |w| curves across its gradient g alone: ∂²|w| = (1 − g gᵀ)/|w|.
+    let hessian = |z: Complex<f64>| {
+        jacobian(z).row_iter().zip(runs).fold(Matrix2::zeros(), |sum, (g, (angle, size))| {
+            let far = (z * Complex::cis(*angle) + 1.0).norm();
+            let along = Matrix2::from_fn(|i, j| g[i] * g[j]);
+            let curved = if far == 0.0 { 0.0 } else { (far - size) / far };
+            sum + along * (1.0 - curved) + Matrix2::identity() * curved
+        })
+    };
+    // Newton's steps, or Gauss and Newton's where the sum of squares is not convex, each halved until the squares fall
+    // or, where rounding hides that, their gradient does.
     let mut z = linear;
-    let mut now = left(z);
     for _ in 0..200 {
-        let step = linalg::least_squares(&slopes(z), &-&now)?.x;
-        let step = Complex::new(step[0], step[1]);
-        let mut share = 1.0;
-        while share > 1e-12 && left(z + step * share).norm_squared() > now.norm_squared() {
-            share /= 2.0;
-        }
-        if share > 1e-12 {
-            z += step * share;
-            now = left(z);
-        }
-        if share <= 1e-12 || step.norm() <= 1e-15 * z.norm() {
+        let (squares, rest) = (left(z).norm_squared(), gradient(z));
+        let step = match hessian(z).cholesky() {
+            Some(factors) => -factors.solve(&Vector2::new(rest[0], rest[1])),
+            None => linalg::least_squares(&jacobian(z), &-&left(z))?.x.fixed_rows::<2>(0).into(),
+        };
+        let falls = |next: &Complex<f64>| {
+            let there = left(*next).norm_squared();
+            there < squares * (1.0 - ROUNDING)
+                || there <= squares * (1.0 + ROUNDING) && gradient(*next).norm() < rest.norm()
+        };
+        let shares = std::iter::successors(Some(1.0), |share| Some(share / 2.0)).take(40);
+        let Some(next) = shares.map(|share| z + Complex::new(step[0], step[1]) * share).find(falls) else {
             break;
-        }
+        };
+        z = next;
     }
-    let slopes = slopes(z);
-    let slope = slopes.tr_mul(&now).amax() / slopes.abs().tr_mul(&squares.map(f64::sqrt)).amax();
-    Ok(Effect { best: z, linear, mean_square: solved[0] - 1.0, left: now.iter().copied().collect(), slope })
+    let rest = gradient(z);
+    let now = left(z);
+    let gradient = rest.amax() / jacobian(z).abs().tr_mul(&squares.map(f64::sqrt)).amax();
+    Ok(Effect {
+        best: z,
+        linear,
+        mean_square: solved[0] - 1.0,
+        left: now.iter().copied().collect(),
+        gradient,
+    })
 }
+
+/// What rounding may add to a sum of squares, as a share of it.
+const ROUNDING: f64 = 1e-12;

@@ -635,6 +635,14 @@ impl Shape {
         between.sum::<f64>() + beam.stations.iter().map(|at| product(at.at, at.mass, at.inertia)).sum::<f64>()
     }
 
+    /// What rounding leaves uncertain of its deflections, over the largest of them: elimination loses the digits by which
+    /// the stiffness of the shortest segment, `12EI/l³`, exceeds that of the beam.
+    pub fn rounding(&self) -> f64 {
+        let ends = self.starts.iter().skip(1).map(|(start, _)| *start).chain([1.0]);
+        let lengths = self.starts.iter().zip(ends).map(|((start, _), end)| end - start);
+        f64::EPSILON * lengths.fold(1.0, f64::min).powi(-3)
+    }
+
     /// The states at the same parts of each segment: where, the length of the segment, and the state. Segments of one
     /// length share their transfer matrices.
     fn along(&self, parts: &[f64]) -> Vec<(f64, f64, State)> {

@@ -140,6 +140,11 @@ pub fn direct(reduced: &Reduced<'_>, slope: f64, highest: f64) -> Result<Critica
 /// The free whirl `(K − ω²N) v = 0`, `N = M − iG/s`, nearest to a mode of a reduced model: inverse iteration on all
 /// equations, its frequency by the Rayleigh quotient, which errs by the square of the error of the shape.
 fn whirl(rotor: &Assembled, mode: &Mode, slope: f64) -> Option<Mode> {
+    // The larger shifts are for short elements on soft bearings, see `modes::OFFSETS`.
+    [1e-4, 1e-3, 5e-3].into_iter().find_map(|offset| shifted_whirl(rotor, mode, slope, offset))
+}
+
+fn shifted_whirl(rotor: &Assembled, mode: &Mode, slope: f64, offset: f64) -> Option<Mode> {
     let first = mode.lambda.im;
     let image = |shape: &[Node], omega: f64, still: f64| {
         let lambda = Complex::new(0.0, omega);
@@ -151,7 +156,7 @@ fn whirl(rotor: &Assembled, mode: &Mode, slope: f64) -> Option<Mode> {
     };
     let mut omega = first;
     let mut shape = mode.shape.clone();
-    for offset in [1e-4, -1e-4, 1e-4] {
+    for offset in [offset, -offset, offset] {
         // −ω²N v, and with the same sign what the inverse iteration is given.
         let near = omega * (1.0 + offset);
         let dynamic = Stiffness::new(rotor, Complex::new(0.0, near), near / slope);

@@ -358,9 +358,10 @@ pub struct Polished {
 }
 
 /// Shifts of the inverse iteration, as shares of the eigenvalue. The first is far enough for rounding not to turn modes
-/// of nearly equal frequency into each other; the others serve where elimination meets a poor pivot.
-const OFFSETS: [Complex<f64>; 3] =
-    [Complex::new(1e-4, 0.0), Complex::new(0.0, 1e-4), Complex::new(-7e-4, 7e-4)];
+/// of nearly equal frequency into each other; the others serve where elimination meets a poor pivot, the last for short
+/// elements on soft bearings, whose solution is found only where the equations are less singular.
+const OFFSETS: [Complex<f64>; 4] =
+    [Complex::new(1e-4, 0.0), Complex::new(0.0, 1e-4), Complex::new(-7e-4, 7e-4), Complex::new(-5e-3, 5e-3)];
 
 /// A step of the eigenvalue beyond this share of it leads to another mode.
 const ANOTHER: f64 = 1e-2;

@@ -132,8 +132,9 @@ impl FreeMotion {
         let time = if q == 0.0 {
             -a / b
         } else if self.damping_ratio.abs() < 1.0 {
-            let angle = (-(a * q).atan2(b)).rem_euclid(PI);
-            if a == 0.0 || angle == 0.0 { PI / q } else { angle / q }
+            // A small angle keeps its digits, as it would not as the rest of a half turn.
+            let angle = (-a * q / b).atan();
+            if angle > 0.0 { angle / q } else { (angle + PI) / q }
         } else {
             let tanh = -a * q / b;
             if tanh < 1.0 { tanh.atanh() / q } else { return None }
