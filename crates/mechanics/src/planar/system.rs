@@ -36,6 +36,9 @@ pub struct Placed {
     pub drawn: Vec<[f64; 3]>,
     /// The bodies whose origin was not given and does not follow from the joints and drivers.
     pub unplaced: Vec<usize>,
+    /// The bodies whose origin was not given, and which the joints let lie at another place as well with the same angles:
+    /// a slider at the end of a rod.
+    pub elsewhere: Vec<usize>,
 }
 
 /// In how many ways a mechanism can move.
@@ -114,40 +117,70 @@ impl System {
             let turn = 2.4 * (body + 1) as f64;
             [turn.cos(), turn.sin(), angle]
         };
-        let mut drawn: Vec<[f64; 3]> = angles.iter().enumerate().map(apart).collect();
-        let system = Self::new(mechanism, &drawn)?;
-        for (at, origin) in drawn.iter_mut().zip(origins) {
-            [at[0], at[1]] = origin.unwrap_or([at[0] * 0.01 * system.length, at[1] * 0.01 * system.length]);
-        }
+        let spread: Vec<[f64; 3]> = angles.iter().enumerate().map(apart).collect();
+        let system = Self::new(mechanism, &spread)?;
+        let from = |share: f64| -> Vec<[f64; 3]> {
+            let size = share * system.length;
+            let given = |body: usize| origins.get(body).copied().flatten();
+            let place = |(body, [x, y, angle]): (usize, &[f64; 3])| {
+                let [x, y] = given(body).unwrap_or([x * size, y * size]);
+                [x, y, *angle]
+            };
+            spread.iter().enumerate().map(place).collect()
+        };
         let wanted: Vec<usize> = {
             let joints = mechanism.joints.iter().flat_map(super::Joint::equations);
             let asked = joints.enumerate().filter(|(_, equation)| equation.sum.is_some());
             asked.map(|(row, _)| row).chain(system.first_driver()..system.equations.len()).collect()
         };
         let columns: Vec<usize> = (0..3 * angles.len()).filter(|column| column % 3 != 2).collect();
-        for _ in 0..20 {
-            let (gaps, slopes) = system.levelled(&drawn)?;
-            let slopes = slopes.select_rows(&wanted).select_columns(&columns);
-            let right = nalgebra::DVector::from_iterator(wanted.len(), wanted.iter().map(|&row| gaps[row]));
-            let mut normal = slopes.tr_mul(&slopes);
-            for at in 0..normal.nrows() {
-                normal[(at, at)] += 1e-9;
+        // The places by Gauss and Newton, and what they leave of the residuals.
+        let settled = |mut drawn: Vec<[f64; 3]>| -> Result<(Vec<[f64; 3]>, f64), PlanarError> {
+            let mut left = f64::INFINITY;
+            for _ in 0..20 {
+                let (residuals, jacobian) = system.levelled(&drawn)?;
+                let jacobian = jacobian.select_rows(&wanted).select_columns(&columns);
+                let residual =
+                    nalgebra::DVector::from_iterator(wanted.len(), wanted.iter().map(|&row| residuals[row]));
+                left = residual.norm();
+                let mut normal = jacobian.tr_mul(&jacobian);
+                for at in 0..normal.nrows() {
+                    normal[(at, at)] += 1e-9;
+                }
+                let step = Elimination::new(&normal)?.solve(jacobian.tr_mul(&residual).as_slice())?;
+                for (at, step) in drawn.iter_mut().zip(step.chunks_exact(2)) {
+                    (at[0], at[1]) = (at[0] - step[0], at[1] - step[1]);
+                }
+                if step.iter().all(|step| step.abs() <= 1e-9 * system.length) {
+                    break;
+                }
             }
-            let step = Elimination::new(&normal)?.solve(slopes.tr_mul(&right).as_slice())?;
-            for (at, step) in drawn.iter_mut().zip(step.chunks_exact(2)) {
-                (at[0], at[1]) = (at[0] - step[0], at[1] - step[1]);
-            }
-            if step.iter().all(|step| step.abs() <= 1e-9 * system.length) {
-                break;
-            }
-        }
+            Ok((drawn, left))
+        };
+        let (drawn, left_here) = settled(from(0.01))?;
         let (_, slopes) = system.levelled(&drawn)?;
         let left = Elimination::new(&slopes.select_rows(&wanted).select_columns(&columns))?.null_space()?;
         let is_free =
             |body: usize| left.iter().any(|motion| motion[2 * body..][..2].iter().any(|x| x.abs() > FREE));
         let unplaced =
             (0..angles.len()).filter(|&body| is_free(body) && origins.get(body).is_none_or(Option::is_none));
-        Ok(Placed { unplaced: unplaced.collect(), drawn })
+        let unplaced: Vec<usize> = unplaced.collect();
+        // The same from far away, on either side.
+        let mut elsewhere = Vec::new();
+        for far in [1.0, -1.0] {
+            let (other, left_there) = settled(from(far))?;
+            let is_another = left_there <= 2.0 * left_here + 1e-6 * system.length;
+            let lies_apart = |body: &usize| {
+                let ([x, y, _], [u, v, _]) = (drawn[*body], other[*body]);
+                (x - u).hypot(y - v) > 1e-3 * system.length
+                    && !unplaced.contains(body)
+                    && origins.get(*body).is_none_or(Option::is_none)
+            };
+            elsewhere.extend((0..angles.len()).filter(|body| is_another && lies_apart(body)));
+        }
+        elsewhere.sort_unstable();
+        elsewhere.dedup();
+        Ok(Placed { unplaced, elsewhere, drawn })
     }
 
     /// The size of the mechanism, m: its longest arm, rod or reach.

@@ -197,14 +197,26 @@ impl Parts<'_> {
             Some([at.x + cos * centre.x - sin * centre.y, at.y + sin * centre.x + cos * centre.y])
         };
         let origins: Vec<Option<[f64; 2]>> = self.bodies.iter().zip(&angles).map(origin).collect();
-        let Placed { drawn, unplaced } = System::place(&mechanism, &angles, &origins).map_err(refuse)?;
+        let Placed { drawn, unplaced, elsewhere } =
+            System::place(&mechanism, &angles, &origins).map_err(refuse)?;
+        let names = |bodies: &[usize]| -> String {
+            bodies.iter().map(|body| self.bodies[*body].name.as_str()).collect::<Vec<_>>().join(", ")
+        };
         if !unplaced.is_empty() {
             sheet.warn(|| {
-                let names: Vec<&str> = unplaced.iter().map(|body| self.bodies[*body].name.as_str()).collect();
                 Text::new(
                     "joints and drivers leave open where it lies: give the place of {names}; any is assumed",
                 )
-                .with("names", names.join(", "))
+                .with("names", names(&unplaced))
+            });
+        }
+        if !elsewhere.is_empty() {
+            sheet.warn(|| {
+                Text::new(
+                    "with these angles it can be assembled on another side as well: give the place of {names}, or look \
+                     at the drawing whether this is the side that is meant",
+                )
+                .with("names", names(&elsewhere))
             });
         }
         let system = System::new(&mechanism, &drawn).map_err(refuse)?;

@@ -286,6 +286,16 @@ fn a_body_is_assembled_on_the_side_where_it_is_drawn() {
     close(point(&at(&other_side, angle))[0], sx - reach, 1e-12);
 }
 
+/// Without a place the ram closes on either side: that is said.
+#[test]
+fn a_slider_that_closes_on_two_sides_is_named() {
+    let says = |solution: &Solution| {
+        solution.warnings.iter().any(|warning| warning.english().contains("give the place of ram"))
+    };
+    assert!(says(&at(&WHITWORTH.replace(", place = \"(160; -20) mm\"", ""), PI / 3.0)));
+    assert!(!says(&at(WHITWORTH, PI / 3.0)));
+}
+
 /// The weight at the end of a cord may hang anywhere: its place is asked for.
 #[test]
 fn a_place_that_does_not_follow_is_asked_for() {
