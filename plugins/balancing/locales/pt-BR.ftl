@@ -1312,3 +1312,43 @@ a-trial-weight-at-two-directions-in-three-runs = uma massa de teste em duas dire
 no-first-amplitude = Sem primeira amplitude
 by-definition-a-firing-order-names-each-cylinder-once = Por definição: uma ordem de ignição cita cada cilindro uma vez
 the-ranges-of-the-weights-are-left-out-to-solve-the-min-max-problem-of-readings-readings-and-planes = as faixas dos pesos são omitidas: resolver de novo o problema min-max de { $readings } leituras e { $planes } planos para cada uma de { $samples } amostras demora demais; os mínimos quadrados dão as suas faixas na hora
+a-spindle-of-high-precision = Um fuso de alta precisão
+grade-g-0-4-of-iso-21940-11-table-1-e-g-u-m-e-at-1470-rpm = grau G 0,4 da ISO 21940-11, tabela 1; e = G/Ω, U = m e a 1470 rpm
+the-drive-of-a-grinding-machine = O acionamento de uma retífica
+grade-g-1-of-iso-21940-11-table-1-e-g-u-m-e-at-1470-rpm = grau G 1 da ISO 21940-11, tabela 1; e = G/Ω, U = m e a 1470 rpm
+a-gas-turbine = Uma turbina a gás
+grade-g-2-5-of-iso-21940-11-table-1-e-g-u-m-e-at-1470-rpm = grau G 2,5 da ISO 21940-11, tabela 1; e = G/Ω, U = m e a 1470 rpm
+a-crusher = Um britador
+grade-g-16-of-iso-21940-11-table-1-e-g-u-m-e-at-1470-rpm = grau G 16 da ISO 21940-11, tabela 1; e = G/Ω, U = m e a 1470 rpm
+a-wheel-of-a-car = Uma roda de automóvel
+grade-g-40-of-iso-21940-11-table-1-e-g-u-m-e-at-1470-rpm = grau G 40 da ISO 21940-11, tabela 1; e = G/Ω, U = m e a 1470 rpm
+a-complete-piston-engine = Um motor a pistão completo
+grade-g-100-of-iso-21940-11-table-1-e-g-u-m-e-at-1470-rpm = grau G 100 da ISO 21940-11, tabela 1; e = G/Ω, U = m e a 1470 rpm
+a-crankshaft-on-a-rigid-mounting = Um virabrequim em montagem rígida
+grade-g-250-of-iso-21940-11-table-1-e-g-u-m-e-at-1470-rpm = grau G 250 da ISO 21940-11, tabela 1; e = G/Ω, U = m e a 1470 rpm
+a-crankshaft-on-an-elastic-mounting = Um virabrequim em montagem elástica
+grade-g-630-of-iso-21940-11-table-1-e-g-u-m-e-at-1470-rpm = grau G 630 da ISO 21940-11, tabela 1; e = G/Ω, U = m e a 1470 rpm
+a-balanced-crankshaft-of-a-slow-marine-engine = Um virabrequim balanceado de um motor marítimo lento
+grade-g-1600-of-iso-21940-11-table-1-e-g-u-m-e-at-1470-rpm = grau G 1600 da ISO 21940-11, tabela 1; e = G/Ω, U = m e a 1470 rpm
+an-unbalanced-crankshaft-of-a-slow-marine-engine = Um virabrequim não balanceado de um motor marítimo lento
+grade-g-4000-of-iso-21940-11-table-1-e-g-u-m-e-at-1470-rpm = grau G 4000 da ISO 21940-11, tabela 1; e = G/Ω, U = m e a 1470 rpm
+velocities-at-two-bearings-with-one-part-larger = Velocidades em dois mancais, com uma parte maior
+a-a-2-of-7-5-20-and-4-2-95 = (A₁ ± A₂)/2 de 7,5 ∠20° e 4,2 ∠95°
+divisions-at-two-bearings = Divisões em dois mancais
+displacements-of-four-runs-that-agree = Deslocamentos de quatro medições que concordam
+amplitudes-s-m-e-i-of-a-known-s-and-the-correction-is-s = amplitudes |S + α m e^(iθ)| de S e α conhecidos; a correção é −S/α
+accelerations-of-four-runs-that-agree = Acelerações de quatro medições que concordam
+divisions-of-four-runs-that-agree = Divisões de quatro medições que concordam
+weights-in-newtons-on-one-disc = Pesos em newtons em um disco
+w-g-r-e-i-and-its-opposite-at-80-mm = Σ (W/g) r e^(iθ) e o seu oposto a 80 mm
+accelerations-one-trial-run = Acelerações, uma medição com massa de teste
+a-rotor-of-known-s-and-the-correction-is-s = um rotor de S e α conhecidos: a correção é −S/α
+divisions-of-an-old-instrument-one-trial-run = Divisões de um instrumento antigo, uma medição com massa de teste
+accelerations-the-influence-known = Acelerações, a influência conhecida
+velocities-the-influence-known = Velocidades, a influência conhecida
+weights-counted-against-the-rotation = Massas contadas contra a rotação
+a-rotor-of-known-s-and-weights-at-m-e-i-the-correction-is-the-conjugate-of-s = um rotor de S e α conhecidos, massas em m e^(−iθ): a correção é o conjugado de −S/α
+opposed-pistons-with-a-lead = Pistões opostos com avanço
+cranks-0-and-180-f-4-m-r-sin-c-2-m-r-z-sin-2 = manivelas a 0° e 180°: F₂ = 4 m r ω² λ sen δ, C₁ = 2 m r ω² z sen(δ/2)
+inline-four-of-two-strokes-in-its-best-order = Quatro em linha de dois tempos na sua melhor ordem
+cranks-a-quarter-of-a-turn-apart-of-the-six-orders-the-least-z-e-i-is-2-p-then-z-e-2i-is-4-p = manivelas a um quarto de volta: das seis ordens o menor |Σ z e^(iφ)| é √2 p, e então |Σ z e^(2iφ)| é 4 p
