@@ -2528,3 +2528,34 @@ m-g-l-i-a-for-a-top-of-0-50-kg-at-30-rev-s = φ̇ = m g l/(I_a ψ̇), para um pi
 clockwise-seen-from-above-is-negative-the-precession-has-the-sense-of-the-spin = Horário visto de cima é negativo; a precessão tem o sentido da rotação própria.
 i-2-k-d-2-sin-for-the-data-of-a-problem-of-beer-johnston-dynamics = I ω Ω = 2 k (d/2)² sen θ, para os dados de um problema de Beer & Johnston, Dynamics
 the-mass-centre-lies-beyond-the-edge-of-the-base-seen-along-the-line-of-contact-the-cone-tips-at-rest = o centro de massa está além da borda da base, visto ao longo da geratriz de contato: o cone tomba parado; escreva um centro de massa mais próximo do vértice
+wheels-by-mass-and-radius-of-gyration-engine-seen-from-the-rear = Rodas por massa e raio de giração, motor visto de trás
+c-w-4-m-k-v-r-r-c-e-i-g-v-r-r-sides-share-m-v-h-r-c-w-w-axles-c-e-l = C_w = 4 m k² v²/(r R), C_e = I G v²/(r R): os lados repartem (m v² h/R + C_w)/w, os eixos C_e/L
+counter-clockwise-seen-from-ahead-in-a-turn = Anti-horário visto da frente, em uma curva
+the-reaction-on-the-carrier-is-i-with-towards-who-sees-it-counter-clockwise = a reação sobre o veículo é I ω × Ω, com ω para quem o vê no sentido anti-horário
+clockwise-seen-from-the-right-in-a-turn = Horário visto da direita, em uma curva
+counter-clockwise-seen-from-above-bow-rising = Anti-horário visto de cima, proa subindo
+counter-clockwise-seen-from-below-left-side-falling = Anti-horário visto de baixo, lado esquerdo descendo
+slab-on-a-ball-and-socket-and-three-wires-turned-by-a-couple = Placa sobre uma rótula e três fios, solicitada por um conjugado
+moments-about-the-ball-t-m-g-2-m-y-t-0-4-m-g-m-x-0-8-t-m-z = momentos em relação à rótula: T₁ = m g/2 + M_y, T₂ = (0,4 m g − M_x)/0,8, T₃ = −M_z
+ring-quarter-disc-and-ellipse = Coroa, quarto de disco e elipse
+plates-m-r-r-4-m-r-4-and-xy-dm-m-r-2-about-the-corner-g-at-4r-3-m-b-4-and-m-a-4 = placas: m(R² + r²)/4; m R²/4 e ∫xy dm = m R²/2π no canto, G em 4R/3π; m b²/4 e m a²/4
+hollow-sphere-hemisphere-and-ellipsoid-of-one-density = Esfera oca, hemisfério e elipsoide de mesma densidade
+n-2-5-m-r-r-r-r-83-320-m-r-and-2-5-m-r-m-b-c-5-masses-by-the-volumes = 2/5 m(R⁵ − r⁵)/(R³ − r³); 83/320 m R² e 2/5 m R²; m(b² + c²)/5; massas pelos volumes
+tube-shell-rod-by-its-far-end-and-two-parts-that-are-given = Tubo, casca, barra pela extremidade distante, e duas partes dadas
+m-r-2-h-12-and-m-r-2-3-m-r-m-l-12-at-l-2-before-the-end-m-k-the-matrix-parallel-axes = m(R²/2 + h²/12) e m R²; 2/3 m R²; m l²/12 a l/2 antes da extremidade; m k²; a matriz; eixos paralelos
+gate-on-a-hinge-struck-by-a-short-force-and-a-bullet-that-falls-off = Portão em uma dobradiça, atingido por uma força curta e uma bala que cai
+i-i-x-f-t-x-p-m-p-v-p-the-mass-of-the-bullet-does-not-count-afterwards = I ω = I ω₀ + x F Δt + x_p m_p v_p; a massa da bala não conta depois
+roller-of-a-given-moment-of-inertia = Rolo de momento de inércia dado
+no-slip-r-r-c-i-n-m-g-c-r = sem deslizamento: ω = Ω R/r, C = I ω Ω, N = m g + C/R
+wheel-of-given-moments-on-a-circle-of-the-floor = Roda de momentos dados em um círculo do piso
+a-r-r-cos-sin-1-a-r-cos-g-cos-with-i-a-m-r-i-t-m-r = a = R − r cos θ, φ̇² sen θ ((1 + α) a + β r cos θ) = g cos θ com I_a = α m r², I_t = β m r²
+body-with-two-points-at-rest = Corpo com dois pontos em repouso
+e-s-e-a-along-the-line-e-of-the-resting-points-h-i-v-r-t-m-v-h-2 = ω = e s/(e·a) ao longo da reta e dos pontos em repouso; H = I ω, v = ω × r, T = (m v² + ω·H)/2
+rate-of-turn-given = Taxa de curva dada
+sin-i-a-k-d-2-i-a-i-t = sen θ = I_a ω Ω/(k d²/2 − (I_a − I_t) Ω²)
+particle-on-a-turning-arm-moments-about-another-fixed-point = Partícula em um braço giratório, momentos em relação a outro ponto fixo
+h-r-r-a-m-v-and-m-r-r-a-m-a-with-v-r-a-v = H = (r − r_A) × m v e M = (r − r_A) × m a com v = ω × r, a = ω × v
+free-top-from-euler-angles-and-their-rates-until-a-component-reverses = Pião livre a partir de ângulos de Euler e suas taxas, até uma componente inverter
+h-a-h-cos-1-c-1-a-x-sin-sin-reverses-at = φ̇ = H/A, ψ̇ = H cos θ (1/C − 1/A): ω_x = φ̇ sen θ sen ψ inverte em ψ = π
+torque-by-a-table = Torque por uma tabela
+m-i-f-dt-a-trapezium-of-1-s-1-s-1-s = ω = (M/I) ∫ f dt: um trapézio de 1 s + 1 s + 1 s
