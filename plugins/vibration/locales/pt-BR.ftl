@@ -5308,3 +5308,49 @@ k-t-by-the-integral-of-dx-gj-of-a-shaft-that-tapers = k_t pela integral de dx/(G
 k-t-ei-dn-of-the-wire = k_t = EI/(πDn) do arame
 hairspring-of-1-5-m = Mola espiral de 1,5 m
 k-t-ei-l-of-the-strip = k_t = EI/L da fita
+wedge-on-two-pins = Cunha sobre dois pinos
+rayleigh-ritz-with-14-powers-of-x-times-1-x-in-60-digits-by-mpmath = Rayleigh–Ritz com 14 potências de x vezes 1 − x, com 60 dígitos por mpmath
+torsional-absorber-of-a-limited-stroke = Absorvedor torcional de curso limitado
+t-k-a-a-k-a-j-a-j-wr-g-and-both-roots-of-the-frequency-equation = T = k_a θ_a, k_a = J_a ω², J = WR²/g, e as duas raízes da equação das frequências
+torsional-absorber-that-clears-a-range-of-speeds = Absorvedor torcional que libera uma faixa de velocidades
+j-a-j-r-1-with-r-k-j-the-larger-of-both-ends = J_a/J = (R − λ)(1 − λ)/λ com R = k/(J ω²), λ = (Ω/ω)², o maior dos dois extremos
+torsional-absorber-of-a-quarter-of-the-inertia = Absorvedor torcional de um quarto da inércia
+k-k-a-j-k-a-j-a-k-a-with-k-a-j-a = (k + k_a − J Ω²)(k_a − J_a Ω²) = k_a² com k_a = J_a ω²
+torsional-absorber-off-its-tuning = Absorvedor torcional fora da sintonia
+both-roots-of-the-frequency-equation-t-k-a-j-a-a-t-k-a = as duas raízes da equação das frequências; θ = T (k_a − J_a ω²)/Δ, θ_a = T k_a/Δ
+resonances-a-fifth-away-from-the-speed = Ressonâncias a um quinto da velocidade
+m-a-m-r-1-with-r-k-m-the-larger-of-both-ends = m_a/m = (R − λ)(1 − λ)/λ com R = k/(m ω²), λ = (Ω/ω)², o maior dos dois extremos
+resonances-out-of-a-range-of-speeds = Ressonâncias fora de uma faixa de velocidades
+absorber-of-12-kg-tuned-to-the-speed = Absorvedor de 12 kg sintonizado na velocidade
+k-k-a-m-k-a-m-a-k-a-with-k-a-m-a = (k + k_a − m Ω²)(k_a − m_a Ω²) = k_a² com k_a = m_a ω²
+rotor-identified-by-a-trial-disc = Rotor identificado por um disco de teste
+a-m-and-m-1-j-t-j-a = Ω₁ Ω₂ = ω_a ω_m e Ω₁² + Ω₂² = ω_m² + (1 + J_t/J) ω_a²
+rotor-with-a-known-damping-coefficient = Rotor com coeficiente de amortecimento conhecido
+e-r-1-r-2-r-with-c-2-k-m = e r²/√((1 − r²)² + (2 ζ r)²) com ζ = c/(2√(k m))
+absorber-by-its-own-frequency-damping-by-that-of-the-main-system = Absorvedor pela sua frequência, amortecimento pela do sistema principal
+x-k-f-of-the-two-equations-of-motion-with-k-a-m-a-a-c-a-2-m-a-m = X k/F₀ das duas equações de movimento com k_a = m_a ω_a², c_a = 2 m_a ω_m γ
+viscous-damper-without-a-spring-damping-given = Amortecedor viscoso sem mola, amortecimento dado
+x-k-f-of-the-two-equations-of-motion-with-k-a-0-c-a-2-m-a-m = X k/F₀ das duas equações de movimento com k_a = 0, c_a = 2 m_a ω_m γ
+disc-by-its-dimensions-on-a-cantilever = Disco pelas suas dimensões em uma viga em balanço
+n-1-are-the-roots-of-m-j-m-j-0-j-i-d-at-rest-and-i-d-i-p-for-forward-and-backward-whirl = 1/ω² são as raízes de λ² − (α m + γ J) λ + (α γ − β²) m J = 0, J = I_d em repouso e I_d ∓ I_p para precessão direta e retrógrada
+two-discs-on-a-clamped-tube = Dois discos em um tubo engastado
+a-3-x-a-6-e-i-dunkerley-m-exact-the-larger-root-of-its-characteristic-equation = δ = a² (3 x − a)/(6 E I): Dunkerley Σ m δ, exata a maior raiz da sua equação característica
+torsional-pendulum-of-a-known-damping-ratio = Pêndulo de torção de fator de amortecimento conhecido
+n-2-1-c-2-k-j-t-2-1 = δ = 2πζ/√(1 − ζ²), c = 2 ζ √(k J), T = 2π/(ωₙ √(1 − ζ²))
+force-of-a-density-in-straight-lines = Força de densidade em linhas retas
+s-f-h-f-df-with-straight-lines-through-4-12-and-20-hz-by-quadrature-in-30-digits = √∫S(f)|H(f)|² df com linhas retas por 4, 12 e 20 Hz, por quadratura com 30 dígitos
+velocity-in-a-uniform-chain-on-a-wall = Velocidade em uma cadeia uniforme em uma parede
+k-i-c-m-x-f-for-three-masses-i-x-by-the-sines-of-a-uniform-chain = (K + iωC − ω²M) X = F para três massas, iωX; ωₙ pelos senos de uma cadeia uniforme
+velocity-in-a-free-uniform-chain = Velocidade em uma cadeia uniforme livre
+round-shaft-against-a-torsion-spring = Eixo redondo contra uma mola de torção
+cos-g-j-l-k-sin-0 = β cos β G J/L + k sen β = 0
+round-shaft-against-a-disc-on-a-torsion-spring = Eixo redondo contra um disco em uma mola de torção
+cos-g-j-l-k-j-d-sin-0 = β cos β G J/L + (k − J_d ω²) sen β = 0
+shear-beam-with-a-mass-on-a-spring-at-its-end = Viga de cisalhamento com uma massa sobre mola na ponta
+cos-g-a-l-k-m-sin-0-l-g-0-7 = β cos β κ G A/L + (k − m ω²) sen β = 0, ω = (β/L) √(κ G/ρ), κ = 0,7
+shear-beam-thin-round-tube = Viga de cisalhamento, tubo redondo fino
+n-2-1-4-3-with-0-3-g-r-cowper-1966-f-g-2-l-between-fixed-ends = κ = 2(1 + ν)/(4 + 3ν) com ν = 0,3 (G. R. Cowper, 1966); f = √(κ G/ρ)/(2 L) entre extremidades fixas
+shear-beam-rectangle = Viga de cisalhamento, retângulo
+n-10-1-12-11-with-0-3-g-r-cowper-1966-f-g-2-l-between-fixed-ends = κ = 10(1 + ν)/(12 + 11ν) com ν = 0,3 (G. R. Cowper, 1966); f = √(κ G/ρ)/(2 L) entre extremidades fixas
+shear-beam-round = Viga de cisalhamento, redonda
+n-6-1-7-6-with-0-3-g-r-cowper-1966-f-g-2-l-between-fixed-ends = κ = 6(1 + ν)/(7 + 6ν) com ν = 0,3 (G. R. Cowper, 1966); f = √(κ G/ρ)/(2 L) entre extremidades fixas

@@ -2431,3 +2431,43 @@ between-the-rows-a-cubic-spline-that-closes-after-the-turn = Entre as linhas, um
 the-way-of-the-ram-from-the-lengths-along-the-line-of-thrust = o curso do êmbolo pelos comprimentos ao longo da linha de empuxo
 way-of-the-ram-until-the-links-are-in-line-l-1-cos-l-1-cos-with-1-cos-x-2-sin-x-2 = Curso do êmbolo até o alinhamento das barras, L₁ (1 − cos α) + L₂ (1 − cos β) com 1 − cos x = 2 sen²(x/2)
 with-these-angles-it-can-be-assembled-on-another-side-as-well-give-the-place-of-names-or-look-at-the = com estes ângulos a montagem também é possível do outro lado: escreva a posição de {$names}, ou veja no desenho se este é o lado desejado
+a-disc-accelerates-as-one-and-a-half-times-its-mass = Um disco acelera como uma vez e meia a sua massa
+i-m-r-2-t-3-2-m-a-u-at-90-with-l-2-r-u-r-a-r-friction-m-a-2 = I = m R²/2: T = 3/2 m a u a 90° com l = √2 r, u = −r, a = r ω²; atrito −m a/2
+two-geared-links-a-couple-on-the-second = Duas barras engrenadas, um conjugado na segunda
+t-t-m-g-v-i-0 = T₁ ω₁ + T₂ ω₂ − m g v − I α ω₂ = 0
+slider-behind-the-pin-that-drives-it = Corredor atrás do pino que o aciona
+x-p-x-l-p-y-with-p-on-the-rocker-of-the-closed-loop-t-f-dx-d = x = P_x − √(l² − P_y²) com P no balancim do laço fechado; T = −F dx/dθ
+pressure-over-the-crank-angle-against-a-torque = Pressão sobre o ângulo da manivela contra um torque
+f-p-p-a-with-p-halfway-between-4-and-1-mpa-m-f-r-sin-cos-f-m-t-r-i-f = F = (p − p₀) A com p a meio caminho entre 4 e 1 MPa; M = F r sen(θ + φ)/cos φ; α_F = (M − T_R)/I_F
+triangle-of-a-two-stroke-engine-on-a-known-flywheel = Triângulo de um motor de dois tempos em um volante conhecido
+the-mean-is-200-n-m-e-600-n-m-135-c-s-e-i = a média é 200 N·m; ΔE = ½ · 600 N·m · 135°; C_s = ΔE/(I ω²)
+hanging-bar-whose-spring-is-sought = Barra suspensa cuja mola é procurada
+k-m-g-2-p-l-sin-c-sin-sin-cos-and-v-there = k = (m g/2 + P) L sen θ/(c² (sen θ₀ − sen θ) cos θ) e V″ ali
+rods-that-meet-on-the-right = Bielas que se encontram à direita
+the-loop-closed-by-two-circles-differentiated-t-f-dp-d = o laço fechado por dois círculos, derivado: T = −F·dP/dθ
+cranks-in-outside-mesh-one-to-two = Manivelas em engrenamento externo, um para dois
+the-loop-closed-by-two-circles-turning-by-of-t-f-dp-d = o laço fechado por dois círculos, θ₅ girando ∓½ de θ₂: T = −F·dP/dθ₂
+cranks-in-inside-mesh-one-to-two = Manivelas em engrenamento interno, um para dois
+spring-between-two-points-unstretched-at-an-angle-its-stiffness-sought = Mola entre dois pontos, sem deformação em um ângulo, com a rigidez procurada
+s-b-d-2-b-d-cos-k-m-g-l-sin-s-s-s-and-v = s² = b² + d² − 2 b d cos(θ + γ − δ): k = m g l sen θ/((s − s₀) s′) e V″
+spring-between-two-points-of-a-given-length = Mola entre dois pontos, de comprimento dado
+s-b-d-2-b-d-cos-m-v-of-m-g-l-cos-k-s-s = s² = b² + d² − 2 b d cos(θ + γ − δ): M = V′ de m g l cos θ + ½ k (s − s₀)²
+shaper-with-its-slider-ahead = Limadora com o corredor à frente
+e-l-e-i-with-the-direction-of-i-d-r-e-i-x-e-x-l-h-e-y-t-f-dx-d = E = L e^(iβ) com β a direção de i d + r e^(iθ); x = E_x ± √(l² − (h − E_y)²), T = −F dx/dθ
+shaper-with-its-slider-behind = Limadora com o corredor atrás
+cart-with-a-welded-box-pushed-over-a-distance = Carrinho com uma caixa soldada, empurrado por uma distância
+t-2-m-m-s-f-and-f-s-5-kg-30-n-1-2-m = t = √(2 (m₁ + m₂) s/F) e F s: 5 kg, 30 N, 1,2 m
+gas-throws-a-piston = Gás lança um pistão
+m-v-a-p-l-l-1-n-l-1-n-n-1-p-l-l = ½ m v² = A (p₁ L₁ⁿ (L₁^(1−n) − L₂^(1−n))/(n − 1) − p₀ (L₂ − L₁))
+bar-that-swings-on-two-rods-until-it-rests = Barra que balança em duas hastes até parar
+half-a-period-of-a-pendulum-of-0-8-m-from-60-2-l-g-k-sin-30 = meio período de um pêndulo de 0,8 m a partir de 60°: 2 √(l/g) K(sen 30°)
+pendulum-until-it-rests = Pêndulo até parar
+half-a-period-2-i-m-c-m-g-c-k-sin-25-from-50-beside-the-vertical = meio período 2 √((I + m c²)/(m g c)) K(sen 25°) a partir de 50° ao lado da vertical
+arm-lifted-by-a-cylinder-beside-a-free-slider = Braço levantado por um cilindro ao lado de um corredor livre
+cos-a-b-s-2-a-b-with-s-s-v-t-differentiated = cos θ = (a² + b² − s²)/(2 a b) com s = s₀ + v t, derivado
+slider-held-by-a-spring-from-above = Corredor sustentado por uma mola de cima
+the-spring-is-unstretched-at-s-l-h-0-4-m-v-k-s-l = a mola está sem deformação em s = √(L₀² − h²) = 0,4 m, V″ = k s²/L₀²
+rest-of-a-body-that-only-slides = Repouso de um corpo que só translada
+a-bar-on-two-equal-rods-keeps-its-direction-its-angular-velocity-is-zero-at-every-moment = uma barra em duas hastes iguais mantém a sua direção: a sua velocidade angular é nula em todo instante
+it-turns-no-more-for-a-body-that-only-slides-take-two-points = Ele deixa de girar; para um corpo que só translada, use dois pontos.
+body-does-not-turn-so-this-end-has-no-meaning-for-it-take-two-points-that-come-to-rest-against-one = { $body } não gira, portanto este fim não tem sentido para ele: use dois pontos que param um em relação ao outro

@@ -129,6 +129,7 @@ pub enum Ends {
         value: f64,
     },
     /// A body comes to rest
+    /// It turns no more; for a body that only slides take two points.
     Rest {
         /// Body.
         #[input(rows = "bodies")]
@@ -222,6 +223,18 @@ impl Analysis for Motion {
         }
         sheet.keep_going()?;
         let moved = moved.map_err(refuse)?;
+        if let Ends::Rest { body } = self.end
+            && never_turns(
+                &moved,
+                body.0,
+                self.points.iter().map(|point| point.at[0].hypot(point.at[1])).fold(0.0, f64::max),
+            )
+        {
+            let why = Text::new(
+                "{body} does not turn, so this end has no meaning for it: take two points that come to rest against one another",
+            );
+            return Err(Refusal::NoAnswer(why.with("body", &self.bodies[body.0].name)));
+        }
         let this =
             Solved { parts: &parts, rows: &rows, system: &system, freed: &freed, moved: &moved, tolerance };
         this.loosened(sheet);
@@ -256,6 +269,14 @@ fn asks_for_a_looser_tolerance(error: &PlanarError, duration: f64) -> bool {
         PlanarError::Motion(TooManySteps { at, .. }) => at * longer >= duration,
         _ => false,
     }
+}
+
+/// Whether the angular velocity of a body is only the rounding of what moves: its zeros tell nothing.
+fn never_turns(moved: &Moved, body: usize, size: f64) -> bool {
+    let velocities = || moved.samples.iter().map(|sample| &sample.state.velocities);
+    let fastest = velocities().flatten().map(|[x, y, _]| x.hypot(*y)).fold(0.0, f64::max);
+    let turning = velocities().map(|all| all[body][2].abs()).fold(0.0, f64::max);
+    fastest > 0.0 && turning * size <= 1e-9 * fastest
 }
 
 impl Motion {
