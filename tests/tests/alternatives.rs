@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, btree_map::Entry};
 
 use dalembert_core::{
     Field, Record, Shape, Value, Variant,
@@ -68,7 +68,8 @@ fn below(shape: Shape, path: &str, known: &mut BTreeMap<OneOf, (String, &'static
     match shape.present() {
         Shape::OneOf(variants) => {
             let variants = variants();
-            if known.insert(place(variants), (path.to_owned(), variants)).is_none() {
+            if let Entry::Vacant(new) = known.entry(place(variants)) {
+                new.insert((path.to_owned(), variants));
                 for variant in variants {
                     alternatives((variant.fields)(), &format!("{path}.{}", variant.name), known);
                 }

@@ -5354,3 +5354,70 @@ shear-beam-rectangle = Viga de cisalhamento, retângulo
 n-10-1-12-11-with-0-3-g-r-cowper-1966-f-g-2-l-between-fixed-ends = κ = 10(1 + ν)/(12 + 11ν) com ν = 0,3 (G. R. Cowper, 1966); f = √(κ G/ρ)/(2 L) entre extremidades fixas
 shear-beam-round = Viga de cisalhamento, redonda
 n-6-1-7-6-with-0-3-g-r-cowper-1966-f-g-2-l-between-fixed-ends = κ = 6(1 + ν)/(7 + 6ν) com ν = 0,3 (G. R. Cowper, 1966); f = √(κ G/ρ)/(2 L) entre extremidades fixas
+short-pinned-beam-with-cowper-s-coefficient = Viga curta sobre pinos com o coeficiente de Cowper
+i-g-a-i-1-e-g-k-ei-k-0-k-n-l-10-1-12-11 = ρ²I ω⁴/(κG) − (ρA + ρI(1 + E/κG)k²) ω² + EI k⁴ = 0, k = nπ/L, κ = 10(1 + ν)/(12 + 11ν), vigas curtas
+pinned-beam-with-both-springs-at-its-middle = Viga sobre pinos com as duas molas no meio
+n-1-k-l-tan-2-tanh-2-4-e-i-0-and-1-k-t-l-coth-2-cot-2-4-e-i-0 = 1 + k L³ (tan β/2 − tanh β/2)/(4 E I β³) = 0 e 1 + k_t L (coth β/2 − cot β/2)/(4 E I β) = 0
+beam-between-a-pin-and-a-guide = Viga entre um pino e uma guia
+n-2n-1-2-half-of-a-symmetric-mode-of-twice-the-length = β = (2n − 1)π/2: metade de um modo simétrico do dobro do comprimento
+clamped-beam-with-a-spring-at-its-end = Viga engastada com uma mola na ponta
+n-1-k-l-sin-cosh-cos-sinh-e-i-1-cos-cosh-0 = 1 + k L³ (sen β cosh β − cos β senh β)/(E I β³ (1 + cos β cosh β)) = 0
+rectangular-cantilever-with-a-point-mass = Viga retangular em balanço com massa pontual
+n-1-cos-cosh-m-m-l-sin-cosh-cos-sinh-in-both-planes = 1 + cos β cosh β = (M/m L) β (sen β cosh β − cos β senh β) nos dois planos
+tubular-cantilever-with-a-point-mass = Viga tubular em balanço com massa pontual
+n-1-cos-cosh-m-m-l-sin-cosh-cos-sinh-the-same-in-both-planes = 1 + cos β cosh β = (M/m L) β (sen β cosh β − cos β senh β), igual nos dois planos
+stout-cantilever-with-a-point-mass-by-timoshenko = Viga curta em balanço com massa pontual, por Timoshenko
+determinant-of-the-four-exponentials-of-timoshenko-s-equations-with-6-1-7-6-in-30-digits = determinante das quatro exponenciais das equações de Timoshenko com κ = 6(1 + ν)/(7 + 6ν), com 30 dígitos
+two-cranks-one-by-one-a-tube-and-a-given-shaft = Duas manivelas uma a uma, um tubo e um eixo dado
+eigenvalues-of-k-j-of-five-discs-with-k-g-d-d-32-l-and-g-i-t-l-by-mpmath = autovalores de K − ω²J de cinco discos com k = G π(D⁴ − d⁴)/(32 L) e G I_t/L, por mpmath
+throw-by-its-equivalent-length = Manivela pelo seu comprimento equivalente
+k-g-d-e-32-l-e-2-k-j-of-two-equal-cranks = k = G π D_e⁴/(32 L_e), ω = √(2 k/J) de duas manivelas iguais
+throw-by-carter = Manivela por Carter
+k-g-32-l-j-0-8-t-d-j-0-75-l-c-d-c-1-5-r-t-w = k = (π G/32)/((L_j + 0,8 t)/D_j⁴ + 0,75 L_c/D_c⁴ + 1.5 R/(t W³))
+throw-by-ker-wilson = Manivela por Ker Wilson
+k-g-32-l-j-0-4-d-j-d-j-l-c-0-4-d-c-d-c-r-0-2-d-j-d-c-t-w = k = (π G/32)/((L_j + 0,4 D_j)/D_j⁴ + (L_c + 0,4 D_c)/D_c⁴ + (R − 0,2(D_j + D_c))/(t W³))
+clamped-clamped-and-pinned-and-a-column-side-by-side = Biengastada, engastada e apoiada, e uma coluna em paralelo
+k-192-768-7-12-e-i-l-m-k-g = k = (192 + 768/7 + 12) E I/L³, m = k δ/g
+bars-of-four-sections-pulled-along-their-axes = Barras de quatro seções tracionadas ao longo dos eixos
+k-e-a-l = k = E Σ A/L
+torsion-bar-with-a-lever-beside-an-inclined-spring-springs-with-mass = Barra de torção com alavanca ao lado de uma mola inclinada, molas com massa
+k-g-i-t-l-a-k-cos-m-33-140-m-17-35-m-13-35-m-0-4-m-m-3 = k = G I_t/(L a²) + k₁ cos² α; m + 33/140 m₁ + 17/35 m₂ + 13/35 m₃ + 0,4 m₄ + m₅/3
+beams-turned-at-their-ends-springs-at-an-arm-and-a-pendulum = Vigas giradas nas pontas, molas em um braço e um pêndulo
+k-1-3-4-e-i-l-2-k-r-m-g-l-j-k = k = (1 + 3 + 4) E I/L + 2 k₁ r² + m g l; J = k/ω²
+damping-read-from-a-decay = Amortecimento lido de um decaimento
+ln-8-3-4-x-m-e-m-r-1-r-2-r = δ = ln 8/3, ζ = δ/√(4π² + δ²), X = (m₀e/m) r²/√((1 − r²)² + (2ζr)²), do decaimento
+shock-that-arrives-with-a-velocity = Choque que chega com uma velocidade
+a-v-k-m-travel-v-a = ωₙ = A/v₀, k = m ωₙ², curso v₀²/A
+tubular-beam-at-a-constant-pseudo-velocity = Viga tubular sob pseudo-velocidade constante
+y-4-s-v-e-c-l-y-l-e-i-m = y = (4/π) S_v/ω₁, σ = E c (π/L)² y, ω₁ = (π/L)² √(E I/m̄)
+spectrum-straight-over-the-frequency = Espectro reto sobre a frequência
+s-a-2-3-3-1-5-1-m-s-at-3-hz-y-s-a-2-f-and-m-s-a = S_a = 2 + 3 · (3 − 1)/(5 − 1) m/s² em 3 Hz, y = S_a/(2πf)² e m S_a
+spectrum-straight-in-a-log-log-diagram = Espectro reto em um diagrama log-log
+s-a-2-2-5-ln-3-ln-5-m-s-at-3-hz-y-s-a-2-f-and-m-s-a = S_a = 2 · 2,5^(ln 3/ln 5) m/s² em 3 Hz, y = S_a/(2πf)² e m S_a
+ramp-on-one-of-two-masses-a-damping-ratio-for-each-mode = Rampa em uma de duas massas, um fator de amortecimento para cada modo
+two-modes-1-1-with-k-m-3-k-m-each-the-ramp-t-2-e-t-less-itself-t-r-later = dois modos (1; ±1) com ω² = k/m, 3 k/m; cada um a rampa t − 2ζ/ω + e^(−ζωt)(…) menos ela mesma t_r depois
+triangle-on-one-of-two-masses-rayleigh-damping = Triângulo em uma de duas massas, amortecimento de Rayleigh
+n-2-of-both-modes-the-triangle-is-a-ramp-of-0-2-s-less-one-of-0-3-s = ζ = (α/ω + β ω)/2 dos dois modos; o triângulo é uma rampa de 0,2 s menos uma de 0,3 s
+base-acceleration-by-a-table = Aceleração da base por uma tabela
+z-2-z-z-a-a-ramp-to-2-m-s-in-0-3-s-that-is-held-its-closed-form-at-0-8-s = z″ + 2ζωz′ + ω²z = −a, uma rampa até 2 m/s² em 0,3 s mantida: a sua forma fechada em 0,8 s
+rotor-on-a-shaft-clamped-and-pinned = Rotor em um eixo engastado e apoiado
+n-768-e-i-7-l-m = ω = √(768 E I/(7 L³ m))
+friction-by-a-normal-force = Atrito por uma força normal
+f-n-x-f-k-1-4f-f-1-r-exact-f-k-v-f-f-u-u-sin-r-r-1-cos-r = F = µ N; X = (F₀/k) √(1 − (4F/πF₀)²)/|1 − r²|; exata (F₀/k) √(V² − (F/F₀)² U²), U = sen(π/r)/(r(1 + cos(π/r)))
+mass-with-a-known-damping-ratio = Massa de fator de amortecimento conhecido
+x-e-t-x-cos-d-t-v-x-d-sin-d-t-c-2-km = x = e^(−ζωt)(x₀ cos ω_d t + (v₀ + ζωx₀)/ω_d sen ω_d t), c = 2ζ√(km)
+rotor-with-a-known-damping-ratio-released = Rotor de fator de amortecimento conhecido, solto
+e-t-cos-d-t-d-sin-d-t-c-2-k-j = θ = θ₀ e^(−ζωt)(cos ω_d t + ζω/ω_d sen ω_d t), c = 2ζ√(k J)
+circular-membrane-by-the-mass-of-its-area = Membrana circular pela massa da sua área
+f-j-2-r-t-with-the-zeros-of-j-j-j-j-by-mpmath = f = j/(2πR) √(T/μ) com os zeros de J₀, J₁, J₂, J₀ por mpmath
+j-n-i-n-1-i-n-j-n-1-0-at-f-2-r-d-h = J_n I_(n+1) + I_n J_(n+1) = 0 em λ; f = λ²/(2πR²) √(D/ρh)
+receptance-by-amplitude-and-phase = Receptância por amplitude e fase
+i-q-k-m-ic-with-m-4-kg-20-hz-and-0-03-to-twelve-digits = (iω)^q/(k − mω² + icω) com m = 4 kg, 20 Hz e ζ = 0,03, com doze dígitos
+mobility-by-its-parts = Mobilidade pelas suas partes
+accelerance-by-amplitude-and-phase = Acelerância por amplitude e fase
+disc-on-a-light-shaft-clamped-at-both-ends = Disco em um eixo leve biengastado
+n-192-e-i-l-m-in-both-planes = ω = √(192 E I/(L³ m)) nos dois planos
+the-same-shaft-with-hysteretic-damping = O mesmo eixo com amortecimento histerético
+the-bending-stiffness-of-zorzi-and-nelson-m-s-k-1-i-1-0-for-the-forward-and-the-backward-whirl = a rigidez à flexão de Zorzi e Nelson: m s² + k (1 + η ∓ iη)/√(1 + η²) = 0 para a precessão direta e a retrógrada
+absorber-and-its-damping-by-its-own-frequency = Absorvedor e o seu amortecimento pela sua frequência
+x-k-f-of-the-two-equations-of-motion-with-k-a-m-a-a-c-a-2-m-a-a-a = X k/F₀ das duas equações de movimento com k_a = m_a ω_a², c_a = 2 m_a ω_a ζ_a

@@ -224,11 +224,8 @@ impl Analysis for Motion {
         sheet.keep_going()?;
         let moved = moved.map_err(refuse)?;
         if let Ends::Rest { body } = self.end
-            && never_turns(
-                &moved,
-                body.0,
-                self.points.iter().map(|point| point.at[0].hypot(point.at[1])).fold(0.0, f64::max),
-            )
+            && moved.ended.is_some()
+            && never_turns(&moved, body.0)
         {
             let why = Text::new(
                 "{body} does not turn, so this end has no meaning for it: take two points that come to rest against one another",
@@ -271,12 +268,11 @@ fn asks_for_a_looser_tolerance(error: &PlanarError, duration: f64) -> bool {
     }
 }
 
-/// Whether the angular velocity of a body is only the rounding of what moves: its zeros tell nothing.
-fn never_turns(moved: &Moved, body: usize, size: f64) -> bool {
-    let velocities = || moved.samples.iter().map(|sample| &sample.state.velocities);
-    let fastest = velocities().flatten().map(|[x, y, _]| x.hypot(*y)).fold(0.0, f64::max);
-    let turning = velocities().map(|all| all[body][2].abs()).fold(0.0, f64::max);
-    fastest > 0.0 && turning * size <= 1e-9 * fastest
+/// Whether a body keeps its angle: the zeros of its angular velocity are those of rounding then.
+fn never_turns(moved: &Moved, body: usize) -> bool {
+    let angle = |moment: &Snapshot| moment.state.positions[body][2];
+    let start = moved.samples.first().map_or(0.0, angle);
+    moved.samples.iter().all(|moment| (angle(moment) - start).abs() <= 1e-9)
 }
 
 impl Motion {
