@@ -1,5 +1,6 @@
 //! The motion of a plane mechanism of any shape under its loads: what nothing drives moves freely.
 
+mod ends;
 mod pictures;
 
 use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
@@ -9,6 +10,7 @@ use dalembert_mechanics::planar::{
 use dalembert_mechanics::{Real, Vector, ode::OdeError};
 use nalgebra::Vector3;
 
+pub use self::ends::{Ends, EndsGiven};
 use crate::{
     parts::{Carrier, Connection, Drive, Driven, Load, LoadGiven, NamedLoad, Part, Parts, Spot, carried},
     sources::{HAIRER, HAUG, NIKRAVESH, PFEIFFER, RIUL},
@@ -114,50 +116,6 @@ pub enum Moving {
     },
 }
 
-/// What ends a motion.
-#[derive(Clone, Debug, Inputs)]
-pub enum Ends {
-    /// Nothing
-    Nothing,
-    /// A body reaches an angle
-    Angle {
-        /// Body.
-        #[input(rows = "bodies")]
-        body: Reference,
-        /// Angle.
-        #[input("θ", "deg")]
-        value: f64,
-    },
-    /// A body comes to rest
-    /// It turns no more; for a body that only slides take two points.
-    Rest {
-        /// Body.
-        #[input(rows = "bodies")]
-        body: Reference,
-    },
-    /// Two points reach a distance
-    Distance {
-        /// From.
-        #[input(rows = "points")]
-        from: Reference,
-        /// To.
-        #[input(rows = "points")]
-        to: Reference,
-        /// Distance.
-        #[input("s", "mm", positive)]
-        value: f64,
-    },
-    /// Two points come to rest against one another
-    Still {
-        /// From.
-        #[input(rows = "points")]
-        from: Reference,
-        /// To.
-        #[input(rows = "points")]
-        to: Reference,
-    },
-}
-
 /// A point whose motion is asked for.
 #[derive(Clone, Debug, Inputs)]
 pub struct Followed {
@@ -223,15 +181,7 @@ impl Analysis for Motion {
         }
         sheet.keep_going()?;
         let moved = moved.map_err(refuse)?;
-        if let Ends::Rest { body } = self.end
-            && moved.ended.is_some()
-            && never_turns(&moved, body.0)
-        {
-            let why = Text::new(
-                "{body} does not turn, so this end has no meaning for it: take two points that come to rest against one another",
-            );
-            return Err(Refusal::NoAnswer(why.with("body", &self.bodies[body.0].name)));
-        }
+        self.end.means_something(&moved, &self.bodies)?;
         let this =
             Solved { parts: &parts, rows: &rows, system: &system, freed: &freed, moved: &moved, tolerance };
         this.loosened(sheet);
@@ -266,13 +216,6 @@ fn asks_for_a_looser_tolerance(error: &PlanarError, duration: f64) -> bool {
         PlanarError::Motion(TooManySteps { at, .. }) => at * longer >= duration,
         _ => false,
     }
-}
-
-/// Whether a body keeps its angle: the zeros of its angular velocity are those of rounding then.
-fn never_turns(moved: &Moved, body: usize) -> bool {
-    let angle = |moment: &Snapshot| moment.state.positions[body][2];
-    let start = moved.samples.first().map_or(0.0, angle);
-    moved.samples.iter().all(|moment| (angle(moment) - start).abs() <= 1e-9)
 }
 
 impl Motion {
@@ -313,19 +256,6 @@ impl Start {
             }
         };
         Drive { name: self.name.clone(), what }
-    }
-}
-
-impl Ends {
-    fn end(&self, parts: &Parts<'_>) -> Option<End> {
-        let angle = |body: Reference| Measure::Angle { of: Some(body.0), against: None };
-        match *self {
-            Ends::Nothing => None,
-            Ends::Angle { body, value } => Some(End::Reaches(angle(body), value)),
-            Ends::Rest { body } => Some(End::Rests(angle(body))),
-            Ends::Distance { from, to, value } => Some(End::Reaches(parts.distance(from, to), value)),
-            Ends::Still { from, to } => Some(End::Rests(parts.distance(from, to))),
-        }
     }
 }
 
