@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use dalembert_core::{
     Entry, Language, Locale, Solution, Stop,
-    cases::{self, Outcome},
+    cases::{self, Hold, Outcome, Seen},
     printer, registry,
 };
 use dalembert_plugins as _;
@@ -56,6 +56,64 @@ fn the_course_documents_are_in_the_catalogue() {
             "{id} holds {printed} printed answers of {source}; the document has {least}"
         );
     }
+}
+
+/// What was seen is named first: of a companion's output the companion, and the book behind it after that.
+#[test]
+fn a_companion_is_named_where_its_output_was_seen() {
+    let mut seen = 0;
+    for entry in chosen() {
+        for case in cases::cases(entry).unwrap() {
+            let source = case.source.english();
+            let (first, _) = source.split_once(',').unwrap_or((&source, ""));
+            let of_a_companion = case.seen == Some(Seen::Companion);
+            assert_eq!(
+                first.contains("companion"),
+                of_a_companion,
+                "{}, {}: write `… companion to` before the book, of a companion's output alone: {source}",
+                entry.about.id,
+                case.name
+            );
+            seen += usize::from(of_a_companion);
+        }
+    }
+    assert!(seen > 0 || only().is_some(), "no case was seen in a companion");
+}
+
+/// A dispute holds the right value as well as it is known; a count is whole.
+#[test]
+fn the_right_value_of_a_dispute_has_five_digits() {
+    let mut disputed = 0;
+    for entry in chosen() {
+        for case in cases::cases(entry).unwrap() {
+            for expected in &case.expect {
+                let Hold::Disputed { ours, .. } = &expected.how else { continue };
+                disputed += 1;
+                let whole = ours.chars().all(|c| c.is_ascii_digit());
+                assert!(
+                    whole || numbers(ours).iter().all(|digits| *digits >= 5),
+                    "{}, {}: {} is {ours}, with fewer than five digits",
+                    entry.about.id,
+                    case.name,
+                    expected.answer
+                );
+            }
+        }
+    }
+    assert!(disputed > 0 || only().is_some(), "no answer is disputed");
+}
+
+/// The significant digits of each number of a text.
+fn numbers(text: &str) -> Vec<usize> {
+    let parts = text.split(|c: char| c.is_whitespace() || "(;)≤≥".contains(c));
+    let numbers = parts.filter(|part| part.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)));
+    numbers
+        .map(|number| {
+            let digits = number.split(['e', 'E']).next().unwrap_or_default();
+            let digits: String = digits.chars().filter(char::is_ascii_digit).collect();
+            digits.trim_start_matches('0').len()
+        })
+        .collect()
 }
 
 #[test]
@@ -156,9 +214,14 @@ fn for_every_solution(mut look: impl FnMut(&str, &Solution)) {
     }
 }
 
+/// The one analysis that is looked at, if not all.
+fn only() -> Option<String> {
+    std::env::var("DALEMBERT_ONLY").ok()
+}
+
 /// Every analysis, or the one that `DALEMBERT_ONLY` names.
 fn chosen() -> impl Iterator<Item = &'static Entry> {
-    let only = std::env::var("DALEMBERT_ONLY").ok();
+    let only = only();
     assert!(only.as_deref().is_none_or(|id| dalembert_core::find(id).is_some()), "no analysis is {only:?}");
     registry().iter().copied().filter(move |entry| only.as_deref().is_none_or(|id| id == entry.about.id))
 }

@@ -1007,7 +1007,6 @@ the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-it-is-318-
 the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-it-is-2-170-kg = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado são 2,170 kg.
 the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-it-is-346-28 = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado são 346,28°.
 one-mass-outside-two-balance-planes = Uma massa fora de dois planos de balanceamento
-bevan-the-theory-of-machines-ch-14-ex-1 = Bevan, The Theory of Machines, cap. 14, ex. 1
 one-mass-between-two-balance-planes = Uma massa entre dois planos de balanceamento
 four-masses-and-two-balance-planes = Quatro massas e dois planos de balanceamento
 khurmi-gupta-theory-of-machines-ex-21-2 = Khurmi & Gupta, Theory of Machines, ex. 21.2
@@ -1015,25 +1014,20 @@ masses-are-laid-out-counter-clockwise-the-printed-angles-of-the-corrections-are-
 the-book-measures-its-drawing = O livro mede no seu desenho.
 the-printed-value-is-read-off-a-drawing-the-sums-give-12-80-clockwise = O valor impresso é lido em um desenho; as somas dão 12,80° no sentido horário.
 four-masses-and-two-balance-planes-in-another-book = Quatro massas e dois planos de balanceamento, em outro livro
-sarkar-theory-of-machines-ex-8-3 = Sarkar, Theory of Machines, ex. 8.3
 four-masses-and-two-planes-between-them = Quatro massas e dois planos entre elas
 exercise-after-rattan-westonci-ca-without-answer = exercício baseado em Rattan, westonci.ca, sem resposta
 the-second-way-solves-both-equations-at-once = O segundo método resolve as duas equações juntas.
 complete-balance-a-mass-with-its-angle-and-two-positions = Balanceamento completo: uma massa com seu ângulo e duas posições
-sarkar-theory-of-machines-ex-8-4 = Sarkar, Theory of Machines, ex. 8.4
 masses-a-b-c-d-angles-and-positions-count-from-b-the-book-prints-the-angle-of-a-clockwise = Massas A, B, C, D; ângulos e posições contam a partir de B. O livro imprime o ângulo de A no sentido horário.
 complete-balance-a-mass-and-three-angles = Balanceamento completo: uma massa e três ângulos
-sarkar-theory-of-machines-ex-8-5 = Sarkar, Theory of Machines, ex. 8.5
 masses-a-b-c-d-equally-spaced-mirrored-at-b-the-rotor-is-balanced-too-the-arrangement-of-the-book-is = Massas A, B, C, D, igualmente espaçadas. Espelhado em B, o rotor também fica balanceado; o arranjo do livro é o segundo. O livro lê 7 kg em um desenho; as somas dão 7,399 kg.
 complete-balance-two-masses-an-angle-and-a-position = Balanceamento completo: duas massas, um ângulo e uma posição
-sarkar-theory-of-machines-ex-8-6 = Sarkar, Theory of Machines, ex. 8.6
 a-b-c-d-in-this-order-along-the-shaft-angles-from-b-position-from-b-d-is-10-cm-further-from-a = A, B, C, D nesta ordem ao longo do eixo; ângulos a partir de B. Posição a partir de B: D está 10 cm mais longe de A.
 the-book-measures-its-drawing-the-sums-give-15-82-kg = O livro mede no seu desenho; as somas dão 15,82 kg.
 the-same-arrangement-with-the-masses-of-another-book = O mesmo arranjo com as massas de outro livro
 khurmi-gupta-theory-of-machines-ex-21-4 = Khurmi & Gupta, Theory of Machines, ex. 21.4
 half-the-masses-of-the-case-before-half-the-answers-at-the-same-place = Metade das massas do caso anterior: metade das respostas, no mesmo lugar.
 three-pulleys-in-static-balance = Três polias em balanceamento estático
-khurmi-gupta-theory-of-machines-ex-21-5 = Khurmi & Gupta, Theory of Machines, ex. 21.5
 a-b-c-angles-from-b-the-book-measures-angles-and-couple-0-88-in-its-drawings-the-sums-give-0-912 = A, B, C; ângulos a partir de B. O livro mede ângulos e conjugado (0,88 ω²) nos seus desenhos; as somas dão 0,912 ω².
 n-0-88-is-read-off-a-drawing-the-sums-give-0-912 = 0,88 ω² foi lido em um desenho; as somas dão 0,912 ω².
 the-couple-is-read-off-a-drawing = O conjugado foi lido em um desenho.
@@ -1079,12 +1073,10 @@ nothing-shakes = nada trepida
 
 # locomotive.toml
 inside-cylinders-at-300-rpm = Cilindros internos a 300 rpm
-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-3 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.3
 the-wheels-1-4-m-apart-follow-from-the-printed-mass-the-angles-are-ours-by-the-direct-sum-of-all = As rodas a 1,4 m uma da outra resultam da massa impressa; os ângulos são nossos, pela soma direta de todas as massas.
 read-off-a-force-polygon-ours-is-100-32-kg = lido em um polígono de forças; o nosso é 100,32 kg
 follows-from-the-printed-mass-ours-is-32934-8-n = resulta da massa impressa; o nosso é 32934,8 N
 outside-cylinders-speed-at-which-a-wheel-lifts = Cilindros externos: velocidade em que uma roda começa a levantar
-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-2 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.2
 the-wheels-1-4-m-apart-follow-from-the-printed-mass = As rodas a 1,4 m uma da outra resultam da massa impressa.
 read-off-a-force-polygon-ours-is-212-29-kg = lido em um polígono de forças; o nosso é 212,29 kg
 read-off-a-force-polygon-ours-is-172-87 = lido em um polígono de forças; o nosso é 172,87°
@@ -1095,7 +1087,6 @@ khurmi-gupta-theory-of-machines-ch-22-ex-22-5 = Khurmi & Gupta, Theory of Machin
 printed-with-c-0-751-and-29-8-rad-s-rounded-ours-is-28065-n = impresso com c = 0,751 e ω = 29,8 rad/s arredondados; o nosso é 28065 N
 printed-with-rounded-c-and-ours-is-9121-n-m = impresso com c e ω arredondados; o nosso é 9121 N m
 fraction-for-a-hammer-blow-of-40-kn = Fração para um golpe de martelo de 40 kN
-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-7 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.7
 the-distance-of-the-wheels-is-not-printed-it-follows-from-the-balance-of-69-625-c-kg-m-that-was-read = A distância entre as rodas não está impressa; resulta do balanceamento de 69,625 c kg m, que foi lido em um desenho.
 inside-cylinders-at-80-km-h = Cilindros internos a 80 km/h
 own-computation-after-an-exercise-without-an-answer = cálculo próprio a partir de um exercício sem resposta
@@ -1120,11 +1111,9 @@ inline-four-with-a-flat-crank = Quatro cilindros em linha com virabrequim plano
 inline-four-cylinder-engine-at-6000-rpm = motor de quatro cilindros em linha a 6000 rpm
 the-four-secondary-forces-add-up-to-4-m-r-two-shafts-at-twice-the-speed-cancel-them-each-with-m-r-2 = As quatro forças secundárias somam 4 m r ω² λ; dois eixos no dobro da velocidade as anulam, cada um com m r λ/2 (Lanchester), no meio do motor.
 a-vertical-engine-two-thirds-balanced = Motor vertical com dois terços equilibrados
-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-1 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.1
 the-stroke-is-printed-as-18-mm-the-answers-belong-to-180-mm = O curso está impresso como 18 mm; as respostas correspondem a 180 mm.
 printed-with-a-rounded-fraction-ours-is-3264-06-n = impresso com uma fração arredondada; o nosso é 3264,06 N
 a-horizontal-engine-half-balanced = Motor horizontal com metade equilibrada
-bevan-the-theory-of-machines-ch-14-ex-5 = Bevan, The Theory of Machines, cap. 14, ex. 5
 n-318-75-rounded-up = 318,75 arredondado para cima
 printed-with-g-32-2-ft-s-ours-is-1437-9-lbf = impresso com g = 32,2 ft/s²; o nosso é 1437,9 lbf
 printed-with-g-32-2-ft-s-half-balanced-the-force-is-the-same-at-every-angle = impresso com g = 32,2 ft/s²; com metade equilibrada, a força é a mesma em todos os ângulos
@@ -1135,17 +1124,14 @@ the-worst-crank-order-of-the-same-engine = A pior ordem das manivelas do mesmo m
 b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-4 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.4
 the-second-way-is-the-direct-sum-over-the-other-orders-of-four-cranks = O segundo método é a soma direta sobre as outras ordens de quatro manivelas.
 inline-four-with-cranks-at-right-angles = Quatro cilindros em linha com manivelas em ângulo reto
-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-8 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.8
 the-pitch-of-150-mm-and-the-crank-order-follow-from-the-printed-coefficients = A distância de 150 mm entre cilindros e a ordem das manivelas resultam dos coeficientes impressos.
 printed-with-0-019-for-the-coefficient-0-019092-ours-is-678-35-n-m = impresso com 0,019 para o coeficiente 0,019092; o nosso é 678,35 N m
 inline-four-with-cranks-at-right-angles-in-the-order-1-4-2-3 = Quatro cilindros em linha com manivelas em ângulo reto na ordem 1-4-2-3
 the-second-way-is-the-direct-sum-over-the-pistons = O segundo método é a soma direta sobre os pistões.
 three-cylinders-round-one-crank = Três cilindros em torno de uma só manivela
-bevan-the-theory-of-machines-ch-14-ex-12 = Bevan, The Theory of Machines, cap. 14, ex. 12
 three-cylinders-round-one-crank-metric = Três cilindros em torno de uma só manivela, em unidades métricas
 the-primary-forces-make-a-vector-of-3-2-m-r-that-turns-with-the-crank-the-secondary-ones-one-of-3-2-m = As forças primárias formam um vetor de 3/2 m r ω² que gira com a manivela; as secundárias, um de 3/2 m r ω² λ no sentido contrário.
 twelve-cylinders-in-w = Doze cilindros em W
-bevan-the-theory-of-machines-ch-14-ex-13 = Bevan, The Theory of Machines, cap. 14, ex. 13
 three-banks-of-flat-crank-fours-at-60-as-the-printed-factors-2-and-6-demand-the-pitch-is-ours-and = Três bancadas de quatro cilindros com virabrequim plano, a 60°, como exigem os fatores impressos 2 e 6; a distância entre cilindros é nossa e só altera conjugados.
 printed-with-g-32-2-ft-s-ours-is-3346-4-lbf = impresso com g = 32,2 ft/s²; o nosso é 3346,4 lbf
 printed-with-g-32-2-ft-s-ours-is-1115-5-lbf = impresso com g = 32,2 ft/s²; o nosso é 1115,5 lbf
@@ -1199,7 +1185,6 @@ khurmi-gupta-theory-of-machines-ex-21-1 = Khurmi & Gupta, Theory of Machines, ex
 solved-there-by-a-drawing-the-angle-is-read-off-it = Resolvido ali por um desenho; o ângulo foi lido nele.
 the-sums-are-rounded-before-the-angle-is-taken-unrounded-it-is-201-31 = As somas são arredondadas antes de se tomar o ângulo; sem arredondar são 201,31°.
 four-masses-by-absolute-angles = Quatro massas por ângulos absolutos
-sarkar-theory-of-machines-ex-8-1 = Sarkar, Theory of Machines, ex. 8.1
 mass-times-radius-of-two-masses = Massa vezes raio de duas massas
 norton-design-of-machinery-ex-12-1 = Norton, Design of Machinery, ex. 12-1
 components-rounded-to-three-places-unrounded-it-is-2-4027-kg-m = Componentes arredondadas para três casas; sem arredondar são 2,4027 kg·m.
@@ -1352,3 +1337,18 @@ opposed-pistons-with-a-lead = Pistões opostos com avanço
 cranks-0-and-180-f-4-m-r-sin-c-2-m-r-z-sin-2 = manivelas a 0° e 180°: F₂ = 4 m r ω² λ sen δ, C₁ = 2 m r ω² z sen(δ/2)
 inline-four-of-two-strokes-in-its-best-order = Quatro em linha de dois tempos na sua melhor ordem
 cranks-a-quarter-of-a-turn-apart-of-the-six-orders-the-least-z-e-i-is-2-p-then-z-e-2i-is-4-p = manivelas a um quarto de volta: das seis ordens o menor |Σ z e^(iφ)| é √2 p, e então |Σ z e^(2iφ)| é 4 p
+fossee-companion-to-bevan-the-theory-of-machines-ch-14-ex-1 = Complemento FOSSEE a Bevan, The Theory of Machines, cap. 14, ex. 1
+fossee-companion-to-sarkar-theory-of-machines-ex-8-3 = Complemento FOSSEE a Sarkar, Theory of Machines, ex. 8.3
+fossee-companion-to-sarkar-theory-of-machines-ex-8-4 = Complemento FOSSEE a Sarkar, Theory of Machines, ex. 8.4
+fossee-companion-to-sarkar-theory-of-machines-ex-8-5 = Complemento FOSSEE a Sarkar, Theory of Machines, ex. 8.5
+fossee-companion-to-sarkar-theory-of-machines-ex-8-6 = Complemento FOSSEE a Sarkar, Theory of Machines, ex. 8.6
+fossee-companion-to-b-k-sarkar-theory-of-machines-ex-8-7-khurmi-gupta-theory-of-machines-ex-21-5 = Complemento FOSSEE a B. K. Sarkar, Theory of Machines, ex. 8.7 (Khurmi & Gupta, Theory of Machines, ex. 21.5)
+fossee-companion-to-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-3 = Complemento FOSSEE a B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.3
+fossee-companion-to-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-2 = Complemento FOSSEE a B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.2
+fossee-companion-to-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-7 = Complemento FOSSEE a B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.7
+fossee-companion-to-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-1 = Complemento FOSSEE a B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.1
+fossee-companion-to-bevan-the-theory-of-machines-ch-14-ex-5 = Complemento FOSSEE a Bevan, The Theory of Machines, cap. 14, ex. 5
+fossee-companion-to-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-12-8 = Complemento FOSSEE a B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 12.8
+fossee-companion-to-bevan-the-theory-of-machines-ch-14-ex-12 = Complemento FOSSEE a Bevan, The Theory of Machines, cap. 14, ex. 12
+fossee-companion-to-bevan-the-theory-of-machines-ch-14-ex-13 = Complemento FOSSEE a Bevan, The Theory of Machines, cap. 14, ex. 13
+fossee-companion-to-sarkar-theory-of-machines-ex-8-1 = Complemento FOSSEE a Sarkar, Theory of Machines, ex. 8.1

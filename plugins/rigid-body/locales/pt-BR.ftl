@@ -1863,7 +1863,6 @@ rolling-bodies = Corpos que rolam
 
 # dipping_rail.toml
 locomotive-at-95-km-h = Locomotiva a 95 km/h
-khurmi-gupta-theory-of-machines-ch-14-example-14-14 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.14
 one-rail-dips-by-6-mm-in-0-1-s-in-simple-harmonic-motion = Um trilho rebaixa-se 6 mm em 0,1 s, em movimento harmônico simples.
 dip-of-10-m-with-a-couple-that-tilts = Rebaixo de 10 m com um binário que inclina
 closed-form-c-i-a-2v-d-t-w-and-2-t-w = forma fechada: C = I_a (2v/D) (πδ/t)/w e α = 2π²δ/(t² w)
@@ -1981,19 +1980,15 @@ what-does-not-turn-has-no-motion = o que não gira não tem movimento
 
 # gyroscopic_couple.toml
 ship-that-steers-to-the-left = Navio em curva para a esquerda
-khurmi-gupta-theory-of-machines-ch-14-example-14-6 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.6
 rotor-of-3500-kg-clockwise-seen-from-the-stern-part-a-the-bow-is-raised-the-reaction-points-to = Rotor de 3500 kg, horário visto da popa; item (a). A proa se levanta: a reação aponta para boreste, −y.
 ship-that-pitches-bow-falling = Navio que arfa, proa descendo
 part-b-simple-harmonic-12-in-all-period-40-s-the-bow-is-pushed-to-port-the-reaction-points-up = Item (b): harmônico simples, 12° ao todo, período de 40 s. A proa é empurrada para bombordo: a reação aponta para cima.
 aircraft-that-turns-to-the-left = Aeronave em curva para a esquerda
-khurmi-gupta-theory-of-machines-ch-14-example-14-3 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.3
 engine-and-propeller-clockwise-seen-from-the-rear-the-nose-is-raised = Motor e hélice, horários vistos de trás: o nariz se levanta.
 turbine-of-a-ship-that-turns-to-the-left = Turbina de um navio em curva para a esquerda
-khurmi-gupta-theory-of-machines-ch-14-example-14-4 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.4
 the-bow-is-raised = A proa se levanta.
 the-book-takes-0-37-rad-s-for-the-precession-which-is-0-3704-rad-s = o livro toma 0,37 rad/s para a precessão, que é 0,3704 rad/s
 largest-couple-and-acceleration-of-a-pitching-ship = Binário e aceleração máximos de um navio que arfa
-khurmi-gupta-theory-of-machines-ch-14-example-14-7 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.7
 n-20-t-6-in-30-s-with-the-bow-rising-and-the-rotor-clockwise-from-the-stern-the-bow-goes-to-starboard = 20 t, ±6° em 30 s. Com a proa subindo e o rotor horário visto da popa, a proa vai para boreste.
 pitching-ship-12-in-all = Navio que arfa, 12° ao todo
 khurmi-gupta-theory-of-machines-ch-14-example-14-9 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.9
@@ -2012,11 +2007,9 @@ meriam-kraige-dynamics-sample-problem-7-8 = Meriam & Kraige, Dynamics, problema 
 counter-clockwise-seen-from-the-stern-turn-to-port-at-25-knots-12-85-m-s-a-is-the-bearing-aft-0-6-m = Anti-horário visto da popa, curva para bombordo a 25 nós, 12,85 m/s. A é o mancal de trás, a 0,6 m de G, como mostram os sinais impressos.
 the-book-rounds-both-shares-to-three-digits = o livro arredonda as duas parcelas a três algarismos
 disc-between-bearings = Disco entre mancais
-khurmi-gupta-theory-of-machines-ch-14-example-14-2 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.2
 disc-in-the-middle-of-100-mm-precession-of-60-rpm-about-the-upright-the-sense-is-the-one-for-which-a = Disco no meio de 100 mm, precessão de 60 rpm em torno da vertical. O sentido é aquele em que A empurra para cima e B para baixo.
 the-book-rounds-the-moment-of-inertia-to-0-014-kg-m = o livro arredonda o momento de inércia para 0,014 kg·m²
 disc-on-an-axle-held-at-one-end = Disco em um eixo apoiado em uma ponta
-khurmi-gupta-theory-of-machines-ch-14-example-14-1 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.1
 precession-about-an-axis-at-60-to-the-axle = Precessão em torno de um eixo a 60° do eixo do rotor
 closed-form-i-a-sin-i-a-i-t-sin-cos = forma fechada: I_a ω Ω sen θ + (I_a − I_t) Ω² sen θ cos θ
 i-a-2-i-t-1-2-kg-m-50-rad-s-4-rad-s-200-3-0-8-16-3-4-n-m-about-y-on-the-carrier = I_a = 2, I_t = 1,2 kg·m², ω = 50 rad/s, Ω = 4 rad/s: 200√3 + 0,8 · 16 · √3/4 N·m, em torno de −y do veículo.
@@ -2267,7 +2260,6 @@ plate-that-turns-about-its-diagonal = Placa que gira em torno da diagonal
 analytic-couple-m-a-b-b-a-12-a-b-forces-couple-a-b-of-the-kind-of-manchester-pc167-sheet-4 = analítico: binário m a b (b² − a²) ω²/12(a² + b²), forças binário/√(a² + b²); do tipo de Manchester PC167, folha 4
 plate-of-4-kg-0-3-m-by-0-5-m-on-bearings-at-the-ends-of-a-diagonal-at-25-rad-s = Placa de 4 kg, 0,3 m por 0,5 m, em mancais nas extremidades de uma diagonal, a 25 rad/s.
 disc-out-of-square-on-its-shaft = Disco fora de esquadro em seu eixo
-khurmi-gupta-theory-of-machines-ch-14-example-14-17 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.17
 disc-of-30-kg-and-0-6-m-diameter-1-out-of-square-at-1200-rev-min-the-shaft-holds-it-like-a-weld = Disco de 30 kg e 0,6 m de diâmetro, 1° fora de esquadro, a 1200 rev/min. O eixo o prende como uma solda.
 ship-s-rotor-in-a-turn = Rotor de navio em curva
 course-handout-on-gyroscopes-example-4-3 = Apostila de curso sobre giroscópios, exemplo 4.3
@@ -2361,7 +2353,6 @@ k-a-r-and-k-t-r-2 = k_a = r e k_t = r/√2.
 
 # rotation_chain.toml
 disc-on-a-tilted-motor = Disco em um motor inclinado
-meriam-kraige-dynamics-sample-problem-7-2 = Meriam & Kraige, Dynamics, problema resolvido 7/2
 the-disc-turns-at-120-rev-min-about-the-axis-z-of-the-motor-and-the-motor-at-60-rev-min-about-an-axis = O disco gira a 120 rev/min em torno do eixo z do motor, e o motor a 60 rev/min em torno de um eixo no plano yz, 30° acima de y. O programa que acompanha o problema imprime a componente errada da aceleração (0); o vetor tem 68,4 rad/s² em x.
 disc-on-a-bent-arm = Disco em um braço dobrado
 meriam-kraige-dynamics-sample-problem-7-5 = Meriam & Kraige, Dynamics, problema resolvido 7/5
@@ -2450,7 +2441,6 @@ sin-cannot-be-above-1 = sen θ não pode ser maior que 1
 
 # two_bladed_rotor.toml
 airscrew-with-two-blades = Hélice de duas pás
-bevan-the-theory-of-machines-ch-2-example-13 = Bevan, The Theory of Machines, cap. 2, exemplo 13
 n-250-lb-ft-with-g-32-2-ft-s-1600-rpm-150-mph-on-500-ft-the-book-measures-the-blades-from-the-axis-of = 250 lb·ft² com g = 32,2 ft/s², 1600 rpm, 150 mph em 500 ft. O livro mede as pás a partir do eixo do binário (37°); aqui elas estão a 53° do eixo da precessão: T (1 − cos 2·37°) e T sen 2·37°.
 the-small-part-about-the-axle = A pequena parcela em torno do eixo do rotor
 closed-form-i-sin-2-2-which-the-book-neglects = forma fechada: I Ω² sen 2χ / 2, que o livro despreza
@@ -2465,7 +2455,6 @@ i-a-i-b-i-c-for-every-body = I_a ≤ I_b + I_c para todo corpo
 
 # two_wheeler_lean.toml
 motorcycle-at-90-km-h = Motocicleta a 90 km/h
-khurmi-gupta-theory-of-machines-ch-14-example-14-15 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.15
 speed-for-a-lean-of-45 = Velocidade para uma inclinação de 45°
 closed-form-v-g-r-1-i-m-r-h = forma fechada: v² = g R/(1 + I/(m r h))
 i-m-r-h-3-5-45-with-the-same-motorcycle-v-490-5-1-7-90-m-s = I/(m r h) = 3,5/45 com a mesma motocicleta: v = √(490,5/(1 + 7/90)) m/s.
@@ -2485,14 +2474,12 @@ the-centre-of-mass-must-stay-on-its-side-of-the-turn = o centro de massa deve fi
 
 # wheel_loads.toml
 car-that-turns-to-the-right = Automóvel em curva para a direita
-khurmi-gupta-theory-of-machines-ch-14-example-14-12-as-worked-in-its-computer-companion = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.12, como resolvido no seu complemento computacional
 wheels-1-and-3-are-the-inner-ones-1-and-2-in-front-engine-train-of-75-kg-k-100-mm-at-four-times-the = As rodas 1 e 3 são as internas, 1 e 2 as da frente. Conjunto do motor de 75 kg, k = 100 mm, a quatro vezes a rotação das rodas, horário visto de frente. Nossas cargas suportam os binários C_W + C_O = 4666,7 N·m; as impressas, só 2334 N·m.
 the-companion-halves-every-load-twice-c-2w-is-already-the-share-of-one-wheel-with-both-sides-at-2-c = o complemento divide cada carga ao meio duas vezes: C/(2w) já é a parcela de uma só roda; com os dois lados em 2 · C/(2w) os momentos em relação ao eixo longitudinal se equilibram
 the-companion-halves-every-load-twice = o complemento divide cada carga ao meio duas vezes
 car-that-turns-to-the-right-our-loads = Automóvel em curva para a direita, nossas cargas
 moments-about-the-long-and-the-cross-axis-of-khurmi-gupta-example-14-12 = momentos em relação aos eixos longitudinal e transversal de Khurmi & Gupta, exemplo 14.12
 trolley-car-with-motors-against-the-wheels = Bonde com motores que giram ao contrário das rodas
-khurmi-gupta-theory-of-machines-ch-14-example-14-10-as-worked-in-its-computer-companion = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.10, como resolvido no seu complemento computacional
 two-axles-of-18-kg-m-two-motors-of-12-kg-m-at-five-times-their-speed-the-other-way-round-the-printed = Dois eixos de 18 kg·m², dois motores de 12 kg·m² a cinco vezes a sua rotação, em sentido contrário. As cargas impressas diferem das nossas em metade da parcela giroscópica.
 the-companion-halves-the-gyroscopic-share-twice-and-the-centrifugal-one-once-7131-74-n-holds-the = o complemento divide a parcela giroscópica ao meio duas vezes e a centrífuga uma; 7131,74 N mantém os momentos em equilíbrio
 the-companion-halves-the-gyroscopic-share-twice-and-the-centrifugal-one-once-5130-76-n-holds-the = o complemento divide a parcela giroscópica ao meio duas vezes e a centrífuga uma; 5130,76 N mantém os momentos em equilíbrio
@@ -2500,10 +2487,8 @@ trolley-car-our-loads = Bonde, nossas cargas
 moments-about-the-long-axis-of-khurmi-gupta-example-14-10 = momentos em relação ao eixo longitudinal de Khurmi & Gupta, exemplo 14.10
 m-g-4-3333-33-331-85-n-m-2-1-5-m = m g/4 ± (3333,33 − 331,85) N·m/(2 · 1,5 m).
 car-with-its-engine-in-the-rear-the-limit = Automóvel com motor traseiro: o limite
-khurmi-gupta-theory-of-machines-ch-14-example-14-11 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.11
 engine-at-three-times-the-speed-of-the-wheels-in-their-sense-across-the-car = Motor a três vezes a rotação das rodas, no sentido delas, transversal ao automóvel.
 rail-axle-on-a-banked-curve = Rodeiro em curva inclinada
-khurmi-gupta-theory-of-machines-ch-14-example-14-13 = Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.13
 pair-of-wheels-of-200-kg-with-2000-kg-on-it-superelevation-8 = Rodeiro de 200 kg com 2000 kg sobre ele; superelevação de 8°.
 rail-axle-with-its-transverse-moment-of-inertia = Rodeiro com seu momento de inércia transversal
 closed-form-i-a-cos-i-a-i-t-sin-cos-for-khurmi-gupta-example-14-13 = forma fechada: I_a ω Ω cos β − (I_a − I_t) Ω² sen β cos β para Khurmi & Gupta, exemplo 14.13
@@ -2559,3 +2544,19 @@ free-top-from-euler-angles-and-their-rates-until-a-component-reverses = Pião li
 h-a-h-cos-1-c-1-a-x-sin-sin-reverses-at = φ̇ = H/A, ψ̇ = H cos θ (1/C − 1/A): ω_x = φ̇ sen θ sen ψ inverte em ψ = π
 torque-by-a-table = Torque por uma tabela
 m-i-f-dt-a-trapezium-of-1-s-1-s-1-s = ω = (M/I) ∫ f dt: um trapézio de 1 s + 1 s + 1 s
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-14 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.14
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-6 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.6
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-3 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.3
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-4 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.4
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-7 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.7
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-9 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.9
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-2 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.2
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-1 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.1
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-17 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.17
+computer-companion-to-meriam-kraige-dynamics-sample-problem-7-2 = Complemento computacional a Meriam & Kraige, Dynamics, problema resolvido 7/2
+fossee-companion-to-bevan-the-theory-of-machines-ch-2-example-13 = Complemento FOSSEE a Bevan, The Theory of Machines, cap. 2, exemplo 13
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-15 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.15
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-12 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.12
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-10 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.10
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-11 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.11
+fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-13 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.13

@@ -3965,13 +3965,11 @@ springs-at-one-point-exert-no-moment-about-it-the-pitch-is-free = Molas num mesm
 
 # base_excitation.toml
 trailer-on-a-wavy-road = Reboque em estrada ondulada
-g-k-grover-mechanical-vibrations-ex-4-4-3 = G. K. Grover, Mechanical Vibrations, ex. 4.4.3
 the-springs-are-known-by-their-static-deflection-no-damping = As molas são conhecidas pela sua deflexão estática; sem amortecimento.
 vehicle-on-a-rough-road = Veículo em estrada irregular
 s-s-rao-mechanical-vibrations-ch-3-vehicle-on-a-rough-road = S. S. Rao, Mechanical Vibrations, cap. 3: veículo em estrada irregular
 the-source-rounds-the-frequency-of-the-road = a fonte arredonda a frequência da estrada
 seismic-mass-at-rest-when-its-base-sets-in = Massa sísmica em repouso quando a base começa a se mover
-g-k-grover-mechanical-vibrations-ex-4-4-1 = G. K. Grover, Mechanical Vibrations, ex. 4.4.1
 free-period-of-0-8-s-the-base-moves-as-18-sin-2-t-mm = Período livre de 0,8 s; a base move-se segundo 18 sen 2πt mm.
 every-damping-meets-at-2 = Todos os amortecimentos se encontram em √2
 at-r-2-the-transmissibility-is-one-for-every-damping-rao-5th-ed-3-6 = Em r = √2 a transmissibilidade é um para qualquer amortecimento (Rao, 5ª ed., §3.6)
@@ -4004,10 +4002,8 @@ the-figure-read-as-the-cantilever-beside-two-springs-in-series = A figura lida c
 mass-and-damping-follow-the-stiffness-the-transmissibility-does-not-change = Massa e amortecimento acompanham a rigidez; a transmissibilidade não muda.
 e-120-gpa-as-printed = E = 120 GPa, como impresso
 three-springs-in-series-beside-two-in-parallel = Três molas em série ao lado de duas em paralelo
-g-k-grover-mechanical-vibrations-ex-2-5-1 = G. K. Grover, Mechanical Vibrations, ex. 2.5.1
 the-mass-that-gives-10-hz-without-damping = A massa que dá 10 Hz sem amortecimento.
 reed-of-a-tachometer-tuned-to-1800-cycles-a-minute = Lâmina de um tacômetro sintonizada em 1800 ciclos por minuto
-g-k-grover-mechanical-vibrations-ex-4-11-4 = G. K. Grover, Mechanical Vibrations, ex. 4.11.4
 a-thin-cantilever-of-rectangular-section-without-damping = Uma viga em balanço delgada, de seção retangular, sem amortecimento.
 three-helical-springs-of-a-truck-side-by-side = Três molas helicoidais de um caminhão lado a lado
 s-s-rao-mechanical-vibrations-si-ed-2017-ex-1-5 = S. S. Rao, Mechanical Vibrations, ed. SI, 2017, ex. 1.5
@@ -4072,7 +4068,6 @@ the-inner-diameter-must-be-below-the-outer-one = O diâmetro interno deve ser me
 
 # coulomb_damping.toml
 amplitude-of-50-mm-to-be-halved = Amplitude de 50 mm a reduzir à metade
-g-k-grover-mechanical-vibrations-ex-3-6-1 = G. K. Grover, Mechanical Vibrations, ex. 3.6.1
 n-5-kg-on-980-n-m-with-0-025-and-g-9-81-m-s-the-print-counts-whole-cycles = 5 kg sobre 980 N/m com µ = 0,025 e g = 9,81 m/s²; o texto impresso conta ciclos inteiros.
 block-pulled-by-an-inch-after-0-09-s = Bloco puxado uma polegada, após 0,09 s
 f-s-tse-i-e-morse-and-r-t-hinkle-mechanical-vibrations-p-175-target-of-the-verification-problem-vm73 = F. S. Tse, I. E. Morse e R. T. Hinkle, Mechanical Vibrations, p. 175; valor de referência do problema de verificação VM73 do Ansys Mechanical APDL
@@ -4093,7 +4088,6 @@ k-x-0-1-n-is-below-f-0-2-n = k x₀ = 0,1 N está abaixo de F = 0,2 N
 
 # coupled_pendulums.toml
 two-rods-joined-at-their-free-ends = Duas barras unidas nas suas extremidades livres
-g-k-grover-mechanical-vibrations-example-5-3-2 = G. K. Grover, Mechanical Vibrations, exemplo 5.3.2
 rods-of-5-kg-m-and-0-75-m-and-1-m-without-gravity-the-other-mode-is-a-turn-of-both-with-the-spring = Barras de 5 kg/m com 0,75 m e 1 m; sem gravidade, o outro modo é um giro das duas com a mola indeformada.
 the-exact-ratio-is-9-16-0-5625 = a razão exata é −9/16 = −0,5625
 two-equal-pendulums-in-step-and-opposed = Dois pêndulos iguais: em fase e em oposição
@@ -4231,10 +4225,8 @@ without-damping-the-amplitude-at-resonance-has-no-bound = Sem amortecimento a am
 the-mass-that-has-a-natural-frequency-of-10-hz = A massa que tem uma frequência natural de 10 Hz.
 the-mass-at-the-tip-of-a-thin-steel-reed-the-reed-itself-is-taken-as-light = A massa na ponta de uma lâmina delgada de aço; a própria lâmina é tomada como leve.
 weight-on-a-reed-that-answers-at-50-hz = Peso sobre uma lâmina que responde a 50 Hz
-w-g-mclean-and-e-w-nelson-schaum-s-outline-of-engineering-mechanics-ch-19-prob-16 = W. G. McLean e E. W. Nelson, Schaum's Outline of Engineering Mechanics, cap. 19, probl. 16
 a-four-inch-steel-reed-the-weight-is-in-pounds-force-with-g-386-in-s = Uma lâmina de aço de quatro polegadas; o peso está em libras-força, com g = 386 in/s².
 weight-of-35-lb-on-a-spring = Peso de 35 lb sobre uma mola
-w-g-mclean-and-e-w-nelson-schaum-s-outline-of-engineering-mechanics-ch-19-prob-2 = W. G. McLean e E. W. Nelson, Schaum's Outline of Engineering Mechanics, cap. 19, probl. 2
 the-weight-is-a-force-g-386-in-s = O peso é uma força; g = 386 in/s².
 mass-on-a-spring-in-inches-and-pounds = Massa sobre uma mola, em polegadas e libras
 ansys-mechanical-apdl-verification-manual-vm45-w-t-thomson-vibration-theory-and-applications-ex-1-2-2 = ANSYS Mechanical APDL Verification Manual, VM45 (W. T. Thomson, Vibration Theory and Applications, ex. 1.2-2)
@@ -4244,7 +4236,6 @@ armature-of-a-motor-generator-on-a-short-shaft = Induzido de um motor-gerador nu
 ansys-mechanical-apdl-verification-manual-vm48-w-t-thomson-vibration-theory-and-applications-ex-1-3-3 = ANSYS Mechanical APDL Verification Manual, VM48 (W. T. Thomson, Vibration Theory and Applications, ex. 1.3-3)
 the-shear-modulus-is-e-2-1-with-e-31-2e6-psi-and-0-3 = O módulo de elasticidade transversal é E/(2(1 + ν)) com E = 31,2e6 psi e ν = 0,3.
 torsional-pendulum-on-a-thin-rod = Pêndulo de torção numa haste fina
-g-k-grover-mechanical-vibrations-ex-2-4-1 = G. K. Grover, Mechanical Vibrations, ex. 2.4.1
 the-same-solution-prints-22-57-rad-s-which-is-3-59-hz-the-decimal-point-slipped = A mesma solução imprime ωₙ = 22,57 rad/s, que são 3,59 Hz: a vírgula decimal saiu do lugar.
 spring-for-a-mass-with-a-period-of-one-second = Mola para uma massa com período de um segundo
 code-aster-validation-manual-test-sdld32-v2-01-032 = Code_Aster, manual de validação, teste SDLD32 (V2.01.032)
@@ -4265,7 +4256,6 @@ the-moving-third-of-the-spring-alone-gives-10-rad-s = O terço móvel da mola so
 
 # forced_coulomb.toml
 force-of-19-6-n-at-5-hz = Força de 19,6 N a 5 Hz
-g-k-grover-mechanical-vibrations-ex-4-6-1 = G. K. Grover, Mechanical Vibrations, ex. 4.6.1
 the-print-gives-a-mass-of-8-7-kg-its-numbers-are-those-of-3-7-kg-the-equivalent-damping-is-the = O texto impresso dá uma massa de 8,7 kg; os seus números são os de 3,7 kg. O amortecimento equivalente é a resposta impressa; a amplitude exata é 8 % maior.
 the-exact-motion-at-5-hz = O movimento exato a 5 Hz
 x-f-v-k-fu-k-with-the-numbers-of-grover-s-ex-4-6-1-a-time-integration-gives-4-675-mm = X = √((F₀V/k)² − (FU/k)²) com os números do ex. 4.6.1 de Grover; uma integração no tempo dá 4,675 mm
@@ -4341,7 +4331,6 @@ an-accelerance-with-decimal-commas-out-of-order = Acelerância com vírgulas dec
 k-m-ic-10-m-n-with-m-5-kg-25-hz-and-0-05-to-six-digits = −ω²/(k − mω² + icω) − ω²·10⁻⁶ m/N com m = 5 kg, 25 Hz e ζ = 0,05, com seis algarismos
 the-table-has-six-digits = a tabela tem seis algarismos
 free-test-at-9-8-hz-forced-peak-at-9-6-hz = Ensaio livre a 9,8 Hz, pico forçado a 9,6 Hz
-g-k-grover-mechanical-vibrations-ex-4-2-2 = G. K. Grover, Mechanical Vibrations, ex. 4.2.2
 the-book-rounds-on-the-way-d-1-2-1-gives-0-19706 = o livro arredonda no caminho; (ωₚ/ω_d)² = (1 − 2ζ²)/(1 − ζ²) dá 0,19706
 the-same-test-in-a-companion-to-the-book = O mesmo ensaio num complemento do livro
 fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-2-2 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.2.2
@@ -4350,7 +4339,6 @@ it-follows-from-the-damping-ratio-without-the-square-9-8-hz-1-0-19706-is-9-996-h
 the-same-test-without-rounding-on-the-way = O mesmo ensaio sem arredondamentos intermediários
 d-2-d-3-88-99-92 = ζ² = (ω_d² − ωₚ²)/(2ω_d² − ωₚ²) = 3,88/99,92
 unbalance-12-mm-at-resonance-1-3-mm-far-above = Desbalanceamento: 12 mm na ressonância, 1,3 mm muito acima dela
-w-g-mclean-and-e-w-nelson-schaum-s-engineering-mechanics-prob-19-28 = W. G. McLean e E. W. Nelson, Schaum's Engineering Mechanics, probl. 19-28
 the-same-with-12-mm-as-the-largest-amplitude-of-all = O mesmo com 12 mm como a maior amplitude de todas
 w-g-mclean-and-e-w-nelson-schaum-s-engineering-mechanics-prob-19-28-with-the-peak-1-2-1 = W. G. McLean e E. W. Nelson, Schaum's Engineering Mechanics, probl. 19-28, com o pico 1/(2ζ√(1 − ζ²))
 unbalance-at-two-speeds = Desbalanceamento em duas rotações
@@ -4368,7 +4356,6 @@ a-line-is-no-circle = Uma reta não é uma circunferência
 
 # frequency_response_matrix.toml
 two-masses-with-dampers-to-the-ground-forced-in-phase = Duas massas com amortecedores ao solo, forçadas em fase
-g-k-grover-mechanical-vibrations-example-6-8-2 = G. K. Grover, Mechanical Vibrations, exemplo 6.8.2
 eight-masses-with-dampers-between-them-forced-at-the-fourth = Oito massas com amortecedores entre elas, com força na quarta
 code-aster-validation-manual-v2-test-sdld21 = Manual de validação do Code_Aster, V2, teste SDLD21
 receptance-of-mass-4-under-1-n-at-5-5-5-10-and-40-hz-the-dampers-of-50-n-s-m-stand-beside-all-nine = Receptância da massa 4 sob 1 N, a 5; 5,5; 10 e 40 Hz. Os amortecedores de 50 N·s/m ficam em paralelo com todas as nove molas.
@@ -4397,7 +4384,6 @@ n-4f-d-is-below-f-and-c-0 = 4F_d/π é menor que F₀ e c = 0
 
 # gun_recoil.toml
 barrel-of-600-kg = Cano de 600 kg
-g-k-grover-mechanical-vibrations-ex-3-3-3 = G. K. Grover, Mechanical Vibrations, ex. 3.3.3
 spring-of-294-kn-m-recoil-of-1-3-m-the-return-is-timed-up-to-50-mm-from-the-position-of-rest = Mola de 294 kN/m, recuo de 1,3 m; o tempo de retorno é contado até 50 mm da posição de repouso.
 the-printed-time-is-that-of-a-table-of-x-t-in-steps-of-0-01-s-read-at-0-22-s-of-the-return-there-the = O tempo impresso é o de uma tabela de x(t) em passos de 0,01 s, lida a 0,22 s do retorno; ali o cano ainda está a 59 mm. Ele passa por 50 mm aos 0,22858 s; 0,29954 s ao todo.
 the-barrel-timed-exactly = O cano com os tempos exatos
@@ -4418,7 +4404,6 @@ a-mass-of-10-kg-beside-one-of-40-kg-cannot-be-represented = Uma massa de 10³⁰
 oscillator-driven-at-its-natural-frequency = Oscilador excitado na sua frequência natural
 w-t-thomson-theory-of-vibration-with-applications-ex-3-1-2-target-of-the-verification-problem-vm86-of = W. T. Thomson, Theory of Vibration with Applications, ex. 3.1-2; valor de referência do problema de verificação VM86 do Ansys Mechanical APDL
 power-of-a-shaker = Potência de um excitador
-g-k-grover-mechanical-vibrations-ex-4-5-1 = G. K. Grover, Mechanical Vibrations, ex. 4.5.1
 the-oscillator-is-known-by-its-damped-frequency-the-amplitude-is-prescribed-and-the-force-is-sought = O oscilador é conhecido pela sua frequência amortecida; a amplitude é imposta e procura-se a força.
 the-source-puts-the-damped-frequency-for-the-natural-one-in-c-2-m = a fonte põe a frequência amortecida no lugar da natural em c = 2ζωₙm
 build-up-of-resonance-with-one-per-cent-of-critical-damping = Crescimento da amplitude na ressonância com um por cento do amortecimento crítico
@@ -4444,9 +4429,7 @@ any-force-makes-an-undamped-motion-at-the-natural-frequency-grow = Qualquer for�
 
 # harmonic_sum.toml
 beating-of-two-motions = Batimento de dois movimentos
-g-k-grover-mechanical-vibrations-ex-1-5-1 = G. K. Grover, Mechanical Vibrations, ex. 1.5.1
 work-of-a-force-of-25-n-in-one-second = Trabalho de uma força de 25 N em um segundo
-g-k-grover-mechanical-vibrations-ex-1-7-1 = G. K. Grover, Mechanical Vibrations, ex. 1.7.1
 the-same-force-in-a-quarter-of-a-cycle = A mesma força em um quarto de ciclo
 three-vectors-of-one-frequency = Três vetores de uma mesma frequência
 n-3-cos-t-4-cos-t-90-5-cos-t-180-20-cos-t-116-565 = 3 cos ωt + 4 cos(ωt + 90°) + 5 cos(ωt + 180°) = √20 cos(ωt + 116,565°)
@@ -4470,7 +4453,6 @@ t-2-l-g-1-16 = T = 2π√(L/g) (1 + θ₀²/16)
 
 # logarithmic_decrement.toml
 torsional-pendulum-in-a-viscous-fluid = Pêndulo de torção num fluido viscoso
-g-k-grover-mechanical-vibrations-ex-3-4-1 = G. K. Grover, Mechanical Vibrations, ex. 3.4.1
 successive-amplitudes-of-9-6-and-4-degrees-the-period-is-that-in-the-fluid-the-printed-frequency-that = Amplitudes sucessivas de 9, 6 e 4 graus. O período é o medido no fluido; a frequência impressa é a do movimento no ar. O texto impresso dá c em N·m/rad; o correto é N·m·s/rad.
 the-three-amplitudes-by-least-squares = As três amplitudes por mínimos quadrados
 n-9-6-and-4-of-grover-s-ex-3-4-1-are-an-exact-geometric-series-ln-1-5 = 9°, 6° e 4° do ex. 3.4.1 de Grover formam uma progressão geométrica exata: δ = ln 1,5
@@ -4481,7 +4463,6 @@ the-value-is-worked-with-the-measured-period-0-2025-s-ours-with-that-of-mass-and
 the-machine-by-its-period-alone = A máquina só pelo seu período
 problem-without-a-printed-answer-tutorsglobe-question-51418516-t-n-t-d-n-ln-10 = Problema sem resposta impressa (TutorsGlobe, questão 51418516): t = n T_d, n = ln 10/δ
 decrement-of-a-damping-ratio-of-0-316 = Decremento de uma razão de amortecimento de 0,316
-e-w-nelson-c-l-best-and-w-g-mclean-schaum-s-outline-of-engineering-mechanics-dynamics-ch-19-problem = E. W. Nelson, C. L. Best e W. G. McLean, Schaum's Outline of Engineering Mechanics: Dynamics, cap. 19, problema 19-20
 n-25-4-rad-s-the-decrement-does-not-depend-on-it = ωₙ = 25,4 rad/s; o decremento não depende dela.
 the-print-multiplies-rounded-numbers-t-d-with-a-rounded-period = o texto impresso multiplica números arredondados: ζ ωₙ T_d com um período arredondado
 seven-amplitudes-15-1-at-180-cycles-a-minute = Sete amplitudes na razão 15:1 a 180 ciclos por minuto
@@ -4496,16 +4477,12 @@ a-decay-falls = Num decaimento as amplitudes diminuem
 
 # mass_on_shaft.toml
 flywheel-between-two-fixed-shaft-ends = Volante entre duas extremidades fixas de um eixo
-t-bevan-the-theory-of-machines-ch-15-ex-2 = T. Bevan, The Theory of Machines, cap. 15, ex. 2
 a-flywheel-of-half-a-ton-on-a-shaft-of-2-in-both-parts-of-the-shaft-hold-it = Um volante de meia tonelada num eixo de 2 in; as duas partes do eixo o sustentam.
 the-printed-value-is-worked-from-a-rounded-static-deflection = o valor impresso é calculado a partir de uma deflexão estática arredondada
 weight-at-the-free-end-of-a-cantilever-shaft = Peso na extremidade livre de um eixo em balanço
-b-k-sarkar-theory-of-machines-ch-11-ill-1 = B. K. Sarkar, Theory of Machines, cap. 11, il. 1
 the-printed-solution-takes-as-3-147-and-f-as-0-4985 = a solução impressa toma π como 3,147 e f como 0,4985/√δ
 body-on-a-simply-supported-shaft = Corpo num eixo biapoiado
-b-k-sarkar-theory-of-machines-ch-11-ill-2 = B. K. Sarkar, Theory of Machines, cap. 11, il. 2
 flywheel-on-a-shaft-fixed-at-both-ends = Volante num eixo engastado nas duas extremidades
-b-k-sarkar-theory-of-machines-ch-11-ill-3 = B. K. Sarkar, Theory of Machines, cap. 11, il. 3
 the-printed-solution-takes-as-3-147 = a solução impressa toma π como 3,147
 a-bearing-at-the-far-end = Mancal na extremidade oposta
 k-768-e-i-7-l-at-the-middle-along-and-about-the-axis-only-the-fixed-half-holds = k = 768 E I/(7 L³) no meio; ao longo da linha de centro e em torno dela só a metade engastada sustenta
@@ -4582,7 +4559,6 @@ two-pinned-spans-of-1-m-buckle-at-ei-l-19-74-kn = Dois vãos biapoiados de 1 m f
 
 # overhung_disc.toml
 overhung-disc-of-10-kg = Disco em balanço de 10 kg
-g-k-grover-mechanical-vibrations-ex-8-6-1-as-its-scilab-companion-prints-it = G. K. Grover, Mechanical Vibrations, ex. 8.6.1, como impresso no seu complemento em Scilab
 the-example-calls-4071-8-and-19509-rpm-critical-speeds-its-frequency-equation-takes-i-d-so-they-are = O exemplo chama 4071,8 e 19509 rpm de velocidades críticas; a sua equação das frequências toma + I_d, portanto são as frequências naturais do disco que não gira. Com o efeito giroscópico, a velocidade que o desbalanceamento excita é 4866 rpm, e não há outra: I_p é maior que I_d.
 the-same-disc-synchronous-whirl = O mesmo disco, precessão síncrona
 the-frequency-equation-with-i-d-i-p-and-i-d-i-p-in-the-place-of-i-d-den-hartog-6-6 = A equação das frequências com I_d − I_p e I_d + I_p no lugar de I_d (Den Hartog, §6.6)
@@ -4780,10 +4756,8 @@ exhaust-fan-problem-with-printed-answers-edu-com-question-1058325 = Problema do 
 the-springs-are-known-by-their-static-deflection-of-45-mm-k-m-g-with-g-9-81-m-s = As molas são conhecidas pela sua deflexão estática de 45 mm: k = m g/δ com g = 9,81 m/s².
 the-printed-force-is-computed-from-rounded-numbers = a força impressa é calculada com números arredondados
 motor-with-up-to-a-tenth-of-critical-damping = Motor com até um décimo do amortecimento crítico
-g-k-grover-mechanical-vibrations-ex-4-3-1 = G. K. Grover, Mechanical Vibrations, ex. 4.3.1
 the-stiffness-is-that-of-a-resonance-at-2210-rpm-1-kg-runs-60-mm-off-the-axis-the-amplitude-lies = A rigidez é a de uma ressonância a 2210 rpm; 1 kg gira a 60 mm do eixo de rotação. A amplitude fica entre a de um décimo do amortecimento crítico e a sem amortecimento.
 engine-with-a-piston = Motor com um pistão
-g-k-grover-mechanical-vibrations-ex-4-10-2 = G. K. Grover, Mechanical Vibrations, ex. 4.10.2
 the-piston-of-2-kg-with-a-stroke-of-80-mm-is-an-unbalance-of-2-kg-times-40-mm = O pistão de 2 kg com curso de 80 mm é um desbalanceamento de 2 kg vezes 40 mm.
 exciter-at-its-natural-frequency = Excitador na sua frequência natural
 w-t-thomson-theory-of-vibration-with-applications-2nd-printing-ex-3-3-1-target-of-the-verification = W. T. Thomson, Theory of Vibration with Applications, 2ª impressão, ex. 3.3-1; valor de referência do problema de verificação VM88 do Ansys Mechanical APDL
@@ -4908,17 +4882,13 @@ s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-the-stiff-branch-begins-at-99-09-mn-
 
 # shaft_with_discs.toml
 three-loads-on-a-shaft-of-3-m = Três cargas num eixo de 3 m
-b-k-sarkar-theory-of-machines-ch-11-ill-6-fossee-companion = B. K. Sarkar, Theory of Machines, cap. 11, il. 6 (complemento FOSSEE)
 the-companion-puts-the-second-load-2000-n-in-the-place-of-the-third-1000-n-with-the-loads-of-the = O complemento põe a segunda carga, 2000 N, no lugar da terceira, 1000 N. Com as cargas do enunciado Dunkerley dá 4,276 Hz; com 2000 N duas vezes dá 4,076 Hz.
 the-three-loads-with-the-slip-of-the-companion = As três cargas com o lapso do complemento
-b-k-sarkar-theory-of-machines-ch-11-ill-6-fossee-companion-with-2000-n-in-the-third-place-too = B. K. Sarkar, Theory of Machines, cap. 11, il. 6 (complemento FOSSEE), com 2000 N também na terceira posição
 the-printed-frequency-follows-from-the-slip-the-companion-takes-as-3-147-and-f-as-0-4985 = A frequência impressa decorre do engano; o complemento toma π como 3,147 e f como 0,4985/√δ.
 one-load-and-a-heavy-shaft = Uma carga e um eixo pesado
-b-k-sarkar-theory-of-machines-ch-11-ill-10-fossee-companion = B. K. Sarkar, Theory of Machines, cap. 11, il. 10 (complemento FOSSEE)
 the-density-of-40000-kg-m-is-that-of-the-statement-the-exact-value-is-that-of-the-dynamic-stiffness = A massa específica de 40000 kg/m³ é a do enunciado. O valor exato é o da rigidez dinâmica.
 the-companion-takes-as-3-147-and-f-as-0-4985 = o complemento toma π como 3,147 e f como 0,4985/√δ
 three-masses-and-the-weight-of-the-shaft = Três massas e o peso do eixo
-b-k-sarkar-theory-of-machines-ch-11-ill-11-fossee-companion = B. K. Sarkar, Theory of Machines, cap. 11, il. 11 (complemento FOSSEE)
 the-companion-calls-1962-the-weight-of-the-shaft-in-n-its-formula-and-the-density-of-steel-make-it = O complemento chama 1962 de peso do eixo em N; a sua fórmula e a massa específica do aço fazem dele 1962 N por metro.
 one-disc-at-the-middle = Um disco no meio
 n-48ei-l-m-rao-5th-ed-2-2-with-one-disc-all-methods-are-exact = ω² = 48EI/(L³m) (Rao, 5ª ed., §2.2): com um só disco todos os métodos são exatos
@@ -4950,7 +4920,6 @@ a-spectrum-needs-a-range = Um espectro precisa de uma faixa
 
 # spring_network.toml
 mass-on-a-rubber-pad-above-a-felt-pad = Massa sobre um coxim de borracha acima de um coxim de feltro
-g-k-grover-mechanical-vibrations-ex-3-3-2 = G. K. Grover, Mechanical Vibrations, ex. 3.3.2
 the-book-combines-springs-and-dampers-each-in-series-the-exact-root-of-the-third-order-equation = O livro associa molas e amortecedores, cada grupo em série; a raiz exata da equação de terceira ordem consta ao lado.
 the-two-pads-exactly = Os dois coxins com exatidão
 m-c-c-s-m-k-k-c-c-s-k-c-k-c-s-k-k-0 = m (c₁ + c₂) s³ + (m (k₁ + k₂) + c₁ c₂) s² + (k₁ c₂ + k₂ c₁) s + k₁ k₂ = 0
@@ -5074,34 +5043,25 @@ a-section-without-area-carries-nothing = Uma seção sem área nada sustenta
 
 # torsional_train.toml
 three-rotors-on-one-shaft = Três rotores num mesmo eixo
-t-bevan-the-theory-of-machines-ch-15-ex-9 = T. Bevan, The Theory of Machines, cap. 15, ex. 9
 w-r-is-printed-in-long-tons-times-ft-g-32-2-ft-s = W R² está impresso em toneladas longas vezes ft²; g = 32,2 ft/s².
 the-printed-value-follows-from-node-positions-read-to-three-figures = o valor impresso decorre de posições dos nós lidas com três algarismos
 two-rotors-on-a-shaft-of-five-steps = Dois rotores num eixo de cinco degraus
-t-bevan-the-theory-of-machines-ch-15-ex-8-as-worked-in-a-companion-program = T. Bevan, The Theory of Machines, cap. 15, ex. 8, como calculado num programa complementar
 w-r-is-printed-in-lb-times-ft-g-32-2-ft-s = W R² está impresso em lb vezes ft²; g = 32,2 ft/s².
 the-companion-program-divides-whole-numbers-so-that-3-5-and-3-7-become-zero-and-the-steps-of-5-in-and = O programa complementar faz divisão de números inteiros, de modo que (3/5)⁴ e (3/7)⁴ se tornam zero e os trechos de 5 in e 7 in desaparecem; com eles a frequência é 22,26 Hz.
 the-five-steps-as-they-should-have-come-out = Os cinco degraus com o resultado correto
 k-j-j-j-j-1-k-32-l-g-d-g-32-2-ft-s = ω = √(k (J₁ + J₂)/(J₁ J₂)), 1/k = Σ 32 l/(π G d⁴), g = 32,2 ft/s²
 two-discs-on-a-long-shaft = Dois discos num eixo longo
-g-k-grover-mechanical-vibrations-ex-5-3-3 = G. K. Grover, Mechanical Vibrations, ex. 5.3.3
 n-58-16595-was-cut-not-rounded = 58,16595 foi truncado, não arredondado
 the-two-discs-with-half-of-the-shaft-twice-as-thick = Os dois discos com metade do eixo duas vezes mais grossa
-g-k-grover-mechanical-vibrations-ex-5-3-3-second-part = G. K. Grover, Mechanical Vibrations, ex. 5.3.3, segunda parte
 printed-as-a-ratio-of-1-372-to-the-first-frequency-9-257-hz-12-70-hz = Impresso como razão de 1,372 para a primeira frequência, 9,257 Hz: 12,70 Hz.
 two-equal-flywheels = Dois volantes iguais
-w-g-mclean-and-e-w-nelson-schaum-s-outline-of-engineering-mechanics-ch-19-prob-13 = W. G. McLean e E. W. Nelson, Schaum's Outline of Engineering Mechanics, cap. 19, probl. 13
 motor-and-pump-through-a-gear-of-three-to-one = Motor e bomba por uma engrenagem de três para um
-b-k-sarkar-theory-of-machines-ch-11-ill-12 = B. K. Sarkar, Theory of Machines, cap. 11, il. 12
 the-motor-runs-at-1500-rpm-three-times-as-fast-as-the-pump-the-gears-are-taken-as-light = O motor gira a 1500 rpm, três vezes mais depressa que a bomba; as engrenagens são tomadas como leves.
 four-discs-under-a-harmonic-torque = Quatro discos sob um torque harmônico
-g-k-grover-mechanical-vibrations-ex-7-7-2-as-worked-in-a-companion-program = G. K. Grover, Mechanical Vibrations, ex. 7.7.2, como calculado num programa complementar
 n-10-kn-m-at-5-rad-s-on-the-second-disc = 10 kN·m a 5 rad/s no segundo disco.
 the-printed-amplitudes-are-worked-with-four-figures = as amplitudes impressas são calculadas com quatro algarismos
 the-torque-of-the-third-shaft-was-summed-without-that-of-the-first-disc-and-the-torque-from-outside = O torque do terceiro eixo foi somado sem o do primeiro disco e sem o torque externo. Os quatro torques de inércia e os 10 kN·m equilibram-se com −1,9604 rad.
 three-rotors-with-nodes = Três rotores com nós
-r-s-khurmi-s-problem-of-three-rotors-stated-without-an-answer-transtutors-question-1418436 = Problema dos três rotores de R. S. Khurmi, enunciado sem resposta (transtutors, questão 1418436)
-held-to-the-quadratic-of-three-discs-the-nodes-follow-from-the-amplitudes-along-each-shaft = Conferido com a equação do segundo grau de três discos; os nós decorrem das amplitudes ao longo de cada eixo.
 a-branched-train-with-geared-sides = Trem ramificado com lados engrenados
 three-equal-branches-on-a-hub-k-j-of-a-branch-twice-and-k-1-j-3-j-h = Três ramos iguais num cubo: ω² = k/J de um ramo, duas vezes, e k (1/J + 3/J_h)
 the-third-branch-stands-behind-gears-of-two-to-one-with-a-quarter-of-the-stiffness-and-the-inertia = O terceiro ramo fica atrás de engrenagens de dois para um, com um quarto da rigidez e da inércia: reduzido, é como os outros.
@@ -5165,10 +5125,8 @@ machine-of-1500-kg-below-its-resonance = Máquina de 1500 kg abaixo da sua resso
 exercise-on-a-machine-of-1500-kg-physicsforums-com-368412-by-k-a-f-x-a-m-a-k-a-and-the-frequency = Exercício sobre uma máquina de 1500 kg (physicsforums.com 368412), por k_a = F₀/X_a, m_a = k_a/ω² e pela equação das frequências
 the-thread-has-no-answer-the-force-of-200-n-acts-at-80-of-the-natural-frequency-and-the-absorber-may = A discussão não tem resposta. A força de 200 N atua a 80 % da frequência natural, e o absorvedor pode mover-se 10 mm.
 rotor-with-a-torsional-absorber-on-four-springs = Rotor com absorvedor torcional em quatro molas
-g-k-grover-mechanical-vibrations-ex-5-7-1 = G. K. Grover, Mechanical Vibrations, ex. 5.7.1
 both-resonances-are-to-be-at-least-20-away-from-the-speed-the-lower-one-decides-the-book-numbers-the = As duas ressonâncias devem ficar a pelo menos 20 % da rotação; a inferior é a que decide. O livro dá ao absorvedor o número 2: J₂, b₂.
 trial-absorber-of-1-kg-then-a-better-one = Absorvedor de ensaio de 1 kg, depois um melhor
-g-k-grover-mechanical-vibrations-ex-5-7-2 = G. K. Grover, Mechanical Vibrations, ex. 5.7.2
 tuned-to-220-cpm-the-trial-absorber-splits-the-resonance-into-188-and-258-cpm-with-the-new-one-there = Sintonizado em 220 cpm, o absorvedor de ensaio divide a ressonância em 188 e 258 cpm; com o novo não deve haver nenhuma de 150 a 310 cpm. O livro toma a média de duas razões de massas; o complemento chama o segundo par de sistema principal, mas é o novo absorvedor.
 the-same-trial-both-resonances-met-exactly = O mesmo ensaio, com as duas ressonâncias atendidas com exatidão
 m-a-and-1-p-p-1-on-the-numbers-of-g-k-grover-ex-5-7-2 = ω_m = Ω₁Ω₂/ω_a e μ = (1 − p₁²)(p₂² − 1), com os números de G. K. Grover, ex. 5.7.2
@@ -5189,7 +5147,6 @@ vibrometer-and-its-peak-to-peak-record = Vibrômetro e o seu registro de pico a 
 s-s-rao-mechanical-vibrations-ch-10-vibrometer-with-4-rad-s-and-0-2 = S. S. Rao, Mechanical Vibrations, cap. 10: vibrômetro com ωₙ = 4 rad/s e ζ = 0,2
 the-source-writes-2z-0-0008-m-and-goes-on-with-z-0-004-m-the-record-is-8-mm-from-peak-to-peak = A fonte escreve 2Z = 0,0008 m e continua com Z = 0,004 m; o registro é de 8 mm de pico a pico.
 undamped-vibrometer-at-twice-its-natural-frequency = Vibrômetro sem amortecimento no dobro da sua frequência natural
-g-k-grover-mechanical-vibrations-ex-4-11-1 = G. K. Grover, Mechanical Vibrations, ex. 4.11.1
 accelerometer-far-above-its-natural-frequency = Acelerômetro muito acima da sua frequência natural
 the-reading-is-1-1-16-2-0-1-4-0-0666-of-the-acceleration-the-error-is-93-34 = A leitura é 1/√((1 − 16)² + (2 · 0,1 · 4)²) = 0,0666 da aceleração: o erro é −93,34 %.
 n-1-1-r-2-r-1-01-at-r-0-1005-so-the-error-is-1-at-100-5-hz-at-46-hz-it-is-0-21 = 1/√((1 − r²)² + (2ζr)²) = 1,01 em r = 0,1005, portanto o erro é de 1 % a 100,5 Hz; a 46 Hz é de 0,21 %.
@@ -5214,7 +5171,6 @@ the-book-gives-no-answer-the-engine-runs-between-1600-and-2200-rpm-85-isolation-
 refrigeration-unit-on-three-springs = Unidade de refrigeração sobre três molas
 w-t-thomson-theory-of-vibration-with-applications-prob-3-25-and-answers = W. T. Thomson, Theory of Vibration with Applications, probl. 3-25 e respostas
 machine-with-a-transmissibility-of-one-twelfth = Máquina com transmissibilidade de um doze avos
-w-g-mclean-and-e-w-nelson-engineering-mechanics-schaum-ch-19-prob-25 = W. G. McLean e E. W. Nelson, Engineering Mechanics (Schaum), cap. 19, probl. 25
 machine-with-an-unbalance-on-springs-of-known-deflection = Máquina com desbalanceamento sobre molas de deflexão conhecida
 w-t-thomson-theory-of-vibration-with-applications-prob-3-26-by-f-t-m-e-r-1 = W. T. Thomson, Theory of Vibration with Applications, probl. 3-26, por F_T = m₀e ω²/(r² − 1)
 the-book-gives-no-answer-g-9-81-m-s = O livro não dá resposta. g = 9,81 m/s².
@@ -5247,7 +5203,6 @@ s-s-rao-mechanical-vibrations-ch-9-problem-of-the-turbine-disc-with-a-e-2 = S. S
 a-quarter-of-the-span-no-shaft-stands-this-which-is-the-answer = Um quarto do vão: nenhum eixo suporta isso, e essa é a resposta.
 the-turbine-disc-at-one-and-a-half-times-its-critical-speed = O disco de turbina a uma vez e meia a sua velocidade crítica
 forbidden-band-of-a-vertical-shaft-under-a-stress-limit = Faixa proibida de um eixo vertical sob um limite de tensão
-b-k-sarkar-theory-of-machines-ch-11-ill-13-as-printed-by-its-fossee-python-companion = B. K. Sarkar, Theory of Machines, cap. 11, il. 13, como impresso no seu complemento FOSSEE em Python
 n-15-kg-in-the-middle-of-a-shaft-of-15-mm-clamped-at-both-ends-the-companion-takes-the-critical = 15 kg no meio de um eixo biengastado de 15 mm. O complemento toma a frequência crítica como 0,4985/√δ em metros e π como 3,147; as suas rotações ficam todas 0,09 % acima.
 the-print-rounds-g-2-to-0-4985 = o texto impresso arredonda √g/(2π) para 0,4985
 the-same-band-without-rounding-on-the-way = A mesma faixa sem arredondamentos intermediários
@@ -5412,7 +5367,7 @@ circular-membrane-by-the-mass-of-its-area = Membrana circular pela massa da sua 
 f-j-2-r-t-with-the-zeros-of-j-j-j-j-by-mpmath = f = j/(2πR) √(T/μ) com os zeros de J₀, J₁, J₂, J₀ por mpmath
 j-n-i-n-1-i-n-j-n-1-0-at-f-2-r-d-h = J_n I_(n+1) + I_n J_(n+1) = 0 em λ; f = λ²/(2πR²) √(D/ρh)
 receptance-by-amplitude-and-phase = Receptância por amplitude e fase
-i-q-k-m-ic-with-m-4-kg-20-hz-and-0-03-to-twelve-digits = (iω)^q/(k − mω² + icω) com m = 4 kg, 20 Hz e ζ = 0,03, com doze dígitos
+i-q-k-m-ic-with-m-4-kg-20-hz-and-0-03-to-six-digits = (iω)^q/(k − mω² + icω) com m = 4 kg, 20 Hz e ζ = 0,03, com seis dígitos
 mobility-by-its-parts = Mobilidade pelas suas partes
 accelerance-by-amplitude-and-phase = Acelerância por amplitude e fase
 disc-on-a-light-shaft-clamped-at-both-ends = Disco em um eixo leve biengastado
@@ -5421,3 +5376,47 @@ the-same-shaft-with-hysteretic-damping = O mesmo eixo com amortecimento histeré
 the-bending-stiffness-of-zorzi-and-nelson-m-s-k-1-i-1-0-for-the-forward-and-the-backward-whirl = a rigidez à flexão de Zorzi e Nelson: m s² + k (1 + η ∓ iη)/√(1 + η²) = 0 para a precessão direta e a retrógrada
 absorber-and-its-damping-by-its-own-frequency = Absorvedor e o seu amortecimento pela sua frequência
 x-k-f-of-the-two-equations-of-motion-with-k-a-m-a-a-c-a-2-m-a-a-a = X k/F₀ das duas equações de movimento com k_a = m_a ω_a², c_a = 2 m_a ω_a ζ_a
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-4-3 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.4.3
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-4-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.4.1
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-2-5-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 2.5.1
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-11-4 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.11.4
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-3-6-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 3.6.1
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-example-5-3-2 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, exemplo 5.3.2
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-2-4-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 2.4.1
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-6-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.6.1
+fossee-python-companion-to-w-g-mclean-and-e-w-nelson-schaum-s-engineering-mechanics-prob-19-28 = Complemento FOSSEE em Python a W. G. McLean e E. W. Nelson, Schaum's Engineering Mechanics, probl. 19-28
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-example-6-8-2 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, exemplo 6.8.2
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-3-3-3 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 3.3.3
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-5-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.5.1
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-1-5-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 1.5.1
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-1-7-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 1.7.1
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-3-4-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 3.4.1
+fossee-python-companion-to-t-bevan-the-theory-of-machines-ch-15-ex-2 = Complemento FOSSEE em Python a T. Bevan, The Theory of Machines, cap. 15, ex. 2
+fossee-python-companion-to-b-k-sarkar-theory-of-machines-ch-11-ill-1 = Complemento FOSSEE em Python a B. K. Sarkar, Theory of Machines, cap. 11, il. 1
+fossee-python-companion-to-b-k-sarkar-theory-of-machines-ch-11-ill-2 = Complemento FOSSEE em Python a B. K. Sarkar, Theory of Machines, cap. 11, il. 2
+fossee-python-companion-to-b-k-sarkar-theory-of-machines-ch-11-ill-3 = Complemento FOSSEE em Python a B. K. Sarkar, Theory of Machines, cap. 11, il. 3
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-8-6-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 8.6.1
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-3-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.3.1
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-10-2 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.10.2
+fossee-python-companion-to-b-k-sarkar-theory-of-machines-ch-11-ill-6 = Complemento FOSSEE em Python a B. K. Sarkar, Theory of Machines, cap. 11, il. 6
+fossee-python-companion-to-b-k-sarkar-theory-of-machines-ch-11-ill-6-with-2000-n-in-the-third-place = Complemento FOSSEE em Python a B. K. Sarkar, Theory of Machines, cap. 11, il. 6, com 2000 N também na terceira posição
+fossee-python-companion-to-b-k-sarkar-theory-of-machines-ch-11-ill-10 = Complemento FOSSEE em Python a B. K. Sarkar, Theory of Machines, cap. 11, il. 10
+fossee-python-companion-to-b-k-sarkar-theory-of-machines-ch-11-ill-11 = Complemento FOSSEE em Python a B. K. Sarkar, Theory of Machines, cap. 11, il. 11
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-3-3-2 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 3.3.2
+fossee-python-companion-to-t-bevan-the-theory-of-machines-ch-15-ex-9 = Complemento FOSSEE em Python a T. Bevan, The Theory of Machines, cap. 15, ex. 9
+fossee-python-companion-to-t-bevan-the-theory-of-machines-ch-15-ex-8 = Complemento FOSSEE em Python a T. Bevan, The Theory of Machines, cap. 15, ex. 8
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-5-3-3 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 5.3.3
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-5-3-3-second-part = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 5.3.3, segunda parte
+fossee-python-companion-to-b-k-sarkar-theory-of-machines-ch-11-ill-12 = Complemento FOSSEE em Python a B. K. Sarkar, Theory of Machines, cap. 11, il. 12
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-7-7-2 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 7.7.2
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-5-7-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 5.7.1
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-5-7-2 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 5.7.2
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-11-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.11.1
+fossee-python-companion-to-w-g-mclean-and-e-w-nelson-engineering-mechanics-schaum-ch-19-prob-25 = Complemento FOSSEE em Python a W. G. McLean e E. W. Nelson, Engineering Mechanics (Schaum), cap. 19, probl. 25
+fossee-python-companion-to-b-k-sarkar-theory-of-machines-ch-11-ill-13 = Complemento FOSSEE em Python a B. K. Sarkar, Theory of Machines, cap. 11, il. 13
+fossee-python-companion-to-mclean-nelson-schaum-s-outline-of-engineering-mechanics-ch-19-prob-16 = Complemento FOSSEE em Python a McLean & Nelson, Schaum's Outline of Engineering Mechanics, cap. 19, prob. 16
+fossee-python-companion-to-mclean-nelson-schaum-s-outline-of-engineering-mechanics-ch-19-prob-2 = Complemento FOSSEE em Python a McLean & Nelson, Schaum's Outline of Engineering Mechanics, cap. 19, prob. 2
+fossee-python-companion-to-nelson-best-mclean-schaum-s-outline-of-engineering-mechanics-dynamics = Complemento FOSSEE em Python a Nelson, Best & McLean, Schaum's Outline of Engineering Mechanics: Dynamics, problema 19-20
+fossee-python-companion-to-mclean-nelson-schaum-s-outline-of-engineering-mechanics-ch-19-prob-13 = Complemento FOSSEE em Python a McLean & Nelson, Schaum's Outline of Engineering Mechanics, cap. 19, prob. 13
+j-j-j-k-j-j-j-k-j-j-j-k-k-j-j-j-0-for-a-problem-of-r-s-khurmi = J₁J₂J₃ω⁴ − (k₁J₃(J₁ + J₂) + k₂J₁(J₂ + J₃))ω² + k₁k₂(J₁ + J₂ + J₃) = 0 para um problema de R. S. Khurmi
+the-amplitudes-are-1-1-j-k-and-k-k-j-of-it-the-nodes-divide-each-shaft-as-they-do = As amplitudes são 1, 1 − J₁ω²/k₁ e k₂/(k₂ − J₃ω²) dela; os nós dividem cada eixo como elas.

@@ -1782,7 +1782,6 @@ engines-gears-and-wheels = Motores, engrenagens e rodas
 
 # a_frame.toml
 step-ladder-held-at-its-feet = Escada dupla mantida pelos pés
-s-s-bhavikatti-engineering-mechanics-example-8-15 = S. S. Bhavikatti, Engineering Mechanics, exemplo 8.15
 two-uniform-ladders-of-200-n-at-30-from-the-vertical-on-a-smooth-floor-the-length-does-not-matter = Duas escadas uniformes de 200 N a 30° da vertical em piso liso; o comprimento não importa.
 step-ladder-held-by-a-rope = Escada dupla mantida por uma corda
 the-rope-is-tied-at-three-quarters-of-the-length-from-the-top-as-t-400-tan-30-3-tells = A corda está amarrada a três quartos do comprimento a partir do topo, como indica T = 400 tan 30°/3.
@@ -1795,7 +1794,6 @@ no-load-no-force = Sem carga, não há força
 
 # bar_and_cord.toml
 bar-at-20-under-a-pulley = Barra a 20° sob uma polia
-r-c-hibbeler-a-gupta-engineering-mechanics-example-11-6 = R. C. Hibbeler, A. Gupta, Engineering Mechanics, exemplo 11.6
 a-uniform-bar-of-10-kg-and-1-5-m-pinned-at-its-lower-end-the-pulley-is-1-2-m-above-the-pin = Uma barra uniforme de 10 kg e 1,5 m, articulada na extremidade inferior; a polia está 1,2 m acima da articulação.
 all-positions-that-6-5334708-kg-holds = Todas as posições que 6,5334708 kg mantêm
 r-c-hibbeler-a-gupta-engineering-mechanics-example-11-6-read-the-other-way-round = R. C. Hibbeler, A. Gupta, Engineering Mechanics, exemplo 11.6, lido no sentido inverso
@@ -1826,7 +1824,6 @@ one-link-two-levers = Uma ligação, duas alavancas
 
 # engine.toml
 steam-engine-with-expansion = Máquina a vapor com expansão
-khurmi-gupta-theory-of-machines-ex-15-14 = Khurmi & Gupta, Theory of Machines, ex. 15.14
 the-book-works-with-two-terms-in-displacement-and-acceleration-the-pressures-are-gauge-ones-the = O livro trabalha com dois termos, no deslocamento e na aceleração; as pressões são manométricas, com atmosfera de 1,03 bar.
 mean-effective-pressure-of-the-same-engine = Pressão média efetiva da mesma máquina
 closed-form-of-hyperbolic-expansion-p-m-p-a-c-1-ln-1-c-p-b = forma fechada da expansão hiperbólica: p_m = p_a c (1 + ln 1/c) − p_b
@@ -1845,72 +1842,55 @@ couple-for-a-thousand-pounds-on-the-piston-crank-at-30 = Conjugado para mil libr
 after-beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-m-p-r-sin-cos = baseado em Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19; M = P r sen(θ + φ)/cos φ
 couple-for-a-thousand-pounds-on-the-piston-crank-at-150 = Conjugado para mil libras no pistão, manivela a 150°
 force-on-the-slider-for-a-load-at-the-crank-pin = Força no cursor para uma carga no pino da manivela
-hibbeler-gupta-engineering-mechanics-ex-11-3 = Hibbeler & Gupta, Engineering Mechanics, ex. 11.3
 the-200-n-at-the-pin-between-crank-and-rod-turn-the-crank-with-200-n-0-6-m-cos-45-the-force-on-the = Os 200 N no pino entre manivela e biela giram a manivela com 200 N × 0,6 m × cos 45°; a força no cursor tem de dar esse torque.
 velocity-and-acceleration-of-a-piston = Velocidade e aceleração de um pistão
-khurmi-gupta-theory-of-machines-ex-15-4 = Khurmi & Gupta, Theory of Machines, ex. 15.4
 the-same-piston-in-another-book = O mesmo pistão em outro livro
-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-2 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.2
 r-sin-sin-2-2n-5-6549-0-64279-0-98481-10-4-192-m-s-as-khurmi-gupta-print-for-the-same-data-4-4-m-s = r ω (sen θ + sen 2θ/(2n)) = 5,6549 × (0,64279 + 0,98481/10) = 4,192 m/s, como Khurmi & Gupta imprimem para os mesmos dados; 4,4 m/s vem de um parêntese fora do lugar.
 r-cos-cos-2-n-106-59-0-76604-0-17365-5-85-36-m-s-83-5-m-s-comes-of-2n-in-place-of-n-in-the-secondary = r ω² (cos θ + cos 2θ/n) = 106,59 × (0,76604 + 0,17365/5) = 85,36 m/s²; 83,5 m/s² vem de 2n em lugar de n no termo secundário.
 motion-of-a-connecting-rod = Movimento de uma biela
-khurmi-gupta-theory-of-machines-ex-15-5 = Khurmi & Gupta, Theory of Machines, ex. 15.5
 the-book-gives-the-angular-acceleration-by-its-size-the-obliquity-grows-ever-more-slowly-at-60 = O livro dá a aceleração angular em módulo; a 60° a obliquidade cresce cada vez mais devagar.
 the-same-rod-with-the-exact-motion = A mesma biela com o movimento exato
 closure-of-the-slider-crank-r-cos-n-sin = fechamento do cursor-manivela: ω_r = ω cos θ/√(n² − sen²θ)
 inertia-force-of-reciprocating-parts = Força de inércia das peças alternativas
-khurmi-gupta-theory-of-machines-ex-15-6 = Khurmi & Gupta, Theory of Machines, ex. 15.6
 by-construction-the-book-also-finds-18-78-kn = Por construção gráfica o livro também obtém 18,78 kN.
 printed-with-52-4-rad-s-for-500-rpm-ours-is-18-506-kn = impresso com 52,4 rad/s para 500 rpm; o nosso é 18,506 kN
 vertical-steam-engine-on-its-way-down = Máquina a vapor vertical na descida
-khurmi-gupta-theory-of-machines-ex-15-8 = Khurmi & Gupta, Theory of Machines, ex. 15.8
 petrol-engine-and-the-speed-at-which-the-gudgeon-pin-is-unloaded = Motor a gasolina e a rotação em que o pino do pistão fica sem carga
-khurmi-gupta-theory-of-machines-ex-15-9 = Khurmi & Gupta, Theory of Machines, ex. 15.9
 printed-with-the-cosine-of-a-rounded-angle-ours-is-1865-39-n = impresso com o cosseno de um ângulo arredondado; o nosso é 1865,39 N
 steam-engine-with-the-acceleration-of-its-piston-given = Máquina a vapor com a aceleração do pistão dada
-khurmi-gupta-theory-of-machines-ex-15-10 = Khurmi & Gupta, Theory of Machines, ex. 15.10
 n-28-263-kn-tan-6-379-3-16-kn-the-printed-listing-takes-the-tangent-of-6-379-as-if-it-were-radians = 28,263 kN × tan 6,379° = 3,16 kN. A listagem impressa toma a tangente de 6,379 como se fossem radianos, e arredonda 2,7 kN para cima.
 vertical-petrol-engine-at-2000-rpm = Motor a gasolina vertical a 2000 rpm
-khurmi-gupta-theory-of-machines-ex-15-11 = Khurmi & Gupta, Theory of Machines, ex. 15.11
 printed-with-rounded-numbers-ours-is-2255-8-n = impresso com números arredondados; o nosso é 2255,8 N
 printed-with-a-rounded-angle-ours-is-2263-5-n = impresso com um ângulo arredondado; o nosso é 2263,5 N
 printed-with-a-rounded-angle-ours-is-185-8-n = impresso com um ângulo arredondado; o nosso é 185,8 N
 printed-with-rounded-numbers-ours-is-2602-7-rpm = impresso com números arredondados; o nosso é 2602,7 rpm
 vertical-petrol-engine-at-1800-rpm = Motor a gasolina vertical a 1800 rpm
-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-4 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.4
 printed-with-a-rounded-obliquity-ours-is-2652-99-n = impresso com uma obliquidade arredondada; o nosso é 2652,99 N
 printed-with-rounded-numbers-ours-is-2528-2-rpm = impresso com números arredondados; o nosso é 2528,2 rpm
 steam-engine-with-a-piston-rod-and-its-flywheel = Máquina a vapor com haste de pistão, e o seu volante
-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-6 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.6
 printed-with-a-rounded-obliquity-ours-is-4234-85-n-m = impresso com uma obliquidade arredondada; o nosso é 4234,85 N·m
 printed-with-a-rounded-obliquity-ours-is-16322-7-n = impresso com uma obliquidade arredondada; o nosso é 16322,7 N
 from-the-printed-torque-ours-is-122-29-rad-s = do torque impresso; o nosso é 122,29 rad/s²
 vertical-steam-engine-at-360-rpm = Máquina a vapor vertical a 360 rpm
-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-7 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.7
 gas-and-inertia-nearly-cancel-two-terms-are-1-9-above-the-exact-motion-which-gives-2321-7-n-m = Gás e inércia quase se cancelam: os dois termos ficam 1,9 % acima do movimento exato, que dá 2321,7 N·m.
 printed-with-rounded-numbers-ours-is-2365-97-n-m = impresso com números arredondados; o nosso é 2365,97 N·m
 steam-engine-at-200-rpm = Máquina a vapor a 200 rpm
-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-3 = B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.3
 printed-with-rounded-numbers-ours-is-60457-5-n = impresso com números arredondados; o nosso é 60457,5 N
 from-the-printed-effort-ours-is-12607-0-n-m = do esforço impresso; o nosso é 12607,0 N·m
 inertia-force-of-a-heavy-connecting-rod = Força de inércia de uma biela pesada
-khurmi-gupta-theory-of-machines-ex-15-19 = Khurmi & Gupta, Theory of Machines, ex. 15.19
 the-moment-of-inertia-is-not-given-and-not-needed = O momento de inércia não é dado nem necessário.
 by-klein-s-construction-drawn-to-scale-ours-is-350-96-m-s = pela construção de Klein, desenhada em escala; o nosso é 350,96 m/s²
 by-klein-s-construction-drawn-to-scale-ours-is-23-94-kn = pela construção de Klein, desenhada em escala; o nosso é 23,94 kN
 torque-against-inertia-and-weight-of-a-horizontal-engine = Torque contra a inércia e o peso de um motor horizontal
-khurmi-gupta-theory-of-machines-ex-15-20 = Khurmi & Gupta, Theory of Machines, ex. 15.20
 the-book-gives-the-torque-that-has-to-be-put-in-the-turning-moment-of-the-engine-is-its-opposite-the = O livro dá o torque que é preciso fornecer; o torque do motor é o oposto. A correção da biela está do mesmo lado que o resto; uma diferença em seu lugar daria 3719,7 N·m.
 printed-to-the-nearest-ten-ours-is-3840-5-n-m = impresso com arredondamento à dezena; o nosso é −3840,5 N·m
 force-on-the-crank-pin-of-a-vertical-engine = Força no pino da manivela de um motor vertical
-khurmi-gupta-theory-of-machines-ex-15-22 = Khurmi & Gupta, Theory of Machines, ex. 15.22
 the-book-draws-its-components-are-read-off = O livro resolve por desenho; as suas componentes são lidas nele.
 read-off-a-drawing-ours-is-7-825-kn = lido em um desenho; o nosso é 7,825 kN
 n-7-55-kn-is-the-part-f-p-cos-of-the-effort-alone-the-lateral-force-takes-1-24-kn-from-it-and-the = 7,55 kN é só a parcela F_P cos θ do esforço. A força lateral tira dela 1,24 kN, e a força centrífuga da parcela da biela no pino da manivela, 3,51 kN: restam 2,81 kN, como também dão as equações de Newton e Euler do pistão e da biela.
 moments-of-the-rod-about-the-crank-pin-f-p-tan-2-16-kn-less-0-23-kn-for-the-correction-couple = Momentos da biela em relação ao pino da manivela: F_P tan φ = 2,16 kN, menos 0,23 kN do conjugado de correção.
 even-the-printed-components-8-03-and-7-55-kn-have-a-resultant-of-11-0-kn-those-of-the-equations-of = Mesmo as componentes impressas, 8,03 e 7,55 kN, têm uma resultante de 11,0 kN; as das equações do movimento, 7,82 e 2,81 kN, uma de 8,32 kN.
 inertia-torque-of-an-engine-in-pounds-and-feet = Torque de inércia de um motor em libras e pés
-bevan-the-theory-of-machines-ch-12-ex-5 = Bevan, The Theory of Machines, cap. 12, ex. 5
 printed-with-g-32-2-ft-s-and-the-approximate-arm-r-sin-sin-2-2n-ours-is-2153-5-lbf-ft = impresso com g = 32,2 ft/s² e o braço aproximado r (sen θ + sen 2θ/(2n)); o nosso é −2153,5 lbf·ft
 the-two-masses-have-500-lb-41-19-25-in-too-much-inertia-with-sin-40-5-and-cos-40-25-sin-40-the-moment = As duas massas têm 500 lb × (41 × 19 − 25²) in² de inércia a mais; com φ̈ = −ω² sen 40°/5 e φ′ = cos 40°/√(25 − sen² 40°) o conjugado é −52 lbf·ft. −1,3 vem de 40° convertidos duas vezes em radianos.
 n-500-lbf-41-60-1-ft-cos-40-261-7-lbf-ft-341-6-is-that-product-without-the-cosine-the-cosine-was = 500 lbf × 41/60 × 1 ft × cos 40° = 261,7 lbf·ft. 341,6 é esse produto sem o cosseno: o cosseno foi tomado de 40° convertidos duas vezes em radianos.
@@ -1944,7 +1924,6 @@ the-motion-of-the-rod-is-not-known = o movimento da biela não é conhecido
 
 # epicyclic_train.toml
 ring-with-outside-teeth-driven-by-a-pinion = Coroa com dentes externos movida por um pinhão
-t-bevan-the-theory-of-machines-ch-12-ex-2 = T. Bevan, The Theory of Machines, cap. 12, ex. 2
 sun-of-31-teeth-fixed-ring-of-83-teeth-inside-and-90-outside-driven-by-a-pinion-of-25-the-arm-is = Sol de 31 dentes, fixo; coroa de 83 dentes internos e 90 externos, movida por um pinhão de 25; o braço é movido. 10 lbf·ft no pinhão; a carga atua no braço no mesmo sentido em que gira o pinhão, pois braço e coroa giram no sentido contrário.
 the-same-train-to-more-digits = O mesmo trem com mais algarismos
 n-10-90-25-83-31-83 = 10·(90/25)·(83 + 31)/83
@@ -1963,17 +1942,14 @@ r-a-1-z-s-z-r-1-40-80-t-r-t-a-1-5-the-sun-is-held-by-the-rest = ω_R/ω_A = 1 + 
 
 # equilibrium.toml
 bar-with-a-cord-over-a-pulley = Barra com um cabo sobre uma polia
-r-c-hibbeler-engineering-mechanics-statics-example-11-6 = R. C. Hibbeler, Engineering Mechanics: Statics, exemplo 11.6
 a-uniform-bar-of-10-kg-and-1-5-m-on-a-pin-a-cord-from-its-tip-over-a-small-pulley-1-2-m-above-the-pin = Uma barra uniforme de 10 kg e 1,5 m em uma articulação; um cabo da sua ponta, passando por uma pequena polia 1,2 m acima da articulação, sustenta o bloco de 6,53 kg que o livro encontra para 20°. A massa é dada com mais algarismos, para que o ângulo resulte exato a menos do arredondamento.
 the-book-rounds-the-mass-of-the-block-before-it-goes-on = o livro arredonda a massa do bloco antes de prosseguir
 weight-on-a-disc-with-a-spring = Peso em um disco com mola
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-sample-problem-10-4 = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, problema resolvido 10.4
 n-10-kg-on-an-arm-of-300-mm-a-spring-of-4-kn-m-on-a-cord-wrapped-at-80-mm-unstretched-with-the-weight = 10 kg em um braço de 300 mm, uma mola de 4 kN/m em um cabo enrolado a 80 mm, sem alongamento com o peso na vertical, para cima; a mola é a mola de torção equivalente k a² = 25,6 N·m/rad. Os dois equilíbrios do livro.
 three-bars-hung-in-a-chain = Três barras suspensas em cadeia
-w-g-mclean-e-w-nelson-engineering-mechanics-schaum-problem-11-5 = W. G. McLean, E. W. Nelson, Engineering Mechanics (Schaum), problema 11.5
 three-equal-bars-of-60-lb-90-lb-pulling-sideways-at-the-free-end-tan-90-150-90-90-90-30-from-the = Três barras iguais de 60 lb, 90 lb puxando de lado na extremidade livre: tan θ = 90/150, 90/90, 90/30 a partir da vertical; aqui a partir da horizontal, portanto 90° menos.
 two-bar-linkage-pushed-at-its-sliding-end = Duas barras articuladas empurradas na extremidade deslizante
-r-c-hibbeler-a-gupta-engineering-mechanics-example-11-1 = R. C. Hibbeler, A. Gupta, Engineering Mechanics, exemplo 11.1
 two-uniform-bars-of-10-kg-and-1-m-one-on-a-pin-the-other-with-a-sliding-end-that-25-n-push-towards = Duas barras uniformes de 10 kg e 1 m, uma articulada, a outra com uma extremidade deslizante que 25 N empurram em direção à articulação.
 the-book-rounds-to-a-tenth-of-a-degree = o livro arredonda a um décimo de grau
 inverted-bar-between-two-springs-just-stiff-enough = Barra invertida entre duas molas de rigidez apenas suficiente
@@ -1985,7 +1961,6 @@ a-pendulum-away-from-its-two-places-of-rest = Um pêndulo longe das suas duas po
 
 # equivalent_rod.toml
 rod-with-its-centre-of-mass-near-the-gudgeon-pin = Biela com o centro de massa perto do pino do pistão
-khurmi-gupta-theory-of-machines-ex-15-18 = Khurmi & Gupta, Theory of Machines, ex. 15.18
 the-masses-are-printed-to-a-tenth-of-a-kilogram-the-correction-couple-is-that-of-masses-in-the-two = As massas estão impressas até o décimo de quilograma. O conjugado de correção é o de massas nos dois pinos; atua no sentido da aceleração angular, pois essas massas têm inércia a mais.
 a-uniform-rod = Biela uniforme
 k-l-12-and-a-l-2-in-the-formulas = k² = l²/12 e a = l/2 nas fórmulas
@@ -2042,7 +2017,6 @@ mechanical-advantage-of-a-crank-rocker = Vantagem mecânica de uma manivela-bala
 t-4-t-2-2-4-with-the-ratio-of-the-speeds-from-instant-centre-24 = T_4 = T_2 ω_2/ω_4, com a razão das velocidades pelo centro instantâneo 24
 n-10-n-m-on-the-crank-the-torque-on-the-rocker-that-balances-it-turns-the-other-way = 10 N·m na manivela; o torque no balancim que o equilibra gira no sentido contrário.
 velocity-of-the-coupler = Velocidade do acoplador
-r-s-khurmi-j-k-gupta-theory-of-machines-ex-6-1 = R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 6.1
 ab-300-mm-at-100-rpm-bc-cd-360-mm-ad-600-mm-angle-bad-60-the-book-measures-the-distance-to-the = AB = 300 mm a 100 rpm, BC = CD = 360 mm, AD = 600 mm, ângulo BAD = 60°. O livro mede em um desenho a distância ao centro instantâneo, 500 mm, e imprime o módulo.
 the-book-takes-the-distance-to-the-instant-centre-from-a-drawing = o livro toma de um desenho a distância ao centro instantâneo
 parallelogram-with-a-force-on-its-coupler = Paralelogramo com uma força no acoplador
@@ -2076,7 +2050,6 @@ at-0-the-point-a-stands-still = Em θ = 0 o ponto A fica parado
 
 # hanging_chain.toml
 chain-of-three-bars = Cadeia de três barras
-e-w-nelson-c-l-best-w-g-mclean-schaum-s-outline-of-engineering-mechanics-problem-11-5 = E. W. Nelson, C. L. Best, W. G. McLean, Schaum's Outline of Engineering Mechanics, problema 11.5
 three-equal-bars-of-60-lbf-each-pulled-with-90-lbf-at-the-free-end-the-weight-is-that-of-the-printed = Três barras iguais de 60 lbf cada, puxadas com 90 lbf na extremidade livre; o peso é o das razões impressas 90/150, 90/90 e 90/30.
 force-that-holds-the-second-bar-at-45 = Força que mantém a segunda barra a 45°
 f-w-2-w-tan = F = (W₂/2 + W₃) tan θ₂
@@ -2087,7 +2060,6 @@ without-loads-every-angle-is-an-equilibrium = Sem cargas, todo ângulo é de equ
 
 # lazy_tongs.toml
 tongs-of-three-squares = Tesoura articulada de três quadrados
-a-k-tayal-engineering-mechanics-example-13-7 = A. K. Tayal, Engineering Mechanics, exemplo 13.7
 bars-at-45-1000-n-at-the-upper-hinges-of-the-first-and-the-second-square-x-b-p-q-cot-6-y-b-p-3-q-6 = Barras a 45°, 1000 N nas articulações superiores do primeiro e do segundo quadrado. X_B = (P + Q) cot θ/6, Y_B = (P + 3 Q)/6.
 one-square-a-load-at-its-lower-hinge = Um quadrado, carga na articulação inferior
 a-load-below-pulls-the-supports-together-x-b-p-cot-2 = Uma carga embaixo puxa os apoios um para o outro: X_B = −P cot θ/2
@@ -2110,7 +2082,6 @@ equal-gears-on-the-two-pivots-one-outside-the-other-the-right-crank-turns-back-a
 the-pans-keep-upright-so-only-their-rise-counts = Os pratos se mantêm na vertical, e só a sua subida conta
 beams-of-250-mm-arms-one-above-the-other-5-kg-lies-300-mm-outside-of-its-pan-s-joint-on-one-side-and = Barras com braços de 250 mm, uma acima da outra; 5 kg estão 300 mm para fora da junta do seu prato de um lado e 100 mm para dentro do outro. O mecanismo tem uma equação a mais do que precisa.
 compound-epicyclic-gear = Trem epicicloidal composto
-bevan-the-theory-of-machines-ch-12-example-2 = Bevan, The Theory of Machines, cap. 12, exemplo 2
 a-pinion-a-of-25-teeth-drives-the-outside-teeth-90-of-a-wheel-whose-inside-teeth-83-mesh-with-planets = Um pinhão A de 25 dentes aciona os dentes externos, 90, de uma roda cujos dentes internos, 83, engrenam com satélites em torno de um sol fixo de 31; o braço F é a saída. Sem perdas. Os satélites têm (83 − 31)/2 = 26 dentes; os raios estão em mm, meio milímetro por dente.
 disc-rolled-by-a-crank-against-spring-and-damper = Disco rolado por uma manivela contra mola e amortecedor
 virtual-power-and-newton-euler-equations-of-another-program = Potência virtual e equações de Newton–Euler de outro programa
@@ -2181,7 +2152,6 @@ shaper-in-its-working-stroke = Plaina limadora no curso de trabalho
 m-campbell-s-nestinger-whitworth-quick-return-mechanism-lengths-and-speed-force-and-masses-are-chosen = M. Campbell, S. Nestinger, Whitworth quick-return mechanism: comprimentos e velocidade; força e massas são escolhidas aqui
 pivots-25-mm-apart-crank-10-mm-at-30-15-rad-s-lever-65-mm-and-0-2-kg-link-30-mm-line-of-the-slider-50 = Pivôs distantes 25 mm, manivela de 10 mm a −30°, −15 rad/s; alavanca de 65 mm e 0,2 kg, biela de 30 mm, linha do cursor 50 mm acima do pivô da alavanca; 0,5 kg no cursor, 100 N contra o seu movimento. A potência virtual e as equações de Newton e Euler deram o mesmo.
 crank-and-slotted-lever-45-past-the-line-of-the-pivots = Manivela e alavanca ranhurada, 45° além da linha dos pivôs
-r-s-khurmi-j-k-gupta-theory-of-machines-ex-8-13 = R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 8.13
 crank-of-150-mm-at-120-rpm-pivots-400-mm-apart-from-the-printed-intermediate-values-the-book-works = Manivela de 150 mm a 120 rpm, pivôs distantes 400 mm (dos valores intermediários impressos). O livro resolve por desenho. Acrescenta-se aqui 1 kN transversal à ponta da alavanca, a 700 mm.
 the-book-reads-the-velocities-off-a-drawing = o livro lê as velocidades em um desenho
 the-book-reads-the-accelerations-off-a-drawing = o livro lê as acelerações em um desenho
@@ -2301,7 +2271,6 @@ the-slider-crank-of-the-course-with-a-motion-that-closes = O cursor-manivela da 
 riul-unit-ii-example-1-its-layout-with-r-150-mm-l-200-mm-and-the-motion-that-follows = Riul, Unidade II, exemplo 1: sua configuração com r = 150 mm, l = 200 mm e o movimento que daí resulta
 crank-at-30-steady-20-rad-s-rod-of-3-kg-with-its-mass-centre-in-the-middle-slider-of-2-kg-5-kn-on-it = Manivela a 30°, 20 rad/s constantes; biela de 3 kg com o centro de massa no meio, cursor de 2 kg, com 5 kN no sentido de afastá-lo do mancal. A potência virtual e as equações de Newton e Euler deram o mesmo.
 horizontal-force-that-holds-a-loaded-linkage = Força horizontal que mantém um mecanismo carregado
-r-c-hibbeler-a-gupta-engineering-mechanics-statics-ex-11-3 = R. C. Hibbeler, A. Gupta, Engineering Mechanics: Statics, ex. 11.3
 weightless-bars-of-0-6-m-and-0-7-m-at-45-200-n-downwards-at-their-common-pin-the-force-is-drawn = Barras sem peso de 0,6 m e 0,7 m a 45°, 200 N para baixo no pino comum. A força é desenhada em direção ao pino fixo: aqui é negativa. Os 114 N impressos são calculados com comprimentos arredondados.
 the-book-computes-with-lengths-of-three-digits = o livro calcula com comprimentos de três algarismos
 couple-on-the-crank-of-an-engine-at-30 = Conjugado na manivela de um motor a 30°
@@ -2337,7 +2306,6 @@ lever-on-a-torsion-shaft = Alavanca em um eixo de torção
 beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-problems-10-39-and-10-73 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., problemas 10.39 e 10.73
 p-l-cos-k-with-k-150-lbf-ft-rad = P l cos θ = K θ, com K = 150 lbf·ft/rad.
 weight-on-a-drum-with-a-spring = Peso em um tambor com mola
-e-w-nelson-c-l-best-w-g-mclean-schaum-s-outline-of-engineering-mechanics-problem-11-10 = E. W. Nelson, C. L. Best, W. G. McLean, Schaum's Outline of Engineering Mechanics, problema 11.10
 w-l-sin-k-r-that-is-sin-0-9 = W l sen θ = k r² θ, isto é, sen θ = 0,9 θ.
 at-44-1-sin-0-6959-and-0-9-0-6927-no-equilibrium-the-root-of-sin-0-9-is-45-07-the-printed-one-is-a = A 44,1° sen θ = 0,6959 e 0,9 θ = 0,6927: não há equilíbrio. A raiz de sen θ = 0,9 θ é θ = 45,07°; a impressa é um deslize do seu método de tentativas.
 the-drum-as-it-should-have-come-out = O tambor como deveria ter resultado
@@ -2471,3 +2439,35 @@ rest-of-a-body-that-only-slides = Repouso de um corpo que só translada
 a-bar-on-two-equal-rods-keeps-its-direction-its-angular-velocity-is-zero-at-every-moment = uma barra em duas hastes iguais mantém a sua direção: a sua velocidade angular é nula em todo instante
 it-turns-no-more-for-a-body-that-only-slides-take-two-points = Ele deixa de girar; para um corpo que só translada, use dois pontos.
 body-does-not-turn-so-this-end-has-no-meaning-for-it-take-two-points-that-come-to-rest-against-one = { $body } não gira, portanto este fim não tem sentido para ele: use dois pontos que param um em relação ao outro
+fossee-scilab-companion-to-s-s-bhavikatti-engineering-mechanics-example-8-15 = Complemento FOSSEE em Scilab a S. S. Bhavikatti, Engineering Mechanics, exemplo 8.15
+fossee-companion-to-r-c-hibbeler-a-gupta-engineering-mechanics-example-11-6 = Complemento FOSSEE a R. C. Hibbeler, A. Gupta, Engineering Mechanics, exemplo 11.6
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-14 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.14
+fossee-companion-to-hibbeler-gupta-engineering-mechanics-ex-11-3 = Complemento FOSSEE a Hibbeler & Gupta, Engineering Mechanics, ex. 11.3
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-4 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.4
+fossee-companion-to-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-2 = Complemento FOSSEE a B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.2
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-5 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.5
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-6 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.6
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-8 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.8
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-9 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.9
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-10 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.10
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-11 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.11
+fossee-companion-to-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-4 = Complemento FOSSEE a B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.4
+fossee-companion-to-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-6 = Complemento FOSSEE a B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.6
+fossee-companion-to-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-7 = Complemento FOSSEE a B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.7
+fossee-companion-to-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-3 = Complemento FOSSEE a B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.3
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-19 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.19
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-20 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.20
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-22 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.22
+fossee-companion-to-bevan-the-theory-of-machines-ch-12-ex-5 = Complemento FOSSEE a Bevan, The Theory of Machines, cap. 12, ex. 5
+fossee-companion-to-t-bevan-the-theory-of-machines-ch-12-ex-2 = Complemento FOSSEE a T. Bevan, The Theory of Machines, cap. 12, ex. 2
+fossee-companion-to-r-c-hibbeler-engineering-mechanics-statics-example-11-6 = Complemento FOSSEE a R. C. Hibbeler, Engineering Mechanics: Statics, exemplo 11.6
+fossee-scilab-companion-to-w-g-mclean-e-w-nelson-engineering-mechanics-schaum-problem-11-5 = Complemento FOSSEE em Scilab a W. G. McLean, E. W. Nelson, Engineering Mechanics (Schaum), problema 11.5
+fossee-companion-to-r-c-hibbeler-a-gupta-engineering-mechanics-example-11-1 = Complemento FOSSEE a R. C. Hibbeler, A. Gupta, Engineering Mechanics, exemplo 11.1
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-18 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.18
+fossee-python-companion-to-r-s-khurmi-j-k-gupta-theory-of-machines-ex-6-1 = Complemento FOSSEE em Python a R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 6.1
+fossee-companion-to-a-k-tayal-engineering-mechanics-example-13-7 = Complemento FOSSEE a A. K. Tayal, Engineering Mechanics, exemplo 13.7
+fossee-companion-to-bevan-the-theory-of-machines-ch-12-example-2 = Complemento FOSSEE a Bevan, The Theory of Machines, cap. 12, exemplo 2
+fossee-python-companion-to-r-s-khurmi-j-k-gupta-theory-of-machines-ex-8-13 = Complemento FOSSEE em Python a R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 8.13
+fossee-companion-to-r-c-hibbeler-a-gupta-engineering-mechanics-statics-ex-11-3 = Complemento FOSSEE a R. C. Hibbeler, A. Gupta, Engineering Mechanics: Statics, ex. 11.3
+fossee-scilab-companion-to-nelson-best-mclean-schaum-s-outline-of-engineering-mechanics-problem-11-5 = Complemento FOSSEE em Scilab a Nelson, Best & McLean, Schaum's Outline of Engineering Mechanics, problema 11.5
+fossee-scilab-companion-to-nelson-best-mclean-schaum-s-outline-of-engineering-mechanics-problem-11-10 = Complemento FOSSEE em Scilab a Nelson, Best & McLean, Schaum's Outline of Engineering Mechanics, problema 11.10
