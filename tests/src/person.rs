@@ -10,6 +10,7 @@
 //! Effects are carried out at once and on this thread, files against the real file system: nothing sleeps, nothing
 //! races. The terminal alone is missing.
 
+use itertools::Itertools as _;
 use std::{
     collections::BTreeSet,
     ops::{Deref, DerefMut},
@@ -131,7 +132,8 @@ impl Person {
         };
         let known: BTreeSet<&str> =
             inks.iter().flatten().map(String::as_str).filter(|ink| !ink.is_empty()).collect();
-        let known: Vec<(char, &str)> = ('a'..='z').chain('A'..='Z').zip(known).collect();
+        let letters = ('a'..='z').chain('A'..='Z').take(known.len());
+        let known: Vec<(char, &str)> = letters.zip_eq(known).collect();
         let letter =
             |ink: &String| known.iter().find(|(_, known)| known == ink).map_or(' ', |(letter, _)| *letter);
         let rows =

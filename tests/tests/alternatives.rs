@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
+use itertools::Itertools as _;
 use std::collections::{BTreeMap, BTreeSet, btree_map::Entry};
 
 use dalembert_core::{
@@ -83,7 +84,7 @@ fn below(shape: Shape, path: &str, known: &mut BTreeMap<OneOf, (String, &'static
 
 /// The alternatives that a record chooses.
 fn choices(record: &Record, reached: &mut BTreeSet<(OneOf, usize)>) {
-    for (field, value) in record.fields.iter().zip(&record.values) {
+    for (field, value) in record.fields.iter().zip_eq(&record.values) {
         chosen(field.shape, value, reached);
     }
 }

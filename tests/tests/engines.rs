@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
+use itertools::Itertools as _;
 use std::{
     collections::{BTreeMap, BTreeSet},
     fs,
@@ -123,7 +124,7 @@ impl Found {
             );
             *self.numbers.entry(program.to_owned()).or_default() += theirs.len();
             let same = ours.len() == theirs.len()
-                && ours.iter().zip(&theirs).all(|(ours, theirs)| (ours - theirs).abs() <= within);
+                && ours.iter().zip_eq(&theirs).all(|(ours, theirs)| (ours - theirs).abs() <= within);
             if !same {
                 self.differing
                     .push(format!("{of}{key} is {ours:?}; {program} found {theirs:?}, right to {within:e}"));

@@ -1,5 +1,6 @@
 //! What every analysis draws: marks that stand where they say, words that cover nothing, scenes seen from every side.
 
+use itertools::Itertools as _;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use dalembert_core::{
@@ -70,7 +71,7 @@ fn the_transmission_angle_of_any_mechanism_is_that_of_the_four_bar() {
         let diagonal = crank * crank + frame * frame - 2.0 * crank * frame * crank_angle.cos();
         ((coupler * coupler + rocker * rocker - diagonal) / (2.0 * coupler * rocker)).acos()
     };
-    for (cell, wanted) in row[1..].iter().zip([angle(2.0 * PI / 3.0), angle(0.0)]) {
+    for (cell, wanted) in row[1..].iter().zip_eq([angle(2.0 * PI / 3.0), angle(0.0)]) {
         let Cell::Number(found) = cell else { panic!("{cell:?} and not {wanted}") };
         assert!((found - wanted).abs() < 1e-9, "{found} and not {wanted}");
     }
@@ -191,7 +192,7 @@ fn a_view_is_turned_round_and_up() {
         let view = front.turned(round, up);
         let sight = [up.cos() * round.cos(), up.cos() * round.sin(), up.sin()];
         let point = [0.3, -0.7, 0.2];
-        let along: f64 = point.iter().zip(sight).map(|(a, b)| a * b).sum();
+        let along: f64 = point.iter().zip_eq(sight).map(|(a, b)| a * b).sum();
         let whole: f64 = point.iter().map(|a| a * a).sum();
         let (x, y) = view.point(point);
         assert!((x * x + y * y - (whole - along * along)).abs() < 1e-12);

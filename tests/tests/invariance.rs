@@ -1,5 +1,6 @@
 //! What must not change an answer: other base units, other units of an input, the reading of the solve.
 
+use itertools::Itertools as _;
 use std::{
     collections::{BTreeMap, BTreeSet},
     num::NonZero,
@@ -28,11 +29,11 @@ fn every_answer_scales_with_its_dimension() {
         let there =
             entry.solve(&scaled(record), &Stop::new()).unwrap_or_else(|err| panic!("{name} scaled: {err}"));
         assert_eq!(names(here), names(&there), "{name}");
-        for (a, b) in here.answers.iter().zip(&there.answers) {
+        for (a, b) in here.answers.iter().zip_eq(&there.answers) {
             let (want, got) = (numbers(&a.value), numbers(&b.value));
             assert_eq!(want.len(), got.len(), "{name}: {}", a.name);
             let size = want.iter().fold(0.0f64, |size, x| size.max(x.abs()));
-            for (want, got) in want.iter().zip(got) {
+            for (want, got) in want.iter().zip_eq(got) {
                 let want = want * scale(a.dim());
                 assert!(
                     (got - want).abs() <= 1e-8 * size * scale(a.dim()) + a.noise * scale(a.dim()),
@@ -61,11 +62,11 @@ fn the_unit_of_an_input_does_not_change_the_answers() {
                 let there =
                     entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {text}: {err}"));
                 assert_eq!(names(here), names(&there), "{name}: other answers with {path} = {text}");
-                for (a, b) in here.answers.iter().zip(&there.answers) {
+                for (a, b) in here.answers.iter().zip_eq(&there.answers) {
                     let (want, got) = (numbers(&a.value), numbers(&b.value));
                     let size = want.iter().fold(0.0f64, |size, x| size.max(x.abs()));
                     assert_eq!(want.len(), got.len(), "{name}: {} with {path} = {text}", a.name);
-                    for (want, got) in want.iter().zip(got) {
+                    for (want, got) in want.iter().zip_eq(got) {
                         let off = (got - want).abs();
                         assert!(
                             off <= 1e-7 * size + a.noise,
@@ -89,7 +90,7 @@ fn the_plain_reading_is_the_worked_reading() {
         let mut plain = entry.prepare(record, &[], &wanted).unwrap_or_else(|err| panic!("{name}: {err}"));
         let mut found = vec![0.0; wanted.len()];
         plain.sweep(&[0.0], &mut found, &Stop::new()).unwrap();
-        for (name_of, got) in wanted.iter().zip(found) {
+        for (name_of, got) in wanted.iter().zip_eq(found) {
             let want = worked.answer(name_of).and_then(dalembert_core::Answer::si).unwrap();
             assert_eq!(want.to_bits(), got.to_bits(), "{name}: {name_of} is {want} worked and {got} plain");
         }
@@ -211,7 +212,7 @@ fn scale_value(value: &mut Value) {
         Value::Rows(rows) => rows.iter_mut().for_each(scale_value),
         Value::Table(table) => {
             for row in &mut table.rows {
-                row.iter_mut().zip(&table.units).for_each(|(x, unit)| *x *= scale(unit.dim));
+                row.iter_mut().zip_eq(&table.units).for_each(|(x, unit)| *x *= scale(unit.dim));
             }
         }
         _ => {}

@@ -1,5 +1,6 @@
 //! Every pane: how it looks, that keys reach it, that it cuts no word in silence, and that its keys are all told.
 
+use itertools::Itertools as _;
 use std::collections::HashSet;
 
 use dalembert_core::{Entry, registry};
@@ -88,7 +89,7 @@ fn a_word_is_whole_or_marked_as_cut() {
     for entry in one_of_each_topic() {
         let whole = texts(entry, 300, 300);
         for (columns, rows) in SIZES {
-            for ((tab, screen), (_, whole)) in texts(entry, columns, rows).iter().zip(&whole) {
+            for ((tab, screen), (_, whole)) in texts(entry, columns, rows).iter().zip_eq(&whole) {
                 let known: HashSet<&str> = words(whole).collect();
                 // The frames have the names of tabs, and the foot has hints that depend on the room.
                 let inner = screen.lines().filter(|line| line.starts_with('│')).flat_map(words);

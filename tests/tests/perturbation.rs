@@ -2,6 +2,7 @@
 //! answered with finite numbers, no failed check and every answer in its own range, or refused for a reason that is the
 //! input's. `cargo xtask soak perturb --draws N` draws more.
 
+use itertools::Itertools as _;
 use std::{
     collections::BTreeMap,
     fmt::Write as _,
@@ -216,7 +217,7 @@ fn perturb(value: &mut Value, factor: &mut impl FnMut() -> f64) {
         Value::Table(table) => {
             let factors: Vec<f64> = table.units.iter().map(|_| factor()).collect();
             for row in &mut table.rows {
-                row.iter_mut().zip(&factors).for_each(|(x, factor)| *x *= factor);
+                row.iter_mut().zip_eq(&factors).for_each(|(x, factor)| *x *= factor);
             }
         }
         Value::Text(_) | Value::Flag(_) | Value::Count(_) | Value::Reference { .. } | Value::Absent => {}

@@ -5,6 +5,7 @@ use dalembert_core::registry;
 use dalembert_tests::person::Person;
 use dalembert_tui::{Msg, bench::Tab, keys::Place, tempo};
 use insta::assert_snapshot;
+use itertools::Itertools as _;
 use ratatui::style::Color;
 
 const FAN: &str = "vibration/rotating-unbalance";
@@ -266,7 +267,7 @@ fn a_pane_takes_the_whole_screen_and_gives_it_back() {
         assert!(!person.sees().contains("Results"), "{}", person.sees());
         assert_eq!(person.types("e").sees(), together);
         let tabs = ["Results", "Working", "Plot", "Drawing", "Sources"];
-        for (tab, keys) in tabs.into_iter().zip(["<tab>e", "]", "]", "]", "]"]) {
+        for (tab, keys) in tabs.into_iter().zip_eq(["<tab>e", "]", "]", "]", "]"]) {
             person.types(keys);
             let screen = person.sees();
             assert!(screen.contains(tab) && !screen.contains("Inputs"), "{tab}:\n{screen}");

@@ -8,6 +8,7 @@ use anyhow::{Context, Result, bail};
 
 mod analyses;
 mod layers;
+mod pairs;
 mod text;
 
 /// The text files of a repository, by their path from its root with `/` between folders.
@@ -41,6 +42,7 @@ pub fn faults(tree: &Tree) -> Vec<String> {
         layers::a_plugin_is_named_only_by_the_bundle,
         layers::a_crate_depends_only_on_what_lies_below,
         layers::pure_crates_do_no_input_or_output,
+        pairs::tests_pair_lists_of_one_length,
         text::modules_are_not_named_mod,
         text::nothing_is_left_to_do,
         text::lints_are_those_of_the_workspace,

@@ -376,6 +376,7 @@ const ARTANH: [f64; 7] = [
 #[cfg(test)]
 mod tests {
     use super::*;
+    use itertools::Itertools as _;
 
     /// The largest error of a function of lanes over many numbers from a range, over the given size.
     fn worst([from, to]: [f64; 2], [ours, library]: [fn(f64) -> f64; 2], size: fn(f64) -> f64) -> f64 {
@@ -427,8 +428,8 @@ mod tests {
             let values: Vec<f64> = (0..count).map(|n| 1.0 + n as f64).collect();
             let (mut double, mut root) = (vec![0.0; count], vec![0.0; count]);
             over(&values, &DoubleAndRoot, [&mut double, &mut root]);
-            assert!(values.iter().zip(&double).all(|(x, found)| *found == 2.0 * x), "{count}: {double:?}");
-            assert!(values.iter().zip(&root).all(|(x, found)| *found == x.sqrt()), "{count}: {root:?}");
+            assert!(values.iter().zip_eq(&double).all(|(x, found)| *found == 2.0 * x), "{count}: {double:?}");
+            assert!(values.iter().zip_eq(&root).all(|(x, found)| *found == x.sqrt()), "{count}: {root:?}");
         }
     }
 
@@ -436,7 +437,7 @@ mod tests {
     fn each_place_has_its_own_number() {
         let x = Lanes::of(|lane| 0.1 + 0.7 * lane as f64);
         let found = (x.sin().powi(2) + x.cos().powi(2)) * x + x.powi(3) / 2.0 - x.sqrt();
-        for (found, x) in found.0.iter().zip(x.0) {
+        for (found, x) in found.0.iter().zip_eq(x.0) {
             assert!((found - (x + x.powi(3) / 2.0 - x.sqrt())).abs() < 1e-13 * x.powi(3).max(1.0));
         }
     }

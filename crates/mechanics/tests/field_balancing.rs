@@ -6,6 +6,7 @@ use dalembert_mechanics::balance::{
     spread::{Choice, Influence, Measurement, ReadingSpread, normal_pair, ranges, uniform_bits},
     without_phase::effect,
 };
+use itertools::Itertools as _;
 use nalgebra::{Complex, DMatrix};
 use proptest::prelude::*;
 
@@ -64,7 +65,7 @@ proptest! {
         let found = influence_coefficients(&first, &runs(&alpha, &unbalance, stay), stay).unwrap();
         let solved = least_squares(&found, &first, &[]).unwrap();
         let size = unbalance.iter().map(|u| u.norm()).fold(0.0, f64::max);
-        for (weight, unbalance) in solved.weights.iter().zip(&unbalance) {
+        for (weight, unbalance) in solved.weights.iter().zip_eq(&unbalance) {
             let off = (weight + unbalance).norm();
             prop_assert!(off <= solved.condition * 1e-10 * size, "{weight} for {unbalance}");
         }
@@ -251,7 +252,8 @@ fn ranges_belong_to_the_weights_they_stand_beside() {
             spread,
         };
         let ranges = ranges(&measured, &weights, 400, 2).unwrap();
-        for ((weight, [low, high]), [from, to]) in weights.iter().zip(&ranges.sizes).zip(&ranges.angles) {
+        for ((weight, [low, high]), [from, to]) in weights.iter().zip_eq(&ranges.sizes).zip_eq(&ranges.angles)
+        {
             assert!(
                 *low <= weight.norm() && weight.norm() <= *high,
                 "{weight} is not within {low} and {high}"
@@ -264,7 +266,7 @@ fn ranges_belong_to_the_weights_they_stand_beside() {
         }
         if limit.is_none() {
             let others = [[4.29, 4.57], [2.73, 3.03], [1.45, 1.66], [1.85, 2.01]];
-            for (ours, other) in ranges.sizes.iter().zip(others) {
+            for (ours, other) in ranges.sizes.iter().zip_eq(others) {
                 let width = other[1] - other[0];
                 let near = |end: usize| (ours[end] - other[end]).abs() < 0.3 * width;
                 assert!(near(0) && near(1), "{ours:?} is not near {other:?}");

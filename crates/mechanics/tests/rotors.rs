@@ -17,7 +17,7 @@ use dalembert_mechanics::{
         modes::{self, Reduced},
     },
 };
-use itertools::zip_eq;
+use itertools::{Itertools as _, zip_eq};
 use nalgebra::{DMatrix, Matrix4};
 
 /// The agreement that is promised.
@@ -176,7 +176,7 @@ fn dense(rotor: &Rotor, speed: f64) -> (Vec<Complex<f64>>, f64) {
     let [mut mass, mut gyroscopic, mut shaft] = [(); 3].map(|()| DMatrix::<f64>::zeros(m, m));
     for (n, element) in rotor.elements.iter().enumerate() {
         for (into, of) in
-            [&mut mass, &mut gyroscopic, &mut shaft].into_iter().zip(closed(element, rotor.theory))
+            [&mut mass, &mut gyroscopic, &mut shaft].into_iter().zip_eq(closed(element, rotor.theory))
         {
             let mut block = into.view_mut((2 * n, 2 * n), (4, 4));
             block += of;
@@ -239,7 +239,7 @@ fn hold(rotor: &Rotor, speed: f64, count: usize, what: &str) -> usize {
     assert_eq!(spectrum.modes.len(), count, "{what}");
     let (theirs, condition) = dense(rotor, speed);
     let limit = PROMISED.max(1e-15 * condition);
-    for (n, (mode, theirs)) in spectrum.modes.iter().zip(&theirs[..count]).enumerate() {
+    for (n, (mode, theirs)) in spectrum.modes.iter().zip_eq(&theirs[..count]).enumerate() {
         let exact =
             modes::polished(&all, mode, speed).unwrap_or_else(|error| panic!("{what}, mode {n}: {error}"));
         let lambda = exact.mode.lambda;
@@ -381,7 +381,7 @@ fn middle(supports: [Hold; 2]) -> Rotor {
         theory: Theory::Timoshenko,
         tension: 0.0,
         discs: vec![Disc { node: 6, mass: 40.0, diametral: 0.4, polar: 0.8 }],
-        supports: [0, 12].into_iter().zip(supports).map(|(node, hold)| Support { node, hold }).collect(),
+        supports: [0, 12].into_iter().zip_eq(supports).map(|(node, hold)| Support { node, hold }).collect(),
     }
 }
 

@@ -130,6 +130,27 @@ fn a_pure_crate_has_no_effects() {
 }
 
 #[test]
+fn tests_pair_lists_of_one_length() {
+    let source = "plugins/balancing/tests/planes.rs";
+    let paired = |of: &str, with: &str| [of, ".zi", "p(", with, ");\n"].concat();
+    finds(&[(source, &paired("ours", "theirs"))], "planes.rs:1: lists of different lengths would pass");
+    let module = format!("fn f() {{}}\n#[cfg(test)]\nmod tests {{\n    {}}}\n", paired("a", "b"));
+    finds(&[("crates/core/src/x.rs", &module)], "x.rs:4: lists of different lengths");
+    finds(&[("crates/core/src/x/tests.rs", &paired("a[..2].iter()", "0..3"))], "tests.rs:1: lists");
+    for sound in [
+        paired("(0..)", "theirs"),
+        paired("ours", "1.."),
+        paired("ours", "start.."),
+        paired("ours", "theirs.cycle()"),
+        format!("// {}", paired("ours", "theirs")),
+    ] {
+        assert_eq!(faults(&tree(&[(source, &sound)])), [""; 0]);
+    }
+    let code = format!("#[cfg(test)]\nmod tests;\nfn f() {{ {} }}\n", paired("a", "b"));
+    assert_eq!(faults(&tree(&[("crates/core/src/x.rs", &code)])), [""; 0]);
+}
+
+#[test]
 fn a_file_is_written_as_agreed() {
     finds(&[("crates/core/src/a/mod.rs", "//! A.\n")], "write crates/core/src/a.rs");
     finds(&[("crates/core/src/a.rs", &["// TO", "DO\n"].concat())], "is left");

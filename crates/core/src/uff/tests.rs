@@ -1,4 +1,5 @@
 use super::*;
+use itertools::Itertools as _;
 
 /// The records of a dataset up to its values; `binary` is what stands behind the 58.
 fn head(binary: &str, form: [i64; 3], start: f64, step: f64, ordinate: (i64, &str)) -> String {
@@ -30,7 +31,7 @@ fn only(bytes: &[u8]) -> Function {
 
 fn near(function: &Function, relative: f64) {
     assert_eq!(function.points.len(), POINTS.len());
-    for (ours, wanted) in function.points.iter().flatten().zip(POINTS.iter().flatten()) {
+    for (ours, wanted) in function.points.iter().flatten().zip_eq(POINTS.iter().flatten()) {
         assert!((ours - wanted).abs() <= relative * wanted.abs(), "{ours} is not {wanted}");
     }
 }
@@ -136,7 +137,7 @@ fn what_is_left_out_is_named_with_its_line() {
         (35, "the function has 2 numbers of 6 announced"),
     ];
     assert_eq!(told.len(), wanted.len(), "{told:?}");
-    for ((line, why), (wanted_line, wanted_why)) in told.iter().zip(wanted) {
+    for ((line, why), (wanted_line, wanted_why)) in told.iter().zip_eq(wanted) {
         assert_eq!((*line, why.as_str()), (wanted_line, wanted_why), "{told:?}");
     }
 }

@@ -173,11 +173,12 @@ fn permute(order: &mut [f64], from: usize, look: &mut impl FnMut(&[f64])) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use itertools::Itertools as _;
 
     #[test]
     fn harmonics_are_their_series() {
         for ratio in [0.05, 0.25, 0.3, 0.5, 0.9] {
-            for (found, order) in harmonics(ratio).into_iter().zip([2, 4, 6]) {
+            for (found, order) in harmonics(ratio).into_iter().zip_eq([2, 4, 6]) {
                 let series = harmonic_by_series(ratio, order);
                 assert!(
                     (found - series).abs() < 1e-12 * ratio.max(series.abs()),

@@ -122,6 +122,7 @@ impl Shape {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use itertools::Itertools as _;
 
     /// Wright, Smith, Thresher and Wang (1982): uniform blade, no hub.
     #[test]
@@ -135,7 +136,7 @@ mod tests {
             (12.0, [13.1702, 37.6031, 79.6145]),
         ] {
             let blade = Rotating { speed, hub: 0.0, tip: 0.0 };
-            for (lambda, printed) in blade.ritz(20, 3).unwrap().lambdas.iter().zip(printed) {
+            for (lambda, printed) in blade.ritz(20, 3).unwrap().lambdas.iter().zip_eq(printed) {
                 assert!((lambda.sqrt() - printed).abs() < 0.6e-4, "{speed}: {} {printed}", lambda.sqrt());
             }
         }
@@ -146,7 +147,7 @@ mod tests {
         for (speed, hub, tip) in [(0.0, 0.0, 0.5), (3.0, 0.5, 0.0), (12.0, 2.0, 1.0), (40.0, 0.1, 0.0)] {
             let blade = Rotating { speed, hub, tip };
             let ritz = blade.ritz(24, 4).unwrap();
-            for (lambda, shape) in ritz.lambdas.iter().zip(&ritz.shapes) {
+            for (lambda, shape) in ritz.lambdas.iter().zip_eq(&ritz.shapes) {
                 let gap = blade.moment_balance(shape) / lambda - 1.0;
                 assert!(gap.abs() < 1e-9, "{blade:?}: {gap:e}");
             }
@@ -158,7 +159,7 @@ mod tests {
     fn a_fast_blade_is_a_string() {
         let blade = Rotating { speed: 300.0, hub: 0.0, tip: 0.0 };
         let lambdas = blade.ritz(40, 2).unwrap().lambdas;
-        for (lambda, string) in lambdas.iter().zip([1.0, 6.0]) {
+        for (lambda, string) in lambdas.iter().zip_eq([1.0, 6.0]) {
             let gap = lambda / 9e4 / string - 1.0;
             assert!(gap > 0.0 && gap < 0.03, "{gap}");
         }

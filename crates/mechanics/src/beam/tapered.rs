@@ -266,6 +266,7 @@ pub(super) fn generalised(
 mod tests {
     use super::*;
     use crate::beam::dynamic_stiffness::{Beam, Station};
+    use itertools::Itertools as _;
 
     const ALL: [Support; 3] = [Support::Free, Support::Pinned, Support::Clamped];
 
@@ -284,7 +285,7 @@ mod tests {
                 let exact = Beam { shear: 0.0, rotary: 0.0, axial: 0.0, foundation: 0.0, stations };
                 let ritz = tapered.ritz(18, 4).unwrap();
                 for ((root, lambda), shape) in
-                    exact.roots(4).unwrap().into_iter().zip(&ritz.lambdas).zip(&ritz.shapes)
+                    exact.roots(4).unwrap().into_iter().zip_eq(&ritz.lambdas).zip_eq(&ritz.shapes)
                 {
                     assert!((lambda / root.powi(4) - 1.0).abs() < 1e-9, "{lambda} {}", root.powi(4));
                     let quotient = tapered.moment_quotient(shape).unwrap();
@@ -303,7 +304,7 @@ mod tests {
             let pointed = Tapered { width, depth: 0.0, supports: cantilever };
             let ritz = pointed.ritz(16, 3).unwrap();
             assert!((ritz.lambdas[0].sqrt() / expected - 1.0).abs() < 2e-5, "{}", ritz.lambdas[0].sqrt());
-            for (lambda, shape) in ritz.lambdas.iter().zip(&ritz.shapes) {
+            for (lambda, shape) in ritz.lambdas.iter().zip_eq(&ritz.shapes) {
                 let quotient = pointed.moment_quotient(shape).unwrap();
                 assert!((lambda / quotient - 1.0).abs() < 1e-9, "{lambda} {quotient}");
             }
@@ -317,7 +318,7 @@ mod tests {
         let mut before = [0.0; 5];
         for terms in [12, 16, 20, 24] {
             let ritz = beam.ritz(terms, 5).unwrap();
-            for ((lambda, shape), before) in ritz.lambdas.iter().zip(&ritz.shapes).zip(&mut before) {
+            for ((lambda, shape), before) in ritz.lambdas.iter().zip_eq(&ritz.shapes).zip_eq(&mut before) {
                 *before = beam.moment_quotient(shape).unwrap() / lambda - 1.0;
                 assert!(*before < 1e-12, "{before}");
             }
@@ -332,7 +333,7 @@ mod tests {
             let mut before = [f64::INFINITY; 5];
             for terms in 6..22 {
                 let ritz = beam.ritz(terms, 5).unwrap();
-                for (before, now) in before.iter_mut().zip(ritz.lambdas) {
+                for (before, now) in before.iter_mut().zip_eq(ritz.lambdas) {
                     assert!(now <= *before * (1.0 + 1e-10));
                     *before = now;
                 }

@@ -248,6 +248,7 @@ fn negatives(mut a: Matrix6<f64>) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use itertools::Itertools as _;
 
     fn round(length: f64, diameter: f64, timoshenko: bool) -> Cantilever {
         let (young, poisson, density) = (200e9, 0.3, 8000.0);
@@ -281,7 +282,7 @@ mod tests {
             [bending(1.875104068711961), bending(4.694091132974175), bending(7.854757438237613)].repeat(2);
         expected.extend([axial, torsion, 3.0 * torsion, 3.0 * axial]);
         expected.sort_by(f64::total_cmp);
-        for (mode, expected) in modes.iter().zip(expected) {
+        for (mode, expected) in modes.iter().zip_eq(&expected[..8]) {
             assert!((mode.frequency / expected - 1.0).abs() < 1e-8, "{} {expected}", mode.frequency);
         }
     }
@@ -308,7 +309,7 @@ mod tests {
         };
         // Converged frames of Euler–Bernoulli elements.
         let frames = [1.723278, 1.726843, 7.413388, 9.974768, 18.1816, 26.98553];
-        for ((plain, frame), shearing) in frequencies(false).iter().zip(frames).zip(frequencies(true)) {
+        for ((plain, frame), shearing) in frequencies(false).iter().zip_eq(frames).zip_eq(frequencies(true)) {
             assert!((plain / frame - 1.0).abs() < 3e-6, "{plain} {frame}");
             assert!(shearing < *plain && shearing > 0.98 * plain, "{shearing} {plain}");
         }

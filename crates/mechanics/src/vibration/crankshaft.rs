@@ -106,6 +106,7 @@ pub fn is_major(order: f64, angles: &[f64]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use itertools::Itertools as _;
 
     /// Firing angles of an even firing order.
     fn angles(order: &[usize], cycle: f64) -> Vec<f64> {
@@ -152,7 +153,7 @@ mod tests {
         // Amplitudes 5, 3, 1, −1, −3, −5: only the differences between the halves count at order 1½.
         let angles = angles(&[1, 5, 3, 6, 2, 4], 4.0 * PI);
         let amplitudes = [5.0, 3.0, 1.0, -1.0, -3.0, -5.0];
-        let [x, y] = phase_vectors(1.5, amplitudes.into_iter().zip(angles));
+        let [x, y] = phase_vectors(1.5, amplitudes.into_iter().zip_eq(angles));
         // Firing at 0, 480, 240, 600, 120, 360°: signs + + + − − −.
         assert!((x - 18.0).abs() < 1e-12 && y.abs() < 1e-12);
     }

@@ -220,6 +220,7 @@ impl Network {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use itertools::Itertools as _;
 
     fn link(a: Option<usize>, b: Option<usize>, stiffness: f64, damping: f64) -> Link {
         Link { ends: [a, b], stiffness, damping }
@@ -269,7 +270,7 @@ mod tests {
         let cubic = [m * (c + d), m * (k + l) + c * d, k * d + l * c, k * l];
         let expected = crate::polynomial::roots(&cubic).unwrap();
         assert_eq!(roots.len(), 3);
-        for (ours, expected) in roots.iter().zip(&expected) {
+        for (ours, expected) in roots.iter().zip_eq(&expected) {
             assert!((ours - expected).norm() < 1e-10 * expected.norm(), "{ours} is not {expected}");
         }
         close((roots[1].im.abs() * 1e5).round(), 1_501_392.0);

@@ -363,6 +363,7 @@ fn behind(shaft: f64, beyond: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use itertools::Itertools as _;
 
     fn chain(inertias: &[f64], stiffnesses: &[f64]) -> Train {
         let shaft = |(at, &stiffness): (usize, &f64)| Shaft { ends: [at, at + 1], stiffness };
@@ -494,7 +495,7 @@ mod tests {
             }
             let masses = nalgebra::DMatrix::from_diagonal(&nalgebra::DVector::from_column_slice(&inertias));
             let squares = crate::linalg::generalised_eigenvalues(&stiffness, &masses).unwrap();
-            for (mode, square) in modes.iter().zip(squares.iter()) {
+            for (mode, square) in modes.iter().zip_eq(squares.iter()) {
                 assert!((mode.frequency.powi(2) - square).abs() <= 1e-12 * squares[n - 1]);
             }
             for (a, first) in modes.iter().enumerate() {
@@ -522,7 +523,7 @@ mod tests {
             let before = Train::new(&inertias, &walls, &shafts).unwrap().modes().unwrap();
             shafts[seed as usize % (n - 1)].stiffness *= 1.7;
             let after = Train::new(&inertias, &walls, &shafts).unwrap().modes().unwrap();
-            for (before, after) in before.iter().zip(&after) {
+            for (before, after) in before.iter().zip_eq(&after) {
                 assert!(after.frequency >= before.frequency * (1.0 - 1e-14));
             }
         }
@@ -534,7 +535,7 @@ mod tests {
         let (inertias, frequency) = ([100.0, 50.0, 10.0, 50.0], 5.0f64);
         let train = chain(&inertias, &[1e4, 1e4, 2e4]);
         let amplitudes = train.steady(&[0.0, 1e4, 0.0, 0.0], frequency).unwrap();
-        let all: f64 = amplitudes.iter().zip(&inertias).map(|(x, j)| j * frequency.powi(2) * x).sum();
+        let all: f64 = amplitudes.iter().zip_eq(&inertias).map(|(x, j)| j * frequency.powi(2) * x).sum();
         close(all, -1e4, 1e-13);
         close(amplitudes[0], -2.06254, 1e-5);
     }

@@ -157,6 +157,7 @@ impl Shape {
 
 #[cfg(test)]
 mod tests {
+    use itertools::Itertools as _;
     use proptest::prelude::*;
 
     use super::*;
@@ -173,7 +174,7 @@ mod tests {
             ([End::FIXED, End::FREE], [1.0, 3.0, 5.0]),
             ([End::FREE, End::FIXED], [1.0, 3.0, 5.0]),
         ] {
-            for (root, quarter) in roots(ends, 3).unwrap().into_iter().zip(quarters) {
+            for (root, quarter) in roots(ends, 3).unwrap().into_iter().zip_eq(quarters) {
                 close(root, quarter * PI / 2.0);
             }
         }
@@ -206,7 +207,7 @@ mod tests {
                 prop_assert!(pair[1] > pair[0]);
             }
             let shapes: Vec<Shape> = found.iter().map(|root| shape(ends, *root)).collect();
-            for (n, (root, shape)) in found.iter().zip(&shapes).enumerate() {
+            for (n, (root, shape)) in found.iter().zip_eq(&shapes).enumerate() {
                 let quotient = shape.rayleigh_quotient(ends);
                 prop_assert!((quotient / root.powi(2) - 1.0).abs() < 1e-9, "{} {}", quotient, root.powi(2));
                 for other in &shapes[..n] {
@@ -220,7 +221,7 @@ mod tests {
         fn a_stiffer_end_never_lowers_a_frequency(k in -3.0..4.0f64, more in 0.0..2.0f64, m in 0.0..3.0f64) {
             let ends = |k: f64| [End { stiffness: 10f64.powf(k), mass: m }, End { stiffness: 0.0, mass: 0.3 }];
             let (soft, stiff) = (roots(ends(k), 6).unwrap(), roots(ends(k + more), 6).unwrap());
-            for (soft, stiff) in soft.iter().zip(stiff) {
+            for (soft, stiff) in soft.iter().zip_eq(stiff) {
                 prop_assert!(stiff >= soft * (1.0 - 1e-12));
             }
         }

@@ -1,5 +1,6 @@
 //! Rotors with many planes or with unknowns, and linkages.
 
+use itertools::Itertools as _;
 use std::f64::consts::TAU;
 
 use dalembert_mechanics::balance::{
@@ -42,7 +43,7 @@ proptest! {
         for axis in 0..2 {
             let all = || {
                 let masses = rotor.iter().map(|u| (u.components[axis], u.position));
-                masses.chain(corrections.iter().map(|u| u[axis]).zip(planes.iter().copied()))
+                masses.chain(corrections.iter().map(|u| u[axis]).zip_eq(planes.iter().copied()))
             };
             let force: f64 = all().map(|(u, _)| u).sum();
             let moment: f64 = all().map(|(u, z)| u * z).sum();
@@ -53,7 +54,7 @@ proptest! {
             let arms: f64 = planes.iter().map(|z| (z - mean) * (z - mean)).sum();
             let masses = || rotor.iter().map(|u| (u.components[axis], u.position));
             let (total, about) = (balance::resultant(masses().map(|(u, _)| u)), balance::moment(masses(), mean));
-            for (z, u) in planes.iter().zip(&corrections) {
+            for (z, u) in planes.iter().zip_eq(&corrections) {
                 let line = balance::least_correction(total, about, planes.len() as f64, z - mean, arms);
                 prop_assert!((u[axis] - line).abs() <= 1e-11 * size);
             }
@@ -77,7 +78,7 @@ proptest! {
             .collect();
         let reversed: Vec<f64> = planes.iter().rev().map(|z| z + shift).collect();
         let again = found(balance_planes(&moved, &reversed));
-        for (ours, expected) in again.iter().rev().zip(&corrections) {
+        for (ours, expected) in again.iter().rev().zip_eq(&corrections) {
             let expected = turned(*expected);
             for axis in 0..2 {
                 prop_assert!((ours[axis] - expected[axis]).abs() <= 1e-11 * size(&rotor));
@@ -127,7 +128,7 @@ proptest! {
             Ok(balances) => {
                 let scale = size(rotor);
                 let is_it = |balance: &Vec<balance::Known>| {
-                    balance.iter().zip(&all).all(|(found, (u, z))| {
+                    balance.iter().zip_eq(&all).all(|(found, (u, z))| {
                         let [x, y] = [found.product * found.angle.cos(), found.product * found.angle.sin()];
                         (x - u[0]).hypot(y - u[1]) < 1e-5 * scale && (found.position - z).abs() < 1e-4
                     })

@@ -1,5 +1,6 @@
 //! Comparisons with a named tolerance.
 
+use itertools::Itertools as _;
 use std::fmt::Debug;
 
 /// What rounding leaves of a short formula.
@@ -20,7 +21,7 @@ pub(crate) fn close(ours: f64, expected: f64, relative: f64) {
 #[track_caller]
 pub(crate) fn all_close<const N: usize>(ours: [f64; N], expected: [f64; N], relative: f64) {
     let size = ours.iter().chain(&expected).fold(0.0, |size: f64, x| size.max(x.abs()));
-    let gap = ours.iter().zip(&expected).fold(0.0, |gap: f64, (p, q)| gap.max((p - q).abs()));
+    let gap = ours.iter().zip_eq(&expected).fold(0.0, |gap: f64, (p, q)| gap.max((p - q).abs()));
     assert!(gap <= relative * size, "{ours:?} is not {expected:?} to {relative:e}");
 }
 

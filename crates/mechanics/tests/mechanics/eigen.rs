@@ -1,5 +1,6 @@
 //! Eigenproblems of vibration: full, banded, without symmetry; and complex systems.
 
+use itertools::Itertools as _;
 use std::f64::consts::PI;
 
 use dalembert_mechanics::linalg::{
@@ -237,7 +238,7 @@ fn eigenvalues_come_back_from_matrices_that_stall_others() {
         }
         let a = random.matrix(n, n);
         let eigen = found(complex_eigen(&a));
-        for (value, alone) in eigen.values.iter().zip(found(complex_eigenvalues(&a))) {
+        for (value, alone) in eigen.values.iter().zip_eq(found(complex_eigenvalues(&a))) {
             assert!((value - alone).norm() < 1e-12, "{value} is not {alone}");
         }
     }

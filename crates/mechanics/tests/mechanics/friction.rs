@@ -9,6 +9,7 @@ use dalembert_mechanics::{
     },
     vibration::{free::FreeMotion, friction::FrictionDecay},
 };
+use itertools::Itertools as _;
 use proptest::prelude::*;
 
 use crate::close::{close, found};
@@ -406,14 +407,14 @@ proptest! {
         let all = freed.frictions.iter().all(|braked| braked.contact == Contact::Holds);
         prop_assert_eq!(all, held[0] && held[1], "{:?} {:?}", couples, freed.frictions);
         if all {
-            for (braked, couple) in freed.frictions.iter().zip(couples) {
+            for (braked, couple) in freed.frictions.iter().zip_eq(couples) {
                 close(braked.effort, couple, 1e-9);
             }
         }
         // Whatever moves: each pin slides against its friction or has less than that to bear.
         let [[.., first], [.., second]] = [freed.state.accelerations[0], freed.state.accelerations[1]];
         let relative = [first, second - first];
-        for (braked, relative) in freed.frictions.iter().zip(relative) {
+        for (braked, relative) in freed.frictions.iter().zip_eq(relative) {
             match braked.contact {
                 Contact::Slides { sense, .. } => {
                     prop_assert!(sense * relative >= -1e-9);

@@ -1,6 +1,7 @@
 use dalembert_mechanics::linalg::{
     LinalgError, Solved, complex_eigenvalues, least_squares, solve, symmetric_eigen,
 };
+use itertools::Itertools as _;
 use nalgebra::{Complex, DMatrix, DVector};
 use proptest::prelude::*;
 
@@ -110,7 +111,7 @@ fn chain_of_masses() {
     });
     let symmetric = found(symmetric_eigen(&chain));
     let general = found(complex_eigenvalues(&chain));
-    for (j, (value, complex)) in symmetric.values.iter().zip(&general).enumerate() {
+    for (j, (value, complex)) in symmetric.values.iter().zip_eq(&general).enumerate() {
         let expected = 2.0 - 2.0 * (std::f64::consts::PI * (j + 1) as f64 / (n + 1) as f64).cos();
         assert!((value - expected).abs() < 1e-14);
         assert!((complex - Complex::from(expected)).norm() < 1e-13);
@@ -156,7 +157,7 @@ fn damped_and_gyroscopic_states() {
     let mut speeds: Vec<f64> = found(complex_eigenvalues(&gyroscopic)).iter().map(|z| z.im).collect();
     speeds.sort_by(f64::total_cmp);
     let root = (25.0f64 + 2.25).sqrt();
-    for (ours, expected) in speeds.iter().zip([-root - 1.5, -root + 1.5, root - 1.5, root + 1.5]) {
+    for (ours, expected) in speeds.iter().zip_eq([-root - 1.5, -root + 1.5, root - 1.5, root + 1.5]) {
         close(*ours, expected, 1e-13);
     }
 }

@@ -9,6 +9,7 @@ use dalembert_mechanics::{
         response::{Excitation, Harmonic, Motion, Piece, Push, by_series},
     },
 };
+use itertools::Itertools as _;
 use nalgebra::{Complex, DMatrix, DVector};
 use proptest::prelude::*;
 
@@ -105,7 +106,7 @@ proptest! {
         let (m, t) = (10f64.powi(mass), 10f64.powi(time));
         let here = found(natural_modes(&chain.mass, &chain.stiffness)).squares;
         let there = found(natural_modes(&(&chain.mass * m), &(&chain.stiffness * (m / (t * t))))).squares;
-        for (here, there) in here.iter().zip(&there) {
+        for (here, there) in here.iter().zip_eq(&there) {
             close(*there * t * t, *here, 1e-12);
         }
     }
@@ -151,7 +152,7 @@ proptest! {
                 for row in 0..n {
                     prop_assert!((matrix[(row, driven)] - matrix[(driven, row)]).norm() < 1e-12 * size);
                     prop_assert!((matrix[(row, driven)] - column[row]).norm() < 1e-12 * size);
-                    let residues: Vec<_> = poles.shapes.row(row).iter().zip(&input).map(|(s, b)| s * b).collect();
+                    let residues: Vec<_> = poles.shapes.row(row).iter().zip_eq(&input).map(|(s, b)| s * b).collect();
                     let (mut re, mut im) = ([0.0], [0.0]);
                     sum_of_poles(&residues, &poles.roots, &[frequency], &mut re, &mut im);
                     let sum = Complex::new(re[0], im[0]);
@@ -227,7 +228,7 @@ fn columns_are_their_rows_at_once() {
     let input = poles.input(&DVector::from_column_slice(&[0.0, 0.0, 1.0, 0.0]));
     column_of_poles(&poles.shapes, &input, &poles.roots, &lines, &mut real, &mut imaginary);
     for row in 0..4 {
-        let residues: Vec<_> = poles.shapes.row(row).iter().zip(&input).map(|(s, b)| s * b).collect();
+        let residues: Vec<_> = poles.shapes.row(row).iter().zip_eq(&input).map(|(s, b)| s * b).collect();
         sum_of_poles(&residues, &poles.roots, &lines, &mut re, &mut im);
         held(row, &real, &imaginary, &re, &im);
     }

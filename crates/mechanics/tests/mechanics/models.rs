@@ -1,5 +1,6 @@
 //! The mechanisms that the field measures its programs by.
 
+use itertools::Itertools as _;
 use std::f64::consts::FRAC_PI_2;
 
 use dalembert_mechanics::planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Point, System};
@@ -63,7 +64,7 @@ pub(crate) fn andrews() -> (System, Vec<[f64; 3]>) {
     let eye = body(1, [da - d, 0.0]);
     let spring = Measure::Distance { from: Point::ground(c), to: body(2, [sd - sb, sa - sc]) };
     let mechanism = Mechanism {
-        bodies: masses.iter().zip(inertias).map(|(&mass, inertia)| Body { mass, inertia }).collect(),
+        bodies: masses.iter().zip_eq(inertias).map(|(&mass, inertia)| Body { mass, inertia }).collect(),
         joints: vec![
             pin(eye, body(2, [-sb, sa - ss])),
             pin(eye, body(3, [0.0, -ea])),

@@ -8,6 +8,7 @@ use dalembert_mechanics::planar::{
     Body, Driver, Effort, End, Joint, Load, Measure, Mechanism, Moved, PlanarError, Point, Run, Snapshot,
     System,
 };
+use itertools::Itertools as _;
 
 use crate::close::{close, found};
 use crate::models::{andrews, four_bars};
@@ -166,10 +167,10 @@ fn andrews_mechanism_comes_to_its_reference() {
     for (tolerance, allowed, energy) in [(1e-12, 1e-10, 1e-11), (1e-7, 1e-5, 1e-5)] {
         let moved = found(system.simulate(&start, &[[0.0; 3]; 7], &run(0.03, tolerance, 2)));
         let last = moved.samples.last().expect("a sample");
-        for (ours, expected) in relative(&last.state.positions).iter().zip(positions) {
+        for (ours, expected) in relative(&last.state.positions).iter().zip_eq(positions) {
             assert!((ours - expected).abs() < allowed, "{ours} is not {expected}: {tolerance:e}");
         }
-        for (ours, expected) in relative(&last.state.velocities).iter().zip(velocities) {
+        for (ours, expected) in relative(&last.state.velocities).iter().zip_eq(velocities) {
             assert!((ours - expected).abs() < 1e4 * allowed, "{ours} is not {expected}: {tolerance:e}");
         }
         assert!(moved.imbalance() < energy, "{:e}", moved.imbalance());
@@ -185,7 +186,7 @@ fn the_accelerations_of_a_motion_are_those_of_the_full_equations() {
         let freed = found(system.freed(&sample.state.positions, &sample.state.velocities));
         let size = freed.state.accelerations.iter().flatten().fold(0.0f64, |most, a| most.max(a.abs()));
         for (a, b) in
-            freed.state.accelerations.iter().flatten().zip(sample.state.accelerations.iter().flatten())
+            freed.state.accelerations.iter().flatten().zip_eq(sample.state.accelerations.iter().flatten())
         {
             assert!((a - b).abs() < 1e-10 * size, "{a} and {b} at {}", sample.time);
         }

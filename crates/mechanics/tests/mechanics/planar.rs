@@ -1,6 +1,7 @@
 //! Plane mechanisms held against published cases, closed forms, and against themselves: virtual power against
 //! Newton and Euler, loops that stay closed, branches that stay the same.
 
+use itertools::Itertools as _;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_mechanics::balance::linkage::{Follower, Link, Linkage};
@@ -326,7 +327,7 @@ proptest! {
         prop_assert!((applied + dynamics.efforts[0] * speed - dynamics.energy_rate).abs() <= 1e-11 * size);
         // The loops are closed, and what the joints hold does not move: their forces do no work.
         let joints = system.equations().len() - 1;
-        for (equation, effort) in system.equations()[..joints].iter().zip(&dynamics.multipliers) {
+        for (equation, effort) in system.equations()[..joints].iter().zip_eq(&dynamics.multipliers[..joints]) {
             let [term] = &equation.terms[..] else { panic!("a pin is two measures") };
             prop_assert!(system.value(&term.measure, &there.positions).abs() <= 1e-12);
             let power = effort * system.rate(&term.measure, &state);
@@ -351,7 +352,7 @@ proptest! {
             prop_assert!(followed.passed.is_empty());
             here = followed.positions;
         }
-        for (now, then) in here.iter().zip(&first) {
+        for (now, then) in here.iter().zip_eq(&first) {
             prop_assert!((now[0] - then[0]).abs() <= 1e-12 && (now[1] - then[1]).abs() <= 1e-12);
             let turns = (now[2] - then[2]) / TAU;
             prop_assert!((turns - turns.round()).abs() <= 1e-11);
@@ -435,7 +436,7 @@ fn a_chain_of_bars_hangs_where_its_weights_and_the_pull_let_it() {
     let (mechanism, drawn) = chain(&[-1.2, -0.9, -0.2], vec![load]);
     let system = found(System::new(&mechanism, &drawn));
     let here = found(system.equilibrium_near(&found(system.assemble(&drawn))));
-    for (value, ratio) in here.values.iter().zip([1.5 / 2.5, 1.5 / 1.5, 1.5 / 0.5f64]) {
+    for (value, ratio) in here.values.iter().zip_eq([1.5 / 2.5, 1.5 / 1.5, 1.5 / 0.5f64]) {
         close(*value, ratio.atan() - FRAC_PI_2, 1e-12);
     }
     assert_eq!(here.stability, Stability::Stable);
@@ -501,7 +502,7 @@ proptest! {
         let poses = part(0).map(Pose::new);
         let slope = measure.slope([&poses[0], &poses[1]]);
         let along = |[from, to]: [[f64; 3]; 2]| -> f64 {
-            slope.from.iter().zip(from).chain(slope.to.iter().zip(to)).map(|(a, b)| a * b).sum()
+            slope.from.iter().zip_eq(from).chain(slope.to.iter().zip_eq(to)).map(|(a, b)| a * b).sum()
         };
         let bias = measure.bias([&poses[0], &poses[1]], part(1));
         prop_assert!((slope.value - value).abs() <= 1e-13 * (1.0 + value.abs()));

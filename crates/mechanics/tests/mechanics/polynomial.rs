@@ -1,5 +1,6 @@
 use dalembert_mechanics::linalg::complex_eigenvalues;
 use dalembert_mechanics::polynomial::{PolynomialError, roots};
+use itertools::Itertools as _;
 use nalgebra::{Complex, DMatrix};
 use proptest::prelude::*;
 
@@ -78,7 +79,7 @@ fn repeated_roots_are_real_and_as_good_as_their_coefficients() {
 fn moduli_far_apart() {
     let expected = [-1e12, -1e3, -1e-4, 5e-9].map(Complex::from);
     let found = found(roots(&product(&expected)));
-    for (ours, root) in found.iter().zip(expected) {
+    for (ours, root) in found.iter().zip_eq(expected) {
         assert!((ours - root).norm() < 1e-11 * root.norm(), "{ours} for {root}");
     }
     let tiny = crate::close::found(roots(&[1e-300, 0.0, -4e-300]));
@@ -115,7 +116,7 @@ proptest! {
         // Real coefficients again, and the same ones.
         let again = product(&ours);
         let size: f64 = expected.iter().map(|z| 1.0 + z.norm()).product();
-        for (p, q) in again.iter().zip(&coefficients) {
+        for (p, q) in again.iter().zip_eq(&coefficients) {
             prop_assert!((p - q).abs() <= 1e-11 * size, "{again:?} for {coefficients:?}");
         }
         let reals = |roots: &[Complex<f64>]| roots.iter().filter(|z| z.im == 0.0).count();

@@ -1,5 +1,6 @@
 //! Motions of a rigid body in space against closed forms, published benchmarks and their own invariants.
 
+use itertools::Itertools as _;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use dalembert_mechanics::rigid::{
@@ -260,7 +261,7 @@ fn work_and_impulse_of_changing_torques() {
     let body = free(rotation * inertia * rotation.transpose());
     let from = Turning { attitude: turn.inverse(), omega_body: turn * Vector3::new(0.2, 1.0, -0.3) };
     let turned = simulate(&body, &from, &loads(&|v| turn * v), &run).unwrap();
-    for (a, b) in plain.samples.iter().zip(&turned.samples) {
+    for (a, b) in plain.samples.iter().zip_eq(&turned.samples) {
         assert!((a.omega - b.omega).norm() < 1e-10 && (a.work - b.work).abs() < 1e-10);
     }
 }

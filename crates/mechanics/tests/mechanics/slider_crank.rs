@@ -1,3 +1,4 @@
+use itertools::Itertools as _;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use dalembert_mechanics::slider_crank::{self, Branch, CrankMotion, Motion, SliderCrank, SliderCrankError};
@@ -47,7 +48,7 @@ proptest! {
         let rate = |of: &dyn Fn(Motion) -> f64| {
             [672.0, -168.0, 32.0, -3.0]
                 .into_iter()
-                .zip([1.0, 2.0, 3.0, 4.0])
+                .zip_eq([1.0, 2.0, 3.0, 4.0])
                 .map(|(weight, k)| {
                     let part = |k: f64| of(at(mechanism, k * step, speed, acceleration));
                     weight * (part(k) - part(-k))

@@ -4,6 +4,7 @@ use dalembert_mechanics::rigid::{
     Axis, RigidError,
     supports::{SupportError, Supports, Unknown, Wrench},
 };
+use itertools::Itertools as _;
 use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;
 
@@ -98,7 +99,7 @@ proptest! {
         let load = Wrench::force_at(load, at * scale) + Wrench::couple(couple * scale);
         let Ok(supports) = Supports::new(unknowns.clone()) else { return Ok(()) };
         let Ok(x) = supports.reactions(&load) else { return Ok(()) };
-        let sum = unknowns.iter().zip(&x).fold(load, |sum, (unknown, x)| {
+        let sum = unknowns.iter().zip_eq(&x).fold(load, |sum, (unknown, x)| {
             let one = unknown.wrench();
             sum + Wrench { force: one.force * *x, moment: one.moment * *x }
         });
@@ -120,7 +121,7 @@ proptest! {
         let again = found(found(Supports::new(moved)).reactions(&Wrench { force, moment }));
         // Nearly dependent supports lose the digits that their condition costs.
         if most < 1e3 {
-            for (p, q) in x.iter().zip(&again) {
+            for (p, q) in x.iter().zip_eq(&again) {
                 prop_assert!((p - q).abs() < 1e-8 * most, "{x:?} and {again:?}");
             }
         }

@@ -1,5 +1,6 @@
 //! Mechanisms swept through many positions by their plan, held against the general way position by position.
 
+use itertools::Itertools as _;
 use std::f64::consts::TAU;
 
 use dalembert_mechanics::planar::{
@@ -30,14 +31,14 @@ fn held((system, drawn): &Driven, values: &[f64], within: f64) {
         ] {
             for part in 0..3 {
                 let size = general.iter().fold(0.0f64, |most, x| most.max(x[part].abs()));
-                for (a, b) in ours.iter().zip(general) {
+                for (a, b) in ours.iter().zip_eq(general) {
                     let off = (a[part] - b[part]).abs();
                     assert!(off <= within * size, "{what} at {value}: {a:?} for {b:?}");
                 }
             }
         }
         let size = dynamics.multipliers.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-        for (a, b) in swept.multipliers(n).iter().zip(&dynamics.multipliers) {
+        for (a, b) in swept.multipliers(n).iter().zip_eq(&dynamics.multipliers) {
             assert!((a - b).abs() <= within * size, "reactions at {value}: {a} for {b}");
         }
         // Virtual power and Newton with Euler, each from the plan.

@@ -1,5 +1,6 @@
 //! Tops and free bodies: published and independent numbers, the integrated equations, limits.
 
+use itertools::Itertools as _;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use dalembert_mechanics::{
@@ -62,7 +63,7 @@ fn a_free_body_turns_as_its_equations_say() {
         for start in starts {
             let body = free(inertia, start);
             for (time, (omega, attitude)) in
-                [0.0, 1.7, 5.0, 13.0].into_iter().zip(integrated(inertia, start, &[0.0, 1.7, 5.0, 13.0]))
+                [0.0, 1.7, 5.0, 13.0].into_iter().zip_eq(integrated(inertia, start, &[0.0, 1.7, 5.0, 13.0]))
             {
                 let gap = (body.velocity(time) - omega).norm();
                 assert!(gap < 1e-11, "{inertia:?} {start:?} at {time}: {gap:e}");
@@ -181,10 +182,10 @@ fn a_top_moves_as_its_equations_say() {
         let times = [0.0, 0.05, 0.4, 1.0];
         let states = found(ode::states(&mut problem, &[theta, theta_rate, 0.0, 0.0], &times, 1_000_000));
         let motion = found(body.released(theta, theta_rate, phi_rate, axial_velocity));
-        for (time, state) in times.into_iter().zip(states) {
+        for (time, state) in times.into_iter().zip_eq(states) {
             let at = motion.at(time);
             for (ours, integrated) in
-                [at.nutation, at.nutation_rate, at.precession, at.spin].into_iter().zip(state)
+                [at.nutation, at.nutation_rate, at.precession, at.spin].into_iter().zip_eq(state)
             {
                 let gap = (ours - integrated).abs();
                 assert!(gap < 2e-9 * integrated.abs().max(1.0), "{theta} {phi_rate} at {time}: {gap:e}");

@@ -75,6 +75,7 @@ pub fn digit_at(text: &str, place: u32) -> Option<Range<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use itertools::Itertools as _;
 
     #[test]
     fn the_last_digit_changes_and_nothing_else() {
@@ -124,7 +125,7 @@ mod tests {
             assert_eq!(found.clone().map(|at| &text[at]), digit, "{text} at {place}");
             if let Some(at) = found {
                 let up = nudged(text, 10 * 10_i64.pow(place)).unwrap();
-                let changed = text.bytes().zip(up.bytes()).position(|(a, b)| a != b);
+                let changed = text.bytes().zip_eq(up.bytes()).position(|(a, b)| a != b);
                 assert_eq!(changed, Some(at.start), "{text} becomes {up}");
             }
         }

@@ -1,3 +1,4 @@
+use itertools::Itertools as _;
 use ratatui::layout::Rect;
 
 use super::*;
@@ -102,7 +103,7 @@ fn every_text_of_a_theme_stands_out_from_its_ground() {
             }
             look.ground(&mut buffer);
             sweep(&mut buffer, &Capabilities { colors, ..Capabilities::default() });
-            for (cell, style) in buffer.content.iter().zip(styles) {
+            for (cell, style) in buffer.content.iter().zip_eq(styles) {
                 assert!(!cell.modifier.contains(Modifier::DIM));
                 let found = contrast(cell.fg, cell.bg);
                 assert!(found >= least, "{theme:?} in {colors:?}: {found:.2} of {cell:?} for {style:?}");
@@ -147,7 +148,7 @@ fn curves_of_one_plot_are_no_shades_of_one_another() {
                 for (other, _) in &curves[..n] {
                     let apart: f64 = channels(*color)
                         .iter()
-                        .zip(channels(*other))
+                        .zip_eq(channels(*other))
                         .map(|(a, b)| (f64::from(*a) - f64::from(b)).powi(2))
                         .sum();
                     assert!(apart.sqrt() >= 80.0, "{theme:?} in {colors:?}: {color:?} and {other:?}");

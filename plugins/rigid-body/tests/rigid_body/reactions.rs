@@ -1,6 +1,7 @@
 //! Reactions do not depend on how a problem is written down.
 
 use dalembert_core::Solution;
+use itertools::Itertools as _;
 
 use crate::solved::{distance, number, size, sound, vector};
 
@@ -109,7 +110,7 @@ fn every_frame_gives_the_same_rate_of_change() {
         })
         .collect();
         for other in &sizes[1..] {
-            for (a, b) in sizes[0].iter().zip(other) {
+            for (a, b) in sizes[0].iter().zip_eq(other) {
                 assert!((a - b).abs() < 1e-12 * a, "{sizes:?}");
             }
         }

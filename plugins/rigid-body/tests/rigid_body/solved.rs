@@ -1,6 +1,7 @@
 //! Problems solved from their texts, and their answers.
 
 use dalembert_core::{AnswerValue, Number, Solution, Stop, file};
+use itertools::Itertools as _;
 
 pub(crate) fn solve(text: &str) -> Solution {
     let problem = file::parse(text).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
@@ -31,7 +32,7 @@ pub(crate) fn number(solution: &Solution, name: &str) -> f64 {
 }
 
 pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()))
+    a.iter().zip_eq(b).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()))
 }
 
 pub(crate) fn size(a: [f64; 3]) -> f64 {

@@ -1,5 +1,6 @@
 //! Random rotors as a person enters them: every one is answered, and every check of it holds.
 
+use itertools::Itertools as _;
 use std::{f64::consts::TAU, ops::Range};
 
 use dalembert_core::{Analysis, Inputs, Lift, Sheet, Solution, Stop, Trail};
@@ -53,7 +54,7 @@ impl Draw {
         };
         let highest_speed = self.decades(1500.0, 14000.0) * RPM;
         let bearings = [0, 1].map(|_| if coupled { self.coupled(highest_speed) } else { self.plain() });
-        let supports = [0.0, length].into_iter().zip(bearings);
+        let supports = [0.0, length].into_iter().zip_eq(bearings);
         RotorDynamics {
             segments: vec![segment],
             material,

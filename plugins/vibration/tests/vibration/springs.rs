@@ -5,6 +5,7 @@ use dalembert_vibration::{
     section::{Section, ShaftSection},
     spring::{Spring, stiffness},
 };
+use itertools::Itertools as _;
 
 fn stiffness_of(spring: &Spring) -> Result<f64, Refusal> {
     let stop = Stop::new();
@@ -46,7 +47,7 @@ fn a_network_is_its_series_and_parallels() {
 
 #[test]
 fn a_load_without_a_distance_is_at_the_middle() {
-    for (middle, placed) in beams(None).iter().zip(&beams(Some(0.6))) {
+    for (middle, placed) in beams(None).iter().zip_eq(&beams(Some(0.6))) {
         close(stiffness_of(middle).unwrap(), stiffness_of(placed).unwrap());
     }
 }

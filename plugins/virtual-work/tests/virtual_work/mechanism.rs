@@ -3,6 +3,7 @@
 use dalembert_core::{
     AnswerValue, Exhibit, Locale, Number, Plot, Solution, Stop, TableExhibit, cases, exhibit::Cell, find,
 };
+use itertools::zip_eq;
 
 use crate::solved::solve;
 
@@ -113,9 +114,12 @@ fn plot<'s>(solution: &'s Solution, title: &str) -> &'s Plot {
 /// The row that begins with these words.
 fn row<'t>(table: &'t TableExhibit, words: &[&str]) -> &'t [Cell] {
     let begins = |row: &&Vec<Cell>| {
-        row.iter().zip(words).all(|(cell, word)| match cell {
-            Cell::Text(text) => text.english() == *word,
-            _ => false,
+        let first = row.get(..words.len());
+        first.is_some_and(|first| {
+            zip_eq(first, words).all(|(cell, word)| match cell {
+                Cell::Text(text) => text.english() == *word,
+                _ => false,
+            })
         })
     };
     table.rows.iter().find(begins).expect("the row is there")

@@ -139,6 +139,7 @@ fn normal_lanes(keys: &[u64; WIDTH], place: u64) -> Phasor<Lanes> {
 mod tests {
     use super::*;
     use crate::balance::spread::normal_pair;
+    use itertools::Itertools as _;
 
     #[test]
     fn normal_numbers_are_those_of_one_sample() {
@@ -165,7 +166,7 @@ mod tests {
         // Without disturbance nothing spreads.
         let still = two_plane_statistics(alpha, readings, [0.0, 0.0], 1000, 1);
         let exact = two_plane_weights(alpha, readings);
-        for (still, (exact, noisy)) in still.iter().zip(exact.iter().zip(&one)) {
+        for (still, (exact, noisy)) in still.iter().zip_eq(exact.iter().zip_eq(&one)) {
             assert!((still.mean - exact.size()).abs() < 1e-14 && still.deviation < 1e-14);
             assert!((noisy.mean / exact.size() - 1.0).abs() < 2e-3, "{noisy:?} about {}", exact.size());
             // Each of the parts, 2 % of the coefficients and 0.05 of the readings, spreads the size by about 2 %.

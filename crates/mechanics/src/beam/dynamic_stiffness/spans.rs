@@ -397,6 +397,7 @@ const INERTIA: [[f64; 4]; 4] = [
 #[cfg(test)]
 mod tests {
     use super::*;
+    use itertools::Itertools as _;
 
     const PLAIN: Span = Span { length: 1.0, bending: 1.0, mass: 1.0, axial: 0.0, foundation: 0.0 };
     const PIN: Joint = Joint {
@@ -452,7 +453,7 @@ mod tests {
         let mut before = [f64::INFINITY; 4];
         for parts in [2, 4, 8, 16] {
             for ((root, lambda), before) in
-                roots.iter().zip(beam.finite_elements(parts, 4).unwrap()).zip(&mut before)
+                roots.iter().zip_eq(beam.finite_elements(parts, 4).unwrap()).zip_eq(&mut before)
             {
                 let gap = lambda / root.powi(4) - 1.0;
                 assert!(gap > -1e-11 && gap < *before, "{parts}: {gap:e}");
@@ -461,7 +462,7 @@ mod tests {
         }
         assert!(before.iter().all(|gap| *gap < 2e-4), "{before:?}");
         let shapes: Vec<SpanShape> = roots.iter().map(|root| beam.shape(*root).unwrap()).collect();
-        for (n, (root, shape)) in roots.iter().zip(&shapes).enumerate() {
+        for (n, (root, shape)) in roots.iter().zip_eq(&shapes).enumerate() {
             assert!((shape.rayleigh_quotient() / root.powi(4) - 1.0).abs() < 1e-11);
             for other in &shapes[n + 1..] {
                 assert!(shape.inertia_product(other).abs() < 1e-10 * shape.inertia_product(shape));
