@@ -5372,8 +5372,6 @@ mobility-by-its-parts = Mobilidade pelas suas partes
 accelerance-by-amplitude-and-phase = Acelerância por amplitude e fase
 disc-on-a-light-shaft-clamped-at-both-ends = Disco em um eixo leve biengastado
 n-192-e-i-l-m-in-both-planes = ω = √(192 E I/(L³ m)) nos dois planos
-the-same-shaft-with-hysteretic-damping = O mesmo eixo com amortecimento histerético
-the-bending-stiffness-of-zorzi-and-nelson-m-s-k-1-i-1-0-for-the-forward-and-the-backward-whirl = a rigidez à flexão de Zorzi e Nelson: m s² + k (1 + η ∓ iη)/√(1 + η²) = 0 para a precessão direta e a retrógrada
 absorber-and-its-damping-by-its-own-frequency = Absorvedor e o seu amortecimento pela sua frequência
 x-k-f-of-the-two-equations-of-motion-with-k-a-m-a-a-c-a-2-m-a-a-a = X k/F₀ das duas equações de movimento com k_a = m_a ω_a², c_a = 2 m_a ω_a ζ_a
 fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-4-3 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.4.3
@@ -5420,3 +5418,5 @@ fossee-python-companion-to-nelson-best-mclean-schaum-s-outline-of-engineering-me
 fossee-python-companion-to-mclean-nelson-schaum-s-outline-of-engineering-mechanics-ch-19-prob-13 = Complemento FOSSEE em Python a McLean & Nelson, Schaum's Outline of Engineering Mechanics, cap. 19, prob. 13
 j-j-j-k-j-j-j-k-j-j-j-k-k-j-j-j-0-for-a-problem-of-r-s-khurmi = J₁J₂J₃ω⁴ − (k₁J₃(J₁ + J₂) + k₂J₁(J₂ + J₃))ω² + k₁k₂(J₁ + J₂ + J₃) = 0 para um problema de R. S. Khurmi
 the-amplitudes-are-1-1-j-k-and-k-k-j-of-it-the-nodes-divide-each-shaft-as-they-do = As amplitudes são 1, 1 − J₁ω²/k₁ e k₂/(k₂ − J₃ω²) dela; os nós dividem cada eixo como elas.
+disc-off-the-middle-of-a-clamped-shaft-with-hysteretic-damping = Disco fora do meio de um eixo biengastado com amortecimento histerético
+four-roots-s-of-det-m-s-i-g-s-c-k-0-of-the-disc-c-1-i-1-by-zorzi-and-nelson-k-of-the-clamped-parts = quatro raízes s de det (M s² − i Ω G s + c K) = 0 do disco, c = (1 + η − iη)/√(1 + η²) por Zorzi e Nelson, K das partes engastadas
