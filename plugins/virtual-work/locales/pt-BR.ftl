@@ -2427,10 +2427,6 @@ cart-with-a-welded-box-pushed-over-a-distance = Carrinho com uma caixa soldada, 
 t-2-m-m-s-f-and-f-s-5-kg-30-n-1-2-m = t = √(2 (m₁ + m₂) s/F) e F s: 5 kg, 30 N, 1,2 m
 gas-throws-a-piston = Gás lança um pistão
 m-v-a-p-l-l-1-n-l-1-n-n-1-p-l-l = ½ m v² = A (p₁ L₁ⁿ (L₁^(1−n) − L₂^(1−n))/(n − 1) − p₀ (L₂ − L₁))
-bar-that-swings-on-two-rods-until-it-rests = Barra que balança em duas hastes até parar
-half-a-period-of-a-pendulum-of-0-8-m-from-60-2-l-g-k-sin-30 = meio período de um pêndulo de 0,8 m a partir de 60°: 2 √(l/g) K(sen 30°)
-pendulum-until-it-rests = Pêndulo até parar
-half-a-period-2-i-m-c-m-g-c-k-sin-25-from-50-beside-the-vertical = meio período 2 √((I + m c²)/(m g c)) K(sen 25°) a partir de 50° ao lado da vertical
 arm-lifted-by-a-cylinder-beside-a-free-slider = Braço levantado por um cilindro ao lado de um corredor livre
 cos-a-b-s-2-a-b-with-s-s-v-t-differentiated = cos θ = (a² + b² − s²)/(2 a b) com s = s₀ + v t, derivado
 slider-held-by-a-spring-from-above = Corredor sustentado por uma mola de cima
@@ -2471,3 +2467,7 @@ fossee-python-companion-to-r-s-khurmi-j-k-gupta-theory-of-machines-ex-8-13 = Com
 fossee-companion-to-r-c-hibbeler-a-gupta-engineering-mechanics-statics-ex-11-3 = Complemento FOSSEE a R. C. Hibbeler, A. Gupta, Engineering Mechanics: Statics, ex. 11.3
 fossee-scilab-companion-to-nelson-best-mclean-schaum-s-outline-of-engineering-mechanics-problem-11-5 = Complemento FOSSEE em Scilab a Nelson, Best & McLean, Schaum's Outline of Engineering Mechanics, problema 11.5
 fossee-scilab-companion-to-nelson-best-mclean-schaum-s-outline-of-engineering-mechanics-problem-11-10 = Complemento FOSSEE em Scilab a Nelson, Best & McLean, Schaum's Outline of Engineering Mechanics, problema 11.10
+bar-that-falls-and-pushes-a-slider-by-a-rod = Barra que cai e empurra um corredor por uma haste
+i-m-c-m-x-m-g-c-sin-sin-with-x-b-cos-l-b-sin = ½ (I + m c² + M x′²) ω² = m g c (sen θ₀ − sen θ) com x = b cos θ + √(l² − b² sen² θ)
+rocker-that-rests-at-its-dead-centre = Balancim que para no seu ponto morto
+crank-and-rod-folded-in-line-cos-b-a-d-c-2-b-a-d-i-i-i = manivela e haste dobradas em linha: cos(θ − π) = ((b − a)² + d² − c²)/(2 (b − a) d), ½ I₂ ω² = ½ (I₂ + I₄ ψ′²) ω₀²
