@@ -162,7 +162,13 @@ fn an_analysis_is_shown() {
 fn json_of_a_solve_has_the_agreed_shape() {
     let solved = json(&["solve", FAN, "--case", "1", "--format", "json"]);
     let keys: Vec<&String> = solved.as_object().unwrap().keys().collect();
-    assert_eq!(keys, ["analysis", "case", "notes", "inputs", "answers", "checks", "warnings", "refusal"]);
+    assert_eq!(
+        keys,
+        ["analysis", "case", "notes", "inputs", "answers", "plots", "checks", "warnings", "refusal"]
+    );
+    let plot = &solved["plots"][0];
+    assert_eq!(plot["over"], serde_json::json!({ "input": "speed", "answer": null }));
+    assert_eq!(plot["curves"][0]["of"], "amplitude");
     assert_eq!(solved["analysis"], FAN);
     assert_eq!(solved["refusal"], Json::Null);
     let amplitude = &solved["answers"]["amplitude"];

@@ -9,8 +9,8 @@ use std::{
 };
 
 use crate::{
-    Field, FieldError, Inputs, Name, Plain, Record, Shape, Sheet, Solution, Source, Text, Trail, Value,
-    Worksheet, assumed, gravity, input::Lift, kept,
+    Exhibit, Field, FieldError, Inputs, Name, Plain, Record, Shape, Sheet, Solution, Source, Text, Trail,
+    Value, Worksheet, assumed, gravity, input::Lift, kept, vary,
 };
 
 /// What a person reads before picking an analysis.
@@ -214,7 +214,27 @@ fn solve<A: Analysis>(record: &Record, stop: &Stop) -> Result<Solution, SolveErr
     drop(given);
     let mut solution = sheet.into_solution()?;
     solution.warnings.splice(0..0, assumed::warnings(record));
+    forget_absent(&mut solution.exhibits, value);
     Ok(solution)
+}
+
+/// Forgets inputs that exhibits run over where the problem has none of that name: another alternative is chosen.
+fn forget_absent(exhibits: &mut [Exhibit], problem: Value) {
+    let Value::Group(mut record) = problem else { return };
+    let mut has = |path: &str| vary::number(&mut record, path).is_some();
+    for exhibit in exhibits {
+        match exhibit {
+            Exhibit::Plot(plot) => {
+                plot.over = plot.over.take().filter(|over| has(&over.input));
+                for series in &mut plot.series {
+                    let is_asked = series.with.iter().all(|(input, _)| has(input));
+                    series.of = series.of.take().filter(|_| is_asked);
+                }
+            }
+            Exhibit::Film(film) => film.over = film.over.take().filter(|(input, _)| has(input)),
+            _ => {}
+        }
+    }
 }
 
 struct Prepared<A> {

@@ -3,7 +3,7 @@
 mod clip;
 mod space;
 
-use std::borrow::Cow;
+use std::{borrow::Cow, fmt};
 
 pub use self::clip::clipped;
 pub use self::space::{Scene, SpacePoint, SpaceShape, View};
@@ -41,6 +41,17 @@ pub struct Plot {
     pub bands: Vec<Band>,
     /// Horizontal lines worth naming: limits.
     pub levels: Vec<Level>,
+    /// What moves along the horizontal axis; `None` where no input does, or the problem asks for none.
+    pub over: Option<Over>,
+}
+
+/// What moves along the horizontal axis of a plot, so that the problem can be solved at every point of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Over {
+    /// The path of the input that is changed: `crank.speed`.
+    pub input: String,
+    /// The answer that is the abscissa then; `None` where the input itself is.
+    pub answer: Option<String>,
 }
 
 /// An axis: what it measures, and the unit it is shown in.
@@ -73,6 +84,14 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
     /// Whether neighbouring points are joined.
     pub joined: bool,
+    /// The answer that it shows, of a vector the size or a component: `frequency[2]`, `force`, `force.x`. Of a number its
+    /// size, or all of its rows, where these are drawn: `|amplitude|`, `amplitude[*]`. Or the path of the input, where a
+    /// curve is drawn the other way round.
+    pub of: Option<String>,
+    /// Inputs that have another value than in the problem, for comparison: paths and values in SI.
+    pub with: Vec<(String, f64)>,
+    /// The input at every point, where the abscissa does not tell it: a path, a loop. Empty otherwise.
+    pub at: Vec<f64>,
 }
 
 /// A named point of a plot, in SI.
@@ -157,6 +176,8 @@ pub struct Film {
     pub frames: Vec<Vec<DrawnShape>>,
     /// The time of all frames on the screen, in seconds.
     pub period: f64,
+    /// The path of the input that it runs over, and its value in SI at every frame; `None` where no input does.
+    pub over: Option<(String, Vec<f64>)>,
 }
 
 /// A point of a drawing.
@@ -208,7 +229,30 @@ pub enum Ink {
 impl Plot {
     /// A plot without marks, bands or levels.
     pub fn new(title: impl Into<Text>, x: Axis, y: Axis, series: Vec<Series>) -> Self {
-        Self { title: title.into(), x, y, series, marks: Vec::new(), bands: Vec::new(), levels: Vec::new() }
+        Self {
+            title: title.into(),
+            x,
+            y,
+            series,
+            marks: Vec::new(),
+            bands: Vec::new(),
+            levels: Vec::new(),
+            over: None,
+        }
+    }
+
+    /// The same plot over the input at a path: every abscissa is a value of it, and a solve with that value gives the
+    /// answers that the curves name. Where the problem has no such input, another alternative being chosen, the plot
+    /// is over nothing.
+    #[must_use]
+    pub fn over(self, input: impl fmt::Display) -> Self {
+        Self { over: Some(Over { input: input.to_string(), answer: None }), ..self }
+    }
+
+    /// The same plot over an answer that changes with the input at a path: a frequency ratio with the frequency.
+    #[must_use]
+    pub fn over_answer(self, input: impl fmt::Display, answer: impl fmt::Display) -> Self {
+        Self { over: Some(Over { input: input.to_string(), answer: Some(answer.to_string()) }), ..self }
     }
 
     /// The same plot with a named point.
@@ -230,6 +274,20 @@ impl Plot {
     pub fn band(mut self, label: impl Into<Text>, from: f64, to: f64, permitted: bool) -> Self {
         self.bands.push(Band { label: label.into(), from, to, permitted });
         self
+    }
+}
+
+impl Film {
+    /// A film that runs over no input.
+    pub fn new(title: impl Into<Text>, frames: Vec<Vec<DrawnShape>>, period: f64) -> Self {
+        Self { title: title.into(), frames, period, over: None }
+    }
+
+    /// The same film over the input at a path, with its value at every frame: the first frame of a solve with that value
+    /// is the same.
+    #[must_use]
+    pub fn over(self, input: impl fmt::Display, values: Vec<f64>) -> Self {
+        Self { over: Some((input.to_string(), values)), ..self }
     }
 }
 
@@ -311,12 +369,31 @@ impl Axis {
 impl Series {
     /// A curve through points.
     pub fn line(label: impl Into<Text>, points: Vec<(f64, f64)>) -> Self {
-        Self { label: label.into(), points, joined: true }
+        Self { label: label.into(), points, joined: true, of: None, with: Vec::new(), at: Vec::new() }
     }
 
     /// Separate points.
     pub fn dots(label: impl Into<Text>, points: Vec<(f64, f64)>) -> Self {
-        Self { label: label.into(), points, joined: false }
+        Self { label: label.into(), points, joined: false, of: None, with: Vec::new(), at: Vec::new() }
+    }
+
+    /// The same curve, as what an answer is over the abscissa of its plot.
+    #[must_use]
+    pub fn of(self, answer: impl fmt::Display) -> Self {
+        Self { of: Some(answer.to_string()), ..self }
+    }
+
+    /// The same curve, with the input at every point of it.
+    #[must_use]
+    pub fn at(self, values: Vec<f64>) -> Self {
+        Self { at: values, ..self }
+    }
+
+    /// The same curve, as what its answer would be with another value of the input at a path.
+    #[must_use]
+    pub fn with(mut self, input: impl fmt::Display, si: f64) -> Self {
+        self.with.push((input.to_string(), si));
+        self
     }
 }
 

@@ -48,8 +48,8 @@ pub use crate::{
     ascii::ascii,
     draft::Draft,
     exhibit::{
-        Axis, Band, Cell, Column, Drawing, DrawnShape, Exhibit, Film, Ink, Level, Mark, Plot, Point, Scale,
-        Scene, Series, SpacePoint, SpaceShape, TableExhibit, View,
+        Axis, Band, Cell, Column, Drawing, DrawnShape, Exhibit, Film, Ink, Level, Mark, Over, Plot, Point,
+        Scale, Scene, Series, SpacePoint, SpaceShape, TableExhibit, View,
     },
     field::{Field, Insides, Limit, Measure, Shape, Variant},
     input::{FieldError, Inputs, Lift, Reference},

@@ -1,6 +1,6 @@
 //! The numbers among the inputs of a problem, and the same problem solved again with some of them changed.
 
-use dalembert_units::{self as units, Dim, Kind, Unit};
+use dalembert_units::{self as units, Dim, Kind, Quantity, Unit};
 
 use crate::{
     Entry, Evaluate, Limit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value, gravity, kept,
@@ -69,34 +69,49 @@ pub fn inputs(record: &Record) -> Vec<Input> {
     found
 }
 
-/// The record with another number at a path of [`inputs`]; `None` where there is none.
+/// The record with another number at a path of [`inputs`], or at that of an optional one that was left out; `None` where
+/// there is none.
 pub fn changed(record: &Record, path: &str, si: f64) -> Option<Record> {
-    gravity::shared(record, path).iter().try_fold(record.clone(), |record, path| written(record, path, si))
+    gravity::shared(record, path).iter().try_fold(record.clone(), |mut record, path| {
+        kept::keep(&mut record, path);
+        *number(&mut record, path)? = si;
+        Some(record)
+    })
 }
 
-fn written(mut record: Record, path: &str, si: f64) -> Option<Record> {
-    kept::keep(&mut record, path);
-    let mut place = Place::Record(&mut record);
+/// The number at a path. An optional one that was left out is put there.
+pub(crate) fn number<'r>(record: &'r mut Record, path: &str) -> Option<&'r mut f64> {
+    let mut place = Place::Record(record);
     for segment in segments(path).ok()? {
         place = match (place, segment) {
-            (Place::Record(record) | Place::Value(Value::Group(record)), Segment::Name(name)) => {
-                Place::Value(record.get_mut(&name)?)
+            (Place::Record(record) | Place::Value(Value::Group(record), _), Segment::Name(name)) => {
+                let at = record.fields.iter().position(|field| field.name == name)?;
+                let (value, shape) = (record.values.get_mut(at)?, record.fields[at].shape.present());
+                if let (Value::Absent, Shape::Quantity(measure)) = (&*value, shape) {
+                    *value = Value::Quantity(Quantity { si: 0.0, unit: measure.own_unit(), last_place: 0.0 });
+                }
+                Place::Value(value, shape)
             }
-            // The name of the alternative that is chosen.
-            (Place::Value(Value::OneOf { fields, .. }), Segment::Name(_)) => Place::Record(fields),
-            (Place::Value(Value::Rows(rows)), Segment::Row(row)) => Place::Value(rows.get_mut(row)?),
-            (Place::Value(Value::Vector(vector)), Segment::Name(axis)) => {
+            (Place::Value(Value::OneOf { variant, fields }, Shape::OneOf(all)), Segment::Name(name)) => {
+                if all().get(*variant)?.name != name {
+                    return None;
+                }
+                Place::Record(fields)
+            }
+            (Place::Value(Value::Rows(rows), Shape::Rows { item, .. }), Segment::Row(row)) => {
+                Place::Value(rows.get_mut(row)?, item().present())
+            }
+            (Place::Value(Value::Vector(vector), _), Segment::Name(axis)) => {
                 Place::Number(vector.si.get_mut(["x", "y", "z"].iter().position(|known| *known == axis)?)?)
             }
             _ => return None,
         };
     }
     match place {
-        Place::Number(number) => *number = si,
-        Place::Value(Value::Quantity(quantity)) => quantity.si = si,
-        _ => return None,
+        Place::Number(number) => Some(number),
+        Place::Value(Value::Quantity(quantity), _) => Some(&mut quantity.si),
+        _ => None,
     }
-    Some(record)
 }
 
 /// Why the problem has no answer with another number at that path, in words; `None` where it has one.
@@ -236,7 +251,7 @@ impl std::fmt::Debug for Again {
 
 enum Place<'r> {
     Record(&'r mut Record),
-    Value(&'r mut Value),
+    Value(&'r mut Value, Shape),
     Number(&'r mut f64),
 }
 

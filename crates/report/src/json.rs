@@ -2,20 +2,22 @@
 
 use std::ops::Bound;
 
-use dalembert_core::{Answer, AnswerValue, Locale, Number, Value};
+use dalembert_core::{Answer, AnswerValue, Exhibit, Locale, Number, Plot, Series, Value};
 use dalembert_units::{Unit, is_invisible};
 use serde_json::{Map, Value as Json, json};
 
 use crate::{Worked, inputs::inputs};
 
 /// `{"analysis", "case", "notes": [], "inputs": {path: {"text", "value", "unit", "si", "si_unit"}}, "answers": {name:
-/// {"label", "value", "unit", "si", "si_unit", "shown"}}, "checks": [{"what", "residual", "passed"}], "warnings": [],
-/// "refusal": null | "…"}`.
+/// {"label", "value", "unit", "si", "si_unit", "shown"}}, "plots": [{"title", "over", "curves": [{"label", "of", "with"}]}],
+/// "checks": [{"what", "residual", "passed"}], "warnings": [], "refusal": null | "…"}`.
 ///
 /// `value` is in `unit`, the one that is shown, and `si` in `si_unit`, which is coherent; both units can be typed, and that
 /// of a pure number is `1`. Each is a number that reads back bit for bit, `[x, y, z]` for a vector or a list, `[[from, to],
 /// …]` for a set (`null` where an end is open to infinity), and for inputs also `true`, a list of rows (with a list of
-/// units), or `null` for words. `notes` say how inputs were read where that does not stand in them.
+/// units), or `null` for words. A plot is `over` an input (`{"input": path, "answer": null}`) or over an answer that changes
+/// with it, and each of its curves shows what the answer that it is `of` is then, with other inputs as `with` has them;
+/// `null` where the abscissa is no input, or the ordinate no answer. `notes` say how inputs were read where that does not stand in them.
 pub fn json(worked: &Worked<'_>, locale: &Locale) -> Json {
     let mut given = Map::new();
     for input in inputs(worked.draft, worked.record, locale) {
@@ -26,11 +28,15 @@ pub fn json(worked: &Worked<'_>, locale: &Locale) -> Json {
         }
     }
     let mut answers = Map::new();
-    let (mut checks, mut warnings) = (Vec::new(), Vec::new());
+    let (mut plots, mut checks, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     if let Ok(solution) = worked.outcome {
         for found in &solution.answers {
             answers.insert(found.name.to_string(), answer(found, locale));
         }
+        plots.extend(solution.exhibits.iter().filter_map(|exhibit| match exhibit {
+            Exhibit::Plot(shown) => Some(plot(shown, locale)),
+            _ => None,
+        }));
         checks.extend(solution.checks.iter().map(|check| {
             json!({ "what": check.what.render(locale), "residual": check.residual, "limit": check.limit, "passed": check.passed })
         }));
@@ -42,6 +48,7 @@ pub fn json(worked: &Worked<'_>, locale: &Locale) -> Json {
         "notes": worked.notes.iter().map(|note| note.render(locale)).collect::<Vec<_>>(),
         "inputs": given,
         "answers": answers,
+        "plots": plots,
         "checks": checks,
         "warnings": warnings,
         "refusal": worked.outcome.err().map(|why| why.render(locale)),
@@ -79,6 +86,19 @@ fn answer(answer: &Answer, locale: &Locale) -> Json {
     entry.insert("label".into(), answer.label(locale).into());
     entry.insert("shown".into(), answer.shown(locale).into());
     Json::Object(entry)
+}
+
+fn plot(plot: &Plot, locale: &Locale) -> Json {
+    let curve = |series: &Series| {
+        let with: Map<String, Json> =
+            series.with.iter().map(|(input, si)| (input.clone(), json!(si))).collect();
+        json!({ "label": series.label.render(locale), "of": series.of, "with": with })
+    };
+    json!({
+        "title": plot.title.render(locale),
+        "over": plot.over.as_ref().map(|over| json!({ "input": over.input, "answer": over.answer })),
+        "curves": plot.series.iter().map(curve).collect::<Vec<_>>(),
+    })
 }
 
 /// What was understood.

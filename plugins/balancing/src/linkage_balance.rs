@@ -521,9 +521,5 @@ fn film(poses: &[Pose], counterweights: &[Counterweight], follower: Follower) ->
         }
         shapes
     };
-    Film {
-        title: "The linkage with its counterweights".into(),
-        frames: poses.iter().step_by(every).map(frame).collect(),
-        period: 3.0,
-    }
+    Film::new("The linkage with its counterweights", poses.iter().step_by(every).map(frame).collect(), 3.0)
 }

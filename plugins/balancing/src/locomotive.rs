@@ -497,8 +497,10 @@ fn against_speed(blow: f64, speed: f64, load: Option<f64>, limit: Option<f64>) -
     let points = (0..=100).map(|k| end * f64::from(k) / 100.0).map(|at| (at, blow * (at / speed).powi(2)));
     let x = Axis::linear("Speed of the wheels", "rpm");
     let y = Axis::linear("Hammer blow", "kN");
-    let series = vec![Series::line("hammer blow", points.collect())];
-    let plot = Plot::new("Hammer blow against speed", x, y, series).mark("running", (speed, blow));
+    let series = vec![Series::line("hammer blow", points.collect()).of("hammer_blow")];
+    let plot = Plot::new("Hammer blow against speed", x, y, series)
+        .over("running.wheel.speed")
+        .mark("running", (speed, blow));
     match load {
         Some(load) => plot.level("dead load", load),
         None => plot,

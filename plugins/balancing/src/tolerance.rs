@@ -629,14 +629,16 @@ fn chart(speed: f64, permissible: f64, residual: Option<f64>) -> Plot {
     let ends = [speed / 10.0, speed * 10.0];
     let line = |(g, _): &(f64, &str)| {
         let label = Text::new("G {grade}").with("grade", g);
-        Series::line(label, ends.map(|w| (w, g * 1e-3 / w)).to_vec())
+        let line = Series::line(label, ends.map(|w| (w, g * 1e-3 / w)).to_vec());
+        line.of("specific").with("criterion.grade.grade", g * 1e-3)
     };
     let plot = Plot::new(
         "Permissible specific unbalance against speed",
         Axis::log("Speed", "rpm"),
         Axis::log("Specific unbalance", "µm"),
         near.map(line).collect(),
-    );
+    )
+    .over("speed");
     let plot = plot.mark("permissible", (speed, permissible));
     match residual {
         Some(residual) if residual > 0.0 => plot.mark("measured unbalance", (speed, residual)),

@@ -388,8 +388,9 @@ impl DynamicEquilibrium {
             "Angle against the speed of the shaft",
             Axis::linear("speed", "rpm"),
             Axis::linear("angle to the vertical", "deg"),
-            vec![Series::line("θ", (0..=160).map(at).collect())],
+            vec![Series::line("θ", (0..=160).map(at).collect()).of("angle")],
         )
+        .over("known.speed.speed")
         .mark("at this speed", (speed.abs(), angle))
     }
 }

@@ -249,8 +249,9 @@ impl EdgeMill {
             "Crushing force against the speed of the shaft",
             Axis::linear("speed of the shaft", "rpm"),
             Axis::linear("force of a roller", "N"),
-            vec![Series::line("N", (0..=200).map(at).collect())],
+            vec![Series::line("N", (0..=200).map(at).collect()).of("crushing_force")],
         )
+        .over("speed.shaft.speed")
         .level("weight", weight)
         .mark("at this speed", (omega, force))
     }

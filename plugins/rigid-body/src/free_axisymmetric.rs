@@ -543,7 +543,10 @@ fn components(ratio: f64, omega: Vector3<f64>) -> Plot {
         ["ω_x", "ω_y", "ω_z"]
             .into_iter()
             .enumerate()
-            .map(|(n, name)| Series::line(Text::from(name), along(n)))
+            .map(|(n, name)| {
+                Series::line(Text::from(name), along(n)).of(["velocity.x", "velocity.y", "velocity.z"][n])
+            })
             .collect(),
     )
+    .over("instant")
 }

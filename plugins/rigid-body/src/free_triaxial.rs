@@ -492,8 +492,13 @@ fn components(body: &FreeBody, shown: f64) -> Plot {
         "Angular velocity in principal axes",
         Axis::linear("time", "s"),
         Axis::linear("angular velocity", "rad/s"),
-        ["ω_x", "ω_y", "ω_z"].into_iter().enumerate().map(|(n, name)| Series::line(name, along(n))).collect(),
-    );
+        [("ω_x", "velocity.x"), ("ω_y", "velocity.y"), ("ω_z", "velocity.z")]
+            .into_iter()
+            .enumerate()
+            .map(|(n, (name, answer))| Series::line(name, along(n)).of(answer))
+            .collect(),
+    )
+    .over("instant");
     match body.first_flip() {
         Some(flip) if flip <= shown => plot.mark("first flip", (flip, 0.0)),
         _ => plot,

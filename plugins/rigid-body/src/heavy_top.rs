@@ -418,17 +418,18 @@ impl HeavyTop {
             }
             first.push((spin, sign * top::first_order_precession(at.couple, at.axial, spin)));
         }
-        let mut series = vec![Series::line("slow", slow)];
+        let mut series = vec![Series::line("slow", slow).of("slow_precession")];
         if !fast.is_empty() {
-            series.push(Series::line("fast", fast));
+            series.push(Series::line("fast", fast).of("fast_precession"));
         }
-        series.push(Series::line("formula for fast tops", first));
+        series.push(Series::line("formula for fast tops", first).of("first_order_precession"));
         let plot = Plot::new(
             "Precession against spin at this angle",
             Axis::linear("spin of the top", "rad/s"),
             Axis::linear("precession", "rad/s"),
             series,
         )
+        .over("motion.spin.spin")
         .mark("this top", (spin, at.precession));
         if least > 0.0 { plot.band("too slow", 0.0, least, false) } else { plot }
     }

@@ -324,8 +324,14 @@ impl RateOfChange {
             "dH/dt about G in the fixed axes over a turn of the first joint",
             Axis::linear("angle", "deg"),
             Axis::linear("couple", "N*m"),
-            vec![Series::line("X", x), Series::line("Y", y), Series::line("Z", z)],
+            vec![
+                Series::line("X", x).of("rate_about_g.x"),
+                Series::line("Y", y).of("rate_about_g.y"),
+                Series::line("Z", z).of("rate_about_g.z"),
+            ],
         )
+        // The answers are in the axes that are asked for.
+        .over(if self.frame.place() == 0 { "joints[1].motion.now.angle" } else { "" })
     }
 
     /// The body's frame with ω, H and dH/dt at G, in the moving axes.

@@ -247,12 +247,17 @@ impl RodOnShaft {
             let angle = from + (to - from) * f64::from(n) / 180.0;
             (angle, -most * (2.0 * angle).sin())
         };
+        let input = match self.inclination {
+            Inclination::FromHorizontal { .. } => "inclination.from-horizontal.angle",
+            Inclination::FromShaft { .. } => "inclination.from-shaft.angle",
+        };
         Plot::new(
             "Couple on the rod against its angle",
             Axis::linear("angle of the rod", "deg"),
             Axis::linear("couple about z", "N*m"),
-            vec![Series::line("M_z", (0..=180).map(at).collect())],
+            vec![Series::line("M_z", (0..=180).map(at).collect()).of("tilting_couple")],
         )
+        .over(input)
         .mark("at this angle", (angle, couple))
     }
 

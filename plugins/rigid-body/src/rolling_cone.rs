@@ -257,8 +257,12 @@ impl Analysis for RollingCone {
                 "Where the normal force acts",
                 Axis::linear("precession", "rad/s"),
                 Axis::linear("distance from the apex", "mm"),
-                vec![Series::line("x_N", (0..=200).map(at).collect())],
+                vec![Series::line("x_N", (0..=200).map(at).collect()).of("normal_place")],
             );
+            let plot = match self.known {
+                Known::Precession { .. } => plot.over("known.precession.precession"),
+                Known::Omega { .. } => plot.over_answer("known.omega.omega", "precession"),
+            };
             Exhibit::Plot(
                 plot.level("edge of the base", slant).mark("here", at_point(now, lever, part, normal)),
             )

@@ -261,27 +261,43 @@ impl RollingMotion {
             Series::line(name, moments.iter().map(|moment| (moment.time, of(moment))).collect())
         };
         let over = |title: &'static str, label: &'static str, unit: &'static str, series| {
-            Exhibit::Plot(Plot::new(title, Axis::linear("Time", "s"), Axis::linear(label, unit), series))
+            let plot = Plot::new(title, Axis::linear("Time", "s"), Axis::linear(label, unit), series);
+            Exhibit::Plot(plot.over("duration"))
         };
         sheet.show(|| self.film(moments));
         sheet.show(|| {
             let contact = moments.iter().map(|moment| (moment.contact[0], moment.contact[1])).collect();
             let centre = moments.iter().map(|moment| self.centre(moment)).map(|c| (c.x, c.y)).collect();
-            Exhibit::Plot(Plot::new(
-                "Path on the floor",
-                Axis::linear("X", "mm"),
-                Axis::linear("Y", "mm"),
-                vec![Series::line("contact", contact), Series::line("centre", centre)],
-            ))
+            let times = moments.iter().map(|moment| moment.time).collect();
+            Exhibit::Plot(
+                Plot::new(
+                    "Path on the floor",
+                    Axis::linear("X", "mm"),
+                    Axis::linear("Y", "mm"),
+                    vec![
+                        Series::line("contact", contact).of("contact_y").at(times),
+                        Series::line("centre", centre),
+                    ],
+                )
+                .over_answer("duration", "contact_x"),
+            )
         });
-        sheet.show(|| over("Angle to the floor", "angle", "deg", vec![line("θ", &|m| m.inclination)]));
         sheet.show(|| {
-            let omegas =
-                vec![line("ω₁", &|m| m.omega[0]), line("ω₂", &|m| m.omega[1]), line("ω₃", &|m| m.omega[2])];
+            over("Angle to the floor", "angle", "deg", vec![line("θ", &|m| m.inclination).of("inclination")])
+        });
+        sheet.show(|| {
+            let omegas = vec![
+                line("ω₁", &|m| m.omega[0]).of("omega.x"),
+                line("ω₂", &|m| m.omega[1]).of("omega.y"),
+                line("ω₃", &|m| m.omega[2]).of("omega.z"),
+            ];
             over("Angular velocity in the axes 123", "Angular velocity", "rad/s", omegas)
         });
         sheet.show(|| {
-            let forces = vec![line("N", &|m| m.normal), line("F", &|m| m.friction[0].hypot(m.friction[1]))];
+            let forces = vec![
+                line("N", &|m| m.normal).of("normal"),
+                line("F", &|m| m.friction[0].hypot(m.friction[1])),
+            ];
             over("Normal force and friction", "force", "N", forces)
         });
         sheet.show(|| {

@@ -194,15 +194,21 @@ fn over_speed(disc: &Rolling, rolls: bool, critical: f64, at: Option<f64>) -> Pl
     };
     let most = at.unwrap_or(0.0).max(2.0 * critical);
     let speeds = || (0..=240).map(|n| most * f64::from(n) / 240.0);
-    let growth = speeds().map(|speed| (speed, (-stiffness(speed)).max(0.0).sqrt())).collect();
-    let wobble = speeds().map(|speed| (speed, stiffness(speed).max(0.0).sqrt())).collect();
-    let (label, unit) = if rolls { ("speed of the centre", "m/s") } else { ("angular velocity", "rad/s") };
+    let rate = |square: f64| if square > 0.0 { square.sqrt() } else { f64::INFINITY };
+    let growth = speeds().map(|speed| (speed, rate(-stiffness(speed)))).collect();
+    let wobble = speeds().map(|speed| (speed, rate(stiffness(speed)))).collect();
+    let (label, unit, input) = if rolls {
+        ("speed of the centre", "m/s", "motion.rolling.speed")
+    } else {
+        ("angular velocity", "rad/s", "motion.spinning.spin")
+    };
     let plot = Plot::new(
         "Growth or wobble of a small tilt",
         Axis::linear(label, unit),
         Axis::linear("rate", "1/s"),
-        vec![Series::line("growth", growth), Series::line("wobble", wobble)],
+        vec![Series::line("growth", growth).of("growth"), Series::line("wobble", wobble).of("wobble")],
     )
+    .over(input)
     .mark("limit", (critical, 0.0));
     match at {
         Some(at) => plot.mark("here", (at, stiffness(at).abs().sqrt())),

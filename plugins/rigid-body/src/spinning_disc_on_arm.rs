@@ -245,8 +245,13 @@ impl SpinningDiscOnArm {
             "Couple on the disc in fixed axes over a turn of the arm",
             Axis::linear("angle of the arm", "deg"),
             Axis::linear("couple", "N*m"),
-            vec![Series::line("M_X", along(0)), Series::line("M_Y", along(1)), Series::line("M_Z", along(2))],
+            vec![
+                Series::line("M_X", along(0)).of("fixed_couple.x"),
+                Series::line("M_Y", along(1)).of("fixed_couple.y"),
+                Series::line("M_Z", along(2)).of("fixed_couple.z"),
+            ],
         )
+        .over("arm_angle")
         .mark("M_X at this angle", (here, at(here).x))
         .mark("M_Z at this angle", (here, at(here).z))
     }

@@ -310,8 +310,9 @@ fn precessions(disc: &Rolling, angle: f64, circle: f64, precession: f64) -> Plot
         "Precession over the angle, on the same circle of the centre",
         Axis::linear("angle of the plane to the floor", "deg"),
         Axis::linear("precession", "rad/s"),
-        vec![Series::line("φ̇", (18..=178).map(at).collect())],
+        vec![Series::line("φ̇", (18..=178).map(at).collect()).of("precession")],
     )
+    .over("known.centre-circle.inclination")
     .mark("this motion", (angle, precession))
 }
 

@@ -398,8 +398,9 @@ fn over_time(motion: &Nutation) -> Plot {
         "Angle of the axis to the vertical",
         Axis::linear("time", "s"),
         Axis::linear("angle to the vertical", "deg"),
-        vec![Series::line("θ", points.collect())],
+        vec![Series::line("θ", points.collect()).of("angle")],
     )
+    .over("instant")
     .level("highest", high)
     .level("lowest", low)
 }
@@ -412,10 +413,12 @@ fn precession_over_time(motion: &Nutation) -> Plot {
         Axis::linear("time", "s"),
         Axis::linear("angle about the vertical", "deg"),
         vec![
-            Series::line("φ", times.clone().map(|t| (t, motion.at(t).precession)).collect()),
+            Series::line("φ", times.clone().map(|t| (t, motion.at(t).precession)).collect())
+                .of("precession_angle"),
             Series::line("on average", times.map(|t| (t, motion.mean_precession() * t)).collect()),
         ],
     )
+    .over("instant")
 }
 
 /// The tip of the axis on the unit sphere.

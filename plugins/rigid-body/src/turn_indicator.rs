@@ -237,8 +237,9 @@ impl TurnIndicator {
             "Angle of the yoke against the rate of turn",
             Axis::linear("rate of turn", "deg/s"),
             Axis::linear("angle of the yoke", "deg"),
-            vec![Series::line("θ", (0..=120).map(at).collect())],
+            vec![Series::line("θ", (0..=120).map(at).collect()).of("angle")],
         )
+        .over("turn.rate.rate")
         .mark("this turn", here)
     }
 }

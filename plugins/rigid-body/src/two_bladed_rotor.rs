@@ -266,11 +266,12 @@ impl TwoBladedRotor {
             Axis::linear("angle of the blades", "deg"),
             Axis::linear("couple", "N*m"),
             vec![
-                Series::line("C", along(&resultant)),
-                Series::line("M_y", along(&precession)),
-                Series::line("M_z", along(&normal)),
+                Series::line("C", along(&resultant)).of("resultant"),
+                Series::line("M_y", along(&precession)).of("couple_precession"),
+                Series::line("M_z", along(&normal)).of("couple_normal"),
             ],
         )
+        .over("angle")
         .mark("at this angle", (self.angle.rem_euclid(TAU), here))
     }
 }

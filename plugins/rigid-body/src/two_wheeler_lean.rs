@@ -358,10 +358,12 @@ impl TwoWheelerLean {
 
     /// Lean against speed, with and without turning parts: the speed is closed in the lean.
     fn lean_over_speed(&self, inertia: f64, here: (f64, f64)) -> Plot {
-        let curve = |inertia: f64| -> Vec<(f64, f64)> {
+        // Without turning parts the vehicle itself is taken as one that does not turn.
+        let without = Self { inertia_difference: None, ..self.clone() };
+        let curve = |this: &Self, inertia: f64| -> Vec<(f64, f64)> {
             (0..=140)
                 .map(|n| f64::from(n) * 0.01)
-                .map(|lean: f64| ((lean.tan() / self.tangent(inertia, 1.0, lean)).sqrt(), lean))
+                .map(|lean: f64| ((lean.tan() / this.tangent(inertia, 1.0, lean)).sqrt(), lean))
                 .filter(|(speed, _)| speed.is_finite())
                 .collect()
         };
@@ -369,8 +371,12 @@ impl TwoWheelerLean {
             "Lean against speed",
             Axis::linear("speed", "km/h"),
             Axis::linear("lean", "deg"),
-            vec![Series::line("with wheels and engine", curve(inertia)), Series::line("without", curve(0.0))],
+            vec![
+                Series::line("with wheels and engine", curve(self, inertia)).of("lean"),
+                Series::line("without", curve(&without, 0.0)).of("lean_without_rotors"),
+            ],
         )
+        .over("motion.speed.speed")
         .mark("here", here)
     }
 

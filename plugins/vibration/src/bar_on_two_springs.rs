@@ -194,11 +194,11 @@ impl Analysis for BarOnTwoSprings {
                     let now = swing * (TAU * f64::from(frame) / 24.0).cos();
                     self.shapes(ends.map(|end| end * now))
                 });
-                Exhibit::Film(Film {
-                    title: Text::new("Mode {mode}").with("mode", mode + 1),
-                    frames: frames.collect(),
-                    period: 2.0,
-                })
+                Exhibit::Film(Film::new(
+                    Text::new("Mode {mode}").with("mode", mode + 1),
+                    frames.collect(),
+                    2.0,
+                ))
             });
         }
         Ok(())

@@ -144,17 +144,29 @@ impl Analysis for BaseExcitation {
         }
         let own = own_damping(&suspension);
         let ratio = at.ratio.value();
-        sheet.show(|| Exhibit::Plot(plots::transmissibility_family(ratio, own)));
+        let (frequency, amplitude) = match self.base {
+            Base::Displacement { .. } => ("base.displacement.frequency", "base.displacement.amplitude"),
+            Base::Acceleration { .. } => ("base.acceleration.frequency", ""),
+            Base::Road { .. } => ("base.road.speed", "base.road.amplitude"),
+        };
+        sheet.show(|| {
+            let plot = plots::transmissibility_family(ratio, own);
+            Exhibit::Plot(plots::answered(plot, frequency, "transmissibility"))
+        });
         sheet.show(|| {
             let relative = |r: f64, zeta: f64| plots::below(sdof::unbalance_magnification(r, zeta), 20.0);
             let here = (ratio, sdof::unbalance_magnification(ratio, own(ratio)));
-            Exhibit::Plot(plots::family(
+            let mut plot = plots::family(
                 "Relative motion against frequency ratio",
                 Axis::linear("relative motion over motion of the base", "1"),
                 here,
                 |r| if r > 0.0 { relative(r, own(r)) } else { 0.0 },
                 relative,
-            ))
+            );
+            // Of a base that moves by one.
+            plot = plots::answered(plot, frequency, "relative_amplitude");
+            plot.series = plot.series.into_iter().map(|series| series.with(amplitude, 1.0)).collect();
+            Exhibit::Plot(plot)
         });
         if let Base::Road { wavelength, .. } = self.base {
             sheet.show(|| {
@@ -304,8 +316,9 @@ impl BaseExcitation {
             "Amplitude against speed",
             Axis::linear("speed of the vehicle", "km/h"),
             Axis::linear("amplitude", "mm"),
-            vec![Series::line("X", curve)],
+            vec![Series::line("X", curve).of("amplitude")],
         )
+        .over("base.road.speed")
         .mark("at this speed", (speed, at(speed)))
     }
 }

@@ -254,8 +254,9 @@ fn transmissibility_over_frequency(frequency: f64, natural: f64, zeta: f64) -> P
         "Transmissibility against frequency",
         Axis::linear("frequency of the force", "rad/s"),
         Axis::log("transmissibility", "1"),
-        vec![Series::line("TR", (0..=400).map(at).collect())],
+        vec![Series::line("TR", (0..=400).map(at).collect()).of("transmissibility")],
     )
+    .over("excitation.frequency")
     .mark("at this frequency", (frequency, sdof::transmissibility(frequency / natural, zeta)))
     .level("the force as it is", 1.0)
 }

@@ -232,9 +232,5 @@ pub(crate) fn shapes_film(
         };
         shapes.iter().take(shown).enumerate().flat_map(row).collect()
     };
-    Exhibit::Film(Film {
-        title: "Mode shapes in motion".into(),
-        frames: (0..FRAMES).map(frame).collect(),
-        period: 2.0,
-    })
+    Exhibit::Film(Film::new("Mode shapes in motion", (0..FRAMES).map(frame).collect(), 2.0))
 }

@@ -268,7 +268,7 @@ fn history(decay: &FrictionDecay, rest: &Rest, asked: Option<f64>) -> Plot {
         let time = span * f64::from(n) / 480.0;
         (time, decay.state(time)[0])
     };
-    let mut series = vec![Series::line("x", (0..=480).map(at).collect())];
+    let mut series = vec![Series::line("x", (0..=480).map(at).collect()).of("displacement")];
     if let Some((turned, first)) = decay.first_turning()
         && decay.motion.damping_ratio < 1.0
     {
@@ -289,6 +289,7 @@ fn history(decay: &FrictionDecay, rest: &Rest, asked: Option<f64>) -> Plot {
         Axis::linear("displacement", "mm"),
         series,
     )
+    .over("time")
     .level("friction holds", decay.hold)
     .level("friction holds", -decay.hold);
     if let Some(time) = rest.time.filter(|time| *time <= span) {
@@ -302,16 +303,15 @@ fn history(decay: &FrictionDecay, rest: &Rest, asked: Option<f64>) -> Plot {
 
 fn phase_plane(decay: &FrictionDecay, rest: &Rest) -> Plot {
     let span = span(decay, rest, None);
-    let at = |n: u16| {
-        let [x, v] = decay.state(span * f64::from(n) / 480.0);
-        (x, v)
-    };
+    let times: Vec<f64> = (0..=480u16).map(|n| span * f64::from(n) / 480.0).collect();
+    let points = times.iter().map(|time| decay.state(*time)).map(|[x, v]| (x, v)).collect();
     Plot::new(
         "Phase plane: half turns about the two shifted positions of rest",
         Axis::linear("displacement", "mm"),
         Axis::linear("velocity", "m/s"),
-        vec![Series::line("motion", (0..=480).map(at).collect())],
+        vec![Series::line("motion", points).of("velocity").at(times)],
     )
+    .over_answer("time", "displacement")
     .mark("start", (decay.motion.displacement, decay.motion.velocity))
     .mark("rest", (rest.position, 0.0))
 }

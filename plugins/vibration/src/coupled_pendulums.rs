@@ -160,11 +160,11 @@ impl Analysis for CoupledPendulums {
                     let now = 0.35 / largest * (TAU * f64::from(frame) / 24.0).cos();
                     self.shapes(shape.map(|x| x * now))
                 });
-                Exhibit::Film(Film {
-                    title: Text::new("Mode {mode}").with("mode", mode + 1),
-                    frames: frames.collect(),
-                    period: 2.0,
-                })
+                Exhibit::Film(Film::new(
+                    Text::new("Mode {mode}").with("mode", mode + 1),
+                    frames.collect(),
+                    2.0,
+                ))
             });
         }
         Ok(())

@@ -371,9 +371,10 @@ fn assess<W: Worksheet>(
     }
     let marked = kernel.largest_peak().filter(|peak| peak.height < 1e4);
     let natural = system.body.as_ref().map(|body| body.natural.value());
-    sheet.show(|| Exhibit::Plot(exhibits::response(&kernel, natural, marked)));
-    sheet.show(|| Exhibit::Plot(exhibits::stroke(&kernel, natural)));
-    sheet.show(|| Exhibit::Plot(exhibits::family(&kernel)));
+    let input = if natural.is_some() { "at.given.frequency" } else { "at.ratio.ratio" };
+    sheet.show(|| Exhibit::Plot(exhibits::response(&kernel, natural, marked).over(input)));
+    sheet.show(|| Exhibit::Plot(exhibits::stroke(&kernel, natural).over(input)));
+    sheet.show(|| Exhibit::Plot(exhibits::family(&kernel).over("at.ratio.ratio")));
     sheet.show(|| Exhibit::Drawing(exhibits::drawing(chosen.tuning.is_some())));
     Ok(())
 }

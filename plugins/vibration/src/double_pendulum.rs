@@ -241,11 +241,7 @@ impl Analysis for DoublePendulum {
                     let now = 0.4 / largest * (TAU * f64::from(frame) / 24.0).cos();
                     self.shapes([now, ratio * now])
                 });
-                Exhibit::Film(Film {
-                    title: Text::new("Mode {mode}").with("mode", mode),
-                    frames: frames.collect(),
-                    period: 2.0,
-                })
+                Exhibit::Film(Film::new(Text::new("Mode {mode}").with("mode", mode), frames.collect(), 2.0))
             });
         }
         Ok(())

@@ -309,14 +309,20 @@ fn free_plot(oscillator: &Duffing, amplitude: f64, period: f64) -> Plot {
 
 fn backbone_plot(oscillator: &Duffing, amplitude: f64, period: f64) -> Plot {
     let amplitudes = (1..=200).map(|n| 2.0 * amplitude * f64::from(n) / 200.0);
-    let exact = amplitudes.clone().filter_map(|a| Some((TAU / oscillator.free_period(a)?, a))).collect();
+    let exact: Vec<_> =
+        amplitudes.clone().filter_map(|a| Some((TAU / oscillator.free_period(a)?, a))).collect();
+    let given = exact.iter().map(|(_, a)| *a).collect();
     let balance = amplitudes.filter_map(|a| Some((oscillator.backbone(a)?, a))).collect();
     Plot::new(
         "Backbone: frequency of the free vibration against its amplitude",
         Axis::linear("frequency", "rad/s"),
         Axis::linear("amplitude", "mm"),
-        vec![Series::line("exact", exact), Series::line("harmonic balance", balance)],
+        vec![
+            Series::line("exact", exact).of("motion.free.amplitude").at(given),
+            Series::line("harmonic balance", balance),
+        ],
     )
+    .over_answer("motion.free.amplitude", "frequency")
     .mark("at this amplitude", (TAU / period, amplitude))
 }
 
@@ -349,12 +355,14 @@ fn response_plot(
         Axis::linear("frequency of the force", "rad/s"),
         Axis::linear("amplitude", "mm"),
         vec![
-            Series::line("below the backbone", side(0)),
-            Series::line("above the backbone", side(1)),
+            Series::line("below the backbone", side(0)).of("amplitude[*]"),
+            Series::line("above the backbone", side(1)).of("amplitude[*]"),
             Series::line("backbone", backbone.collect()),
-            Series::dots("at this frequency", steady.iter().map(|one| (at, one.amplitude)).collect()),
+            Series::dots("at this frequency", steady.iter().map(|one| (at, one.amplitude)).collect())
+                .of("amplitude[*]"),
         ],
-    );
+    )
+    .over("motion.forced.frequency");
     for jump in jumps {
         plot = plot.mark("jump", *jump);
     }

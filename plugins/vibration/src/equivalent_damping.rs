@@ -335,10 +335,11 @@ impl EquivalentDamping {
             Axis::linear("frequency of the force", "Hz"),
             Axis::log("amplitude", "mm"),
             vec![
-                Series::line("this damping", points().map(here).collect()),
+                Series::line("this damping", points().map(here).collect()).of("amplitude"),
                 Series::line("viscous, with the same loss here", points().map(viscous).collect()),
             ],
         )
+        .over("frequency")
         .mark("at this frequency", (self.frequency, amplitude))
     }
 }

@@ -297,7 +297,10 @@ fn translation<W: Worksheet>(
     let springs_share = moving_in_all.value() - mass.value();
     sheet.show(|| {
         let curve = |mass: f64| (k.value() / (mass + springs_share)).sqrt();
-        Exhibit::Plot(against_load(mass.value(), curve, Axis::linear("mass of the load", "kg")))
+        Exhibit::Plot(
+            against_load(mass.value(), curve, Axis::linear("mass of the load", "kg"))
+                .over("motion.translation.load.mass.mass"),
+        )
     });
     Ok(())
 }
@@ -370,11 +373,10 @@ fn rotation<W: Worksheet>(
     let shaft = turning.value() - inertia.value();
     sheet.show(|| {
         let curve = |inertia: f64| (k.value() / (inertia + shaft)).sqrt();
-        Exhibit::Plot(against_load(
-            inertia.value(),
-            curve,
-            Axis::linear("moment of inertia of the body", "kg*m^2"),
-        ))
+        Exhibit::Plot(
+            against_load(inertia.value(), curve, Axis::linear("moment of inertia of the body", "kg*m^2"))
+                .over("motion.rotation.body.known.inertia.given.inertia"),
+        )
     });
     Ok(())
 }
@@ -423,7 +425,7 @@ fn against_load(load: f64, natural: impl Fn(f64) -> f64, x: Axis) -> Plot {
         "Natural frequency against the load",
         x,
         Axis::linear("natural frequency", "Hz"),
-        vec![Series::line("fₙ", (0..=280).map(at).collect())],
+        vec![Series::line("fₙ", (0..=280).map(at).collect()).of("natural_frequency")],
     )
     .mark("this load", (load, natural(load)))
 }

@@ -135,7 +135,12 @@ impl Analysis for ForcedCoulomb {
         };
         let shaken =
             DryForced { ratio: ratio.value(), deflection: force / self.stiffness, offset: offset.value() };
-        sheet.show(|| Exhibit::Plot(response(&shaken, natural.value(), self.frequency, amplitude)));
+        sheet.show(|| {
+            let plot = response(&shaken, natural.value(), self.frequency, amplitude);
+            // Of an amplitude that is given, the force at this frequency is kept.
+            let is_given = matches!(self.excitation, Excitation::Amplitude { .. });
+            Exhibit::Plot(if is_given { plot } else { plot.over("frequency") })
+        });
         sheet.show(|| Exhibit::Plot(hysteresis(friction.value(), self.stiffness, amplitude)));
         sheet.show(|| Exhibit::Plot(history(&shaken, natural.value())));
         sheet.show(|| Exhibit::Drawing(drawing()));
@@ -392,8 +397,8 @@ fn response(shaken: &DryForced, natural: f64, frequency: f64, amplitude: f64) ->
         Axis::linear("frequency of the force", "Hz"),
         Axis::log("amplitude", "mm"),
         vec![
-            Series::line("equivalent damping", points().map(equivalent).collect()),
-            Series::line("exact, without stops", points().map(exact).collect()),
+            Series::line("equivalent damping", points().map(equivalent).collect()).of("amplitude"),
+            Series::line("exact, without stops", points().map(exact).collect()).of("exact_amplitude"),
         ],
     )
     .mark("at this frequency", (frequency, amplitude))

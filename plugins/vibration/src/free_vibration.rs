@@ -496,8 +496,10 @@ fn span(motion: &FreeMotion, asked: Option<f64>) -> f64 {
 fn history(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
     let span = span(motion, asked);
     let times = (0..=400u16).map(|n| span * f64::from(n) / 400.0);
-    let mut series =
-        vec![Series::line(units.symbol, times.clone().map(|t| (t, motion.state(t)[0])).collect())];
+    let mut series = vec![
+        Series::line(units.symbol, times.clone().map(|t| (t, motion.state(t)[0])).collect())
+            .of("displacement"),
+    ];
     let (w, z) = (motion.natural_frequency, motion.damping_ratio);
     if z != 0.0 && z.abs() < 1.0 {
         let side = (motion.velocity + z * w * motion.displacement) / motion.damped_frequency();
@@ -513,7 +515,8 @@ fn history(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
         Axis::linear("time", "s"),
         Axis::linear("displacement", units.displacement),
         series,
-    );
+    )
+    .over("time");
     if let Some(time) = motion.first_turning()
         && time <= span
     {
@@ -529,16 +532,15 @@ fn history(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
 
 fn phase_plane(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
     let span = span(motion, asked);
-    let at = |n: u16| {
-        let [x, v, _] = motion.state(span * f64::from(n) / 400.0);
-        (x, v)
-    };
+    let times: Vec<f64> = (0..=400u16).map(|n| span * f64::from(n) / 400.0).collect();
+    let points = times.iter().map(|time| motion.state(*time)).map(|[x, v, _]| (x, v)).collect();
     Plot::new(
         "Phase plane",
         Axis::linear("displacement", units.displacement),
         Axis::linear("velocity", units.velocity),
-        vec![Series::line("motion", (0..=400).map(at).collect())],
+        vec![Series::line("motion", points).of("velocity").at(times)],
     )
+    .over_answer("time", "displacement")
     .mark("start", (motion.displacement, motion.velocity))
 }
 

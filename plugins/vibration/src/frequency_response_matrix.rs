@@ -1,8 +1,8 @@
 //! Steady response of systems with many degrees of freedom to harmonic forces.
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, Symbol, TableExhibit, Text,
-    Worksheet, register,
+    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Name, Plot, Refusal, Series, Symbol, TableExhibit,
+    Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -117,6 +117,9 @@ impl Quantity {
         }
     }
 }
+
+/// What the curves are over.
+const ASKED: &str = "frequencies[1].frequency";
 
 register!(FrequencyResponseMatrix);
 
@@ -359,11 +362,13 @@ impl FrequencyResponseMatrix {
             let Some(curve) = curve(damped, force, found, row.coordinate - 1, &grid) else { return };
             let curve: Vec<Complex<f64>> =
                 curve.into_iter().zip(&grid).map(|(x, w)| x * self.quantity.factor(*w)).collect();
-            curves.push((Text::new("coordinate {at}").with("at", row.coordinate), curve));
+            curves.push((row.coordinate, Text::new("coordinate {at}").with("at", row.coordinate), curve));
         }
-        let line = |of: fn(&Complex<f64>) -> f64| {
-            let series = curves.iter().map(|(label, curve)| {
-                Series::line(label.clone(), grid.iter().copied().zip(curve.iter().map(of)).collect())
+        let answer = |name: &'static str, coordinate: usize| Name::from((name, 1, coordinate));
+        let line = |name: &'static str, of: fn(&Complex<f64>) -> f64| {
+            let series = curves.iter().map(|(coordinate, label, curve)| {
+                let points = grid.iter().copied().zip(curve.iter().map(of)).collect();
+                Series::line(label.clone(), points).of(answer(name, *coordinate))
             });
             series.collect::<Vec<_>>()
         };
@@ -373,8 +378,9 @@ impl FrequencyResponseMatrix {
                 "Amplitude against frequency",
                 Axis::linear("frequency", "Hz"),
                 Axis::log(label, unit),
-                line(|x| x.norm()),
-            );
+                line("amplitude", |x| x.norm()),
+            )
+            .over(ASKED);
             for (frequency, motion) in table {
                 let row = self.observed[0].coordinate;
                 let size = (motion[row - 1] * self.quantity.factor(*frequency)).norm();
@@ -383,24 +389,33 @@ impl FrequencyResponseMatrix {
             Exhibit::Plot(plot)
         });
         sheet.show(|| {
-            Exhibit::Plot(Plot::new(
-                "Phase against frequency",
-                Axis::linear("frequency", "Hz"),
-                Axis::linear("phase", "deg"),
-                line(|x| x.arg()),
-            ))
+            Exhibit::Plot(
+                Plot::new(
+                    "Phase against frequency",
+                    Axis::linear("frequency", "Hz"),
+                    Axis::linear("phase", "deg"),
+                    line("phase", |x| x.arg()),
+                )
+                .over(ASKED),
+            )
         });
         if damped.any() {
             sheet.show(|| {
-                let series = curves.iter().map(|(label, curve)| {
-                    Series::line(label.clone(), curve.iter().map(|x| (x.re, x.im)).collect())
+                let series = curves.iter().map(|(coordinate, label, curve)| {
+                    let line = Series::line(label.clone(), curve.iter().map(|x| (x.re, x.im)).collect());
+                    let line = line.at(grid.clone());
+                    // The abscissa is of the first.
+                    if *coordinate == curves[0].0 { line.of(answer("imaginary", *coordinate)) } else { line }
                 });
-                Exhibit::Plot(Plot::new(
-                    "Nyquist plot",
-                    Axis::linear("real part", unit),
-                    Axis::linear("imaginary part", unit),
-                    series.collect(),
-                ))
+                Exhibit::Plot(
+                    Plot::new(
+                        "Nyquist plot",
+                        Axis::linear("real part", unit),
+                        Axis::linear("imaginary part", unit),
+                        series.collect(),
+                    )
+                    .over_answer(ASKED, answer("real", curves[0].0)),
+                )
             });
         }
         if let (Some((frequency, _)), true) = (table.first(), system.size() <= 8)

@@ -236,7 +236,7 @@ fn response(oscillator: &JenkinsOscillator, peak: &ResponsePoint, asked: Option<
         };
         (1..=300u16).map(at).collect::<Vec<_>>()
     };
-    let mut series = vec![Series::line("with the element", curve)];
+    let mut series = vec![Series::line("with the element", curve).of("amplitude")];
     if oscillator.damping > 0.0 {
         series.push(Series::line("always sticking", linear(oscillator.stiffness + oscillator.element)));
         series.push(Series::line("without the element", linear(oscillator.stiffness)));
@@ -247,6 +247,7 @@ fn response(oscillator: &JenkinsOscillator, peak: &ResponsePoint, asked: Option<
         Axis::log("amplitude", "µm"),
         series,
     )
+    .over("frequency")
     .mark("peak", (peak.frequency, peak.amplitude))
     .level("slip begins", oscillator.slip_displacement());
     if let Some(asked) = asked {

@@ -160,11 +160,11 @@ impl Analysis for HalfCar {
                         * (TAU * f64::from(frame) / 24.0).cos();
                     self.shapes([0, 1, 2, 3].map(|row| shape[row] * now))
                 });
-                Exhibit::Film(Film {
-                    title: Text::new("Mode {mode}").with("mode", mode + 1),
-                    frames: frames.collect(),
-                    period: 2.0,
-                })
+                Exhibit::Film(Film::new(
+                    Text::new("Mode {mode}").with("mode", mode + 1),
+                    frames.collect(),
+                    2.0,
+                ))
             });
         }
         Ok(())

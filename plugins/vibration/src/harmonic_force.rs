@@ -133,7 +133,7 @@ impl Analysis for HarmonicForce {
             build_up.show(start.time.value(), "Motion from rest", x.value(), sheet);
         }
         let zeta = own_damping(&suspension);
-        plots::force_families(at.ratio.value(), zeta, sheet);
+        plots::force_families(at.ratio.value(), zeta, Some("magnification"), sheet);
         sheet.show(|| {
             let [spring, damper, inertia] = forces;
             Exhibit::Drawing(plots::force_vectors(spring, damper, inertia))

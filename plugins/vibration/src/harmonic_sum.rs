@@ -304,7 +304,7 @@ fn over_time(motions: &[Harmonic], wave: Wave, last: f64, two: bool) -> Plot {
         };
         motions.iter().map(of).sum()
     };
-    let mut series = vec![Series::line("x", times().map(|t| (t, at(t))).collect())];
+    let mut series = vec![Series::line("x", times().map(|t| (t, at(t))).collect()).of("displacement")];
     if two {
         // The length of the sum of the vectors, seen from one that turns along.
         let envelope = |t: f64| {
@@ -317,7 +317,8 @@ fn over_time(motions: &[Harmonic], wave: Wave, last: f64, two: bool) -> Plot {
         series.push(Series::line("envelope", times().map(|t| (t, envelope(t))).collect()));
         series.push(Series::line("envelope", times().map(|t| (t, -envelope(t))).collect()));
     }
-    Plot::new("Sum against time", Axis::linear("time", "s"), Axis::linear("displacement", "mm"), series)
+    let (x, y) = (Axis::linear("time", "s"), Axis::linear("displacement", "mm"));
+    Plot::new("Sum against time", x, y, series).over("question.sum.time")
 }
 
 /// The vectors of one frequency, tip to tail, and their sum.

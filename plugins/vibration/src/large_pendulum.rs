@@ -162,8 +162,9 @@ impl LargePendulum {
             "Angle against time",
             Axis::linear("time", "s"),
             Axis::linear("angle", "deg"),
-            vec![Series::line("exact", exact), Series::line("as for small angles", small)],
+            vec![Series::line("exact", exact).of("angle"), Series::line("as for small angles", small)],
         )
+        .over("instant")
     }
 
     fn period_over_amplitude(&self, period: f64) -> Plot {
@@ -176,8 +177,9 @@ impl LargePendulum {
             "Period against amplitude",
             Axis::linear("amplitude", "deg"),
             Axis::linear("period", "s"),
-            vec![Series::line("T", (0..=180).map(at).collect())],
+            vec![Series::line("T", (0..=180).map(at).collect()).of("period")],
         )
+        .over("amplitude")
         .mark("at this amplitude", (self.amplitude, period))
         .level("small swings", small)
     }
@@ -202,7 +204,7 @@ impl LargePendulum {
                 DrawnShape::Label((0.08, -0.3), Text::from("θ")),
             ]
         };
-        Film { title: "The swing".into(), frames: (0..FRAMES).map(frame).collect(), period: 2.0 }
+        Film::new("The swing", (0..FRAMES).map(frame).collect(), 2.0)
     }
 }
 

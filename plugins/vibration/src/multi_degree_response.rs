@@ -1,7 +1,7 @@
 //! Motion in time of systems with many degrees of freedom.
 
 use dalembert_core::{
-    About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Symbol, Text, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Inputs, Name, Plot, Refusal, Series, Symbol, Text, Worksheet, register,
 };
 use dalembert_mechanics::vibration::{
     poles::Poles,
@@ -372,19 +372,18 @@ impl MultiDegreeResponse {
         sheet.show(|| {
             let series = self.observed.iter().take(4).map(|row| {
                 let points = grid.iter().zip(&states);
-                Series::line(
-                    Text::new("coordinate {at}").with("at", row.coordinate),
-                    points
-                        .map(|(time, state)| (*time, poles.displacement(row.coordinate - 1, state)))
-                        .collect(),
-                )
+                let points =
+                    points.map(|(time, state)| (*time, poles.displacement(row.coordinate - 1, state)));
+                let label = Text::new("coordinate {at}").with("at", row.coordinate);
+                Series::line(label, points.collect()).of(Name::from(("displacement", 1, row.coordinate)))
             });
             let mut plot = Plot::new(
                 "Displacement against time",
                 Axis::linear("time", "s"),
                 Axis::linear("displacement", "m"),
                 series.collect(),
-            );
+            )
+            .over("times[1].time");
             for asked in &self.times {
                 let row = self.observed[0].coordinate - 1;
                 let x = poles.displacement(row, &motion.state(asked.time));

@@ -440,13 +440,14 @@ impl OverhungDisc {
             Axis::linear("speed", "rpm"),
             Axis::linear("frequency of whirl", "Hz"),
             vec![
-                Series::line("backward 1", curve(|[_, b, _, _]| -b)),
-                Series::line("forward 1", curve(|[_, _, f, _]| f)),
-                Series::line("backward 2", curve(|[b, _, _, _]| -b)),
-                Series::line("forward 2", curve(|[_, _, _, f]| f)),
+                Series::line("backward 1", curve(|[_, b, _, _]| -b)).of("backward_whirl[1]"),
+                Series::line("forward 1", curve(|[_, _, f, _]| f)).of("forward_whirl[1]"),
+                Series::line("backward 2", curve(|[b, _, _, _]| -b)).of("backward_whirl[2]"),
+                Series::line("forward 2", curve(|[_, _, _, f]| f)).of("forward_whirl[2]"),
                 Series::line("ω = Ω", vec![(0.0, 0.0), (last, last)]),
             ],
-        );
+        )
+        .over("speed");
         for critical in forward.iter().flatten() {
             plot = plot.mark("forward critical speed", (*critical, *critical));
         }

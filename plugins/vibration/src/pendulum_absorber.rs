@@ -1,6 +1,6 @@
 //! Pendulums that hold a rotor or an oscillating mass still.
 
-use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Plot, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{Real, vibration::pendulum_absorber::tuned_order};
 
 mod coupled;
@@ -427,8 +427,11 @@ impl PendulumAbsorber {
             pivot: pivot.value(),
             arm: arm.value(),
         };
-        sheet.show(|| Exhibit::Plot(view.effective()));
-        sheet.show(|| Exhibit::Plot(view.against_speed()));
+        // A mass that a swing tells is another at another order or speed.
+        let is_given = matches!(self.problem, Problem::Rotor { mass: Mass::Given { .. }, .. });
+        let over = |plot: Plot, input| Exhibit::Plot(if is_given { plot.over(input) } else { plot });
+        sheet.show(|| over(view.effective(), "problem.rotor.order"));
+        sheet.show(|| over(view.against_speed(), "problem.rotor.speed"));
         sheet.show(|| Exhibit::Film(view.film()));
         Ok(())
     }

@@ -319,7 +319,7 @@ impl<N: Real> System<N> {
         });
         let (own, here) = (zeta, ratio);
         match self.excited {
-            Excited::Mass { .. } => plots::force_families(here, move |_| own, sheet),
+            Excited::Mass { .. } => plots::force_families(here, move |_| own, None, sheet),
             Excited::Base => {
                 sheet.show(|| Exhibit::Plot(plots::transmissibility_family(here, move |_| own)));
             }

@@ -276,8 +276,9 @@ impl PiecewiseSpring {
             "Frequency against amplitude",
             Axis::linear("amplitude", "mm"),
             Axis::linear("frequency", "Hz"),
-            vec![Series::line("f", (1..=300).map(at).collect())],
+            vec![Series::line("f", (1..=300).map(at).collect()).of("frequency").with("velocity", 0.0)],
         )
+        .over("displacement")
         .mark("at this amplitude", (amplitude, std::f64::consts::TAU / period))
     }
 
@@ -297,7 +298,7 @@ impl PiecewiseSpring {
             shapes.push(DrawnShape::Label((-1.6, 0.6), Text::from("x")));
             shapes
         };
-        Film { title: "The motion of the mass".into(), frames: (0..FRAMES).map(frame).collect(), period: 2.0 }
+        Film::new("The motion of the mass", (0..FRAMES).map(frame).collect(), 2.0)
     }
 }
 

@@ -146,11 +146,12 @@ impl RayleighDamping {
             Axis::log("frequency", "Hz"),
             Axis::linear("damping ratio", "%"),
             vec![
-                Series::line("both", curve(&|w| rayleigh::damping_ratio(alpha, beta, w))),
+                Series::line("both", curve(&|w| rayleigh::damping_ratio(alpha, beta, w))).of("damping_ratio"),
                 Series::line("of the mass", curve(&|w| alpha / (2.0 * w))),
                 Series::line("of the stiffness", curve(&|w| beta * w / 2.0)),
-                Series::dots("given", known.to_vec()),
+                Series::dots("given", known.to_vec()).of("damping_ratio"),
             ],
         )
+        .over("asked")
     }
 }

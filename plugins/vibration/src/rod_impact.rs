@@ -182,10 +182,6 @@ impl RodImpact {
             }
             shapes
         };
-        Exhibit::Film(Film {
-            title: "The loaded part of the rod".into(),
-            frames: (0..24).map(frame).collect(),
-            period: 3.0,
-        })
+        Exhibit::Film(Film::new("The loaded part of the rod", (0..24).map(frame).collect(), 3.0))
     }
 }

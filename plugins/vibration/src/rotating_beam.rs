@@ -3,7 +3,8 @@
 use std::cell::OnceCell;
 
 use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+    About, Analysis, Axis, DrawnShape, Exhibit, Inputs, Name, Plot, Refusal, Series, Text, Worksheet,
+    register,
 };
 use dalembert_mechanics::{
     Real,
@@ -254,7 +255,7 @@ impl RotatingBeam {
                 (square > 0.0).then(|| (speed * unit, square.sqrt() * unit))
             };
             let points = speeds.iter().zip(&roots).filter_map(point).collect();
-            Series::line(Text::new("mode {n}").with("n", n + 1), points)
+            Series::line(Text::new("mode {n}").with("n", n + 1), points).of(Name::from(("frequency", n + 1)))
         };
         let highest = roots.last().and_then(|lambdas| lambdas.last()).map_or(1.0, |lambda| lambda.sqrt());
         let order = |k: u16| {
@@ -265,12 +266,15 @@ impl RotatingBeam {
         };
         let mut series: Vec<Series> = (0..self.modes).map(mode).collect();
         series.extend([1, 2, 4].map(order));
-        Exhibit::Plot(Plot::new(
-            "Frequencies over the speed",
-            Axis::linear("speed of rotation", "rpm"),
-            Axis::linear("natural frequency", "Hz"),
-            series,
-        ))
+        Exhibit::Plot(
+            Plot::new(
+                "Frequencies over the speed",
+                Axis::linear("speed of rotation", "rpm"),
+                Axis::linear("natural frequency", "Hz"),
+                series,
+            )
+            .over("speed"),
+        )
     }
 }
 

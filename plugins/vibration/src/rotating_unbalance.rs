@@ -261,8 +261,9 @@ impl RotatingUnbalance {
             "Steady amplitude against speed",
             Axis::linear("speed of the machine", "rpm"),
             Axis::linear("amplitude", "mm"),
-            vec![Series::line("X", (0..=400).map(at).collect())],
+            vec![Series::line("X", (0..=400).map(at).collect()).of("amplitude")],
         )
+        .over("speed")
         .mark("at this speed", (self.speed, amplitude))
     }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, TableExhibit, Text,
+    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Name, Plot, Refusal, Series, TableExhibit, Text,
     Worksheet, register,
 };
 use dalembert_mechanics::{
@@ -443,7 +443,9 @@ fn largest<W: Worksheet>(
 
 fn plot(curve: &[Ordinate], asked: &[f64]) -> Plot {
     let line = |label: &'static str, of: fn(&Ordinate) -> f64| {
+        let answer = Name::from((label, 1));
         Series::line(label, curve.iter().map(|ordinate| (ordinate.frequency, of(ordinate))).collect())
+            .of(answer)
     };
     let lines = vec![
         line("maximax", Ordinate::maximax),
@@ -455,7 +457,8 @@ fn plot(curve: &[Ordinate], asked: &[f64]) -> Plot {
         Axis::log("natural frequency", "Hz"),
         Axis::linear("largest acceleration", "m/s^2"),
         lines,
-    );
+    )
+    .over("frequencies[1]");
     let near = |asked: f64| {
         curve.iter().min_by(|a, b| (a.frequency - asked).abs().total_cmp(&(b.frequency - asked).abs()))
     };

@@ -390,8 +390,10 @@ impl<N: Real> Model<N> {
     fn plot(&self, last: f64, found: Option<Extreme>, relative: bool) -> Plot {
         let time = |n: u16| last * f64::from(n) / 480.0;
         let motion = (0..=480).map(|n| (time(n), self.motion.at(time(n)).displacement)).collect();
-        let mut series =
-            vec![Series::line(if relative { "relative displacement" } else { "displacement" }, motion)];
+        let mut series = vec![
+            Series::line(if relative { "relative displacement" } else { "displacement" }, motion)
+                .of("displacement[1]"),
+        ];
         if self.size.is_some() || self.end.is_some() {
             let load = (0..=480).map(|n| (time(n), self.motion.load(time(n)))).collect();
             series.push(Series::line("the load, as the displacement it would hold", load));
@@ -401,7 +403,8 @@ impl<N: Real> Model<N> {
             Axis::linear("time", "s"),
             Axis::linear("displacement", "mm"),
             series,
-        );
+        )
+        .over("times[1]");
         match found {
             Some(found) => plot.mark("largest", (found.time, found.value)),
             None => plot,

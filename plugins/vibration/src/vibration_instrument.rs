@@ -156,7 +156,8 @@ impl Analysis for VibrationInstrument {
             let here = ratio.unwrap_or(1.0);
             let y = Axis::linear("phase lag", "deg");
             let title = "Phase lag against frequency ratio";
-            Exhibit::Plot(plots::family(title, y, (here, lag(here)), lag, sdof::phase_lag_from_ratios))
+            let plot = plots::family(title, y, (here, lag(here)), lag, sdof::phase_lag_from_ratios);
+            Exhibit::Plot(plots::answered(plot, "frequency", "phase"))
         });
         sheet.show(|| Exhibit::Drawing(drawing()));
         Ok(())
@@ -424,8 +425,9 @@ impl VibrationInstrument {
             "Reading over true value against frequency",
             Axis::linear("frequency", "Hz"),
             Axis::linear("reading over true value", "1"),
-            vec![Series::line("this instrument", (0..=300).map(at).map(of).collect())],
-        );
+            vec![Series::line("this instrument", (0..=300).map(at).map(of).collect()).of("factor")],
+        )
+        .over("frequency");
         if let Some(r) = ratio {
             plot = plot.mark("at this frequency", of(r));
         }

@@ -394,7 +394,11 @@ impl<N: Real> Mounts<N> {
         }
         let numbers = (known.natural.value(), zeta);
         let (level, band) = (required.map(Real::value), [lowest.value(), highest.value()]);
-        sheet.show(|| Exhibit::Plot(over_speed(numbers, level, band)));
+        sheet.show(|| {
+            let plot = over_speed(numbers, level, band);
+            // Of a range of speeds the answer is the largest transmissibility.
+            Exhibit::Plot(if band[0] == band[1] { plot.over("question.judge.speeds.lowest") } else { plot })
+        });
         sheet.show(|| Exhibit::Drawing(drawing()));
         Ok(())
     }
@@ -527,12 +531,11 @@ fn over_speed((natural, zeta): (f64, f64), required: Option<f64>, [lowest, highe
             .map(|speed| (speed, below(sdof::transmissibility(speed / natural, zeta), 100.0)))
             .collect()
     };
-    let mut series = vec![Series::line("these mounts", curve(zeta))];
-    series.extend(
-        [0.05, 0.2, 0.5].map(|zeta| {
-            Series::line(Text::new("ζ = {ratio}").with_quantity("ratio", zeta, "1"), curve(zeta))
-        }),
-    );
+    let mut series = vec![Series::line("these mounts", curve(zeta)).of("transmissibility")];
+    series.extend([0.05, 0.2, 0.5].map(|zeta| {
+        let line = Series::line(Text::new("ζ = {ratio}").with_quantity("ratio", zeta, "1"), curve(zeta));
+        line.of("transmissibility").with("question.judge.damping.ratio.ratio", zeta)
+    }));
     let plot = Plot::new(
         "Transmissibility against speed",
         Axis::linear("speed", "rpm"),

@@ -435,8 +435,9 @@ fn amplitude_over_speed(
         "Whirl amplitude against speed",
         Axis::linear("speed of the shaft", "rpm"),
         Axis::log("whirl amplitude", "mm"),
-        vec![Series::line("A", speeds.into_iter().map(point).collect())],
+        vec![Series::line("A", speeds.into_iter().map(point).collect()).of("amplitude")],
     )
+    .over("speed.given.speed")
     .level("eccentricity", eccentricity)
     .mark("at this speed", at);
     if let Some(limit) = limit {
@@ -458,8 +459,9 @@ fn phase_over_speed([natural, _, zeta]: [f64; 3], at: f64) -> Plot {
         "Lag of the deflection against speed",
         Axis::linear("speed of the shaft", "rpm"),
         Axis::linear("lag", "deg"),
-        vec![Series::line("φ", (0..=400).map(point).collect())],
+        vec![Series::line("φ", (0..=400).map(point).collect()).of("phase")],
     )
+    .over("speed.given.speed")
     .mark("at this speed", (at, sdof::phase_lag_from_ratios(at / natural, zeta)))
 }
 

@@ -2471,3 +2471,7 @@ bar-that-falls-and-pushes-a-slider-by-a-rod = Barra que cai e empurra um corredo
 i-m-c-m-x-m-g-c-sin-sin-with-x-b-cos-l-b-sin = ½ (I + m c² + M x′²) ω² = m g c (sen θ₀ − sen θ) com x = b cos θ + √(l² − b² sen² θ)
 rocker-that-rests-at-its-dead-centre = Balancim que para no seu ponto morto
 crank-and-rod-folded-in-line-cos-b-a-d-c-2-b-a-d-i-i-i = manivela e haste dobradas em linha: cos(θ − π) = ((b − a)² + d² − c²)/(2 (b − a) d), ½ I₂ ω² = ½ (I₂ + I₄ ψ′²) ω₀²
+angle-of-the-second-crank-the-gears-turn-it-from-where-it-was-drawn = Ângulo da segunda manivela: as engrenagens a giram a partir de onde foi desenhada
+with-gears-the-angle-of-the-second-crank-is-that-of-the-drawn-position-from-there-they-turn-it-as-the = Com engrenagens, o ângulo da segunda manivela é o da posição desenhada; a partir dela giram-na conforme a primeira manivela gira. Se omitido, o mecanismo é desenhado com o ângulo acima.
+geared-cranks-turned-on-from-where-they-were-drawn = Manivelas engrenadas, giradas a partir de onde foram desenhadas
+y-a-sin-b-d-2-a-cos-at-100-and-80-t-f-dy-d = y = a sen θ + √(b² − (d/2 − a cos θ)²) em 100° e 80°: T = −F dy/dθ

@@ -207,8 +207,9 @@ impl AFrame {
             "Holding force against the angle of the ladders",
             Axis::linear("angle from the vertical", "deg"),
             Axis::linear("holding force", "N"),
-            vec![Series::line("T", spread([0.0, 1.4], 280).map(held).collect())],
+            vec![Series::line("T", spread([0.0, 1.4], 280).map(held).collect()).of("force")],
         )
+        .over("sought.force.angle")
         .mark("at this angle", (at, force))
     }
 

@@ -92,7 +92,7 @@ impl Analysis for BarAndCord {
         sheet.show(|| {
             film(
                 "The bar, its cord and its counterweight",
-                at,
+                ("position.given.angle", at),
                 [from.max(at - 0.5), to.min(at + 0.5)],
                 |at| self.frame(at),
             )

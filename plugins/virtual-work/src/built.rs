@@ -299,14 +299,16 @@ impl Range {
 /// A template through its range, computed when somebody looks.
 pub(crate) struct Cycle<P: Template, A: Fn(f64) -> P> {
     pub(crate) range: Range,
+    /// The path of the input that is the coordinate.
+    input: &'static str,
     at: A,
     found: OnceCell<Vec<(f64, Option<P::Found<f64>>)>>,
 }
 
 impl<P: Template, A: Fn(f64) -> P> Cycle<P, A> {
-    /// The template at each value of the coordinate.
-    pub(crate) fn new(range: Range, at: A) -> Self {
-        Self { range, at, found: OnceCell::new() }
+    /// The template at each value of the coordinate, which is the input at a path.
+    pub(crate) fn new(range: Range, input: &'static str, at: A) -> Self {
+        Self { range, input, at, found: OnceCell::new() }
     }
 
     /// A curve over the range; it breaks where there is no value. Infinity, not NaN: a solution equals itself.
@@ -317,16 +319,16 @@ impl<P: Template, A: Fn(f64) -> P> Cycle<P, A> {
         found.iter().map(|(x, found)| (*x, found.as_ref().map_or(f64::INFINITY, &of))).collect()
     }
 
-    /// Named curves over the crank angle, with the label and the unit of what they show.
+    /// Named curves over the crank angle, each of an answer, with the label and the unit of what they show.
     pub(crate) fn plot(
         &self,
         title: &'static str,
         (label, unit): (&'static str, &'static str),
-        series: &[(&'static str, &dyn Fn(&P::Found<f64>) -> f64)],
+        series: &[(&'static str, &'static str, &dyn Fn(&P::Found<f64>) -> f64)],
     ) -> Exhibit {
-        let lines = series.iter().map(|(name, of)| Series::line(*name, self.curve(of)));
+        let lines = series.iter().map(|(name, answer, of)| Series::line(*name, self.curve(of)).of(answer));
         let (x, y) = (Axis::linear("Crank angle", "deg"), Axis::linear(label, unit));
-        Exhibit::Plot(Plot::new(title, x, y, lines.collect()))
+        Exhibit::Plot(Plot::new(title, x, y, lines.collect()).over(self.input))
     }
 }
 
@@ -336,9 +338,11 @@ pub(crate) fn bounded(effort: f64, shift: f64, unit: f64) -> f64 {
     if shift.abs() <= 0.1 * unit { f64::INFINITY } else { effort }
 }
 
-/// A film of the mechanism going through its range; positions without a picture are left out.
+/// A film of the mechanism going through its range of an input from its present value on; positions without a picture
+/// are left out.
 pub(crate) fn film(
     title: &'static str,
+    (input, present): (&'static str, f64),
     range: Range,
     frame: impl Fn(f64) -> Option<Vec<DrawnShape>>,
 ) -> Exhibit {
@@ -347,11 +351,17 @@ pub(crate) fn film(
         let part = TAU * n as f64 / FRAMES as f64;
         match range {
             Range::Turn(start) => start + part,
-            Range::Between(from, to) => f64::midpoint(from, to) - (to - from) / 2.0 * part.cos(),
+            Range::Between(..) if n == 0 => present,
+            Range::Between(from, to) => {
+                let (middle, half) = (f64::midpoint(from, to), (to - from) / 2.0);
+                let begun =
+                    if half > 0.0 { ((middle - present) / half).clamp(-1.0, 1.0).acos() } else { 0.0 };
+                middle - half * (begun + part).cos()
+            }
         }
     };
-    let frames: Vec<_> = (0..FRAMES).filter_map(|n| frame(at(n))).collect();
-    Exhibit::Film(Film { title: title.into(), frames, period: 3.0 })
+    let (values, frames) = (0..FRAMES).map(at).filter_map(|value| Some((value, frame(value)?))).unzip();
+    Exhibit::Film(Film::new(title, frames, 3.0).over(input, values))
 }
 
 /// A bar through points.

@@ -380,10 +380,6 @@ impl EpicyclicTrain {
             }
             shapes
         };
-        Exhibit::Film(Film {
-            title: "The epicyclic train".into(),
-            frames: (0..FRAMES).map(frame).collect(),
-            period: 4.0,
-        })
+        Exhibit::Film(Film::new("The epicyclic train", (0..FRAMES).map(frame).collect(), 4.0))
     }
 }

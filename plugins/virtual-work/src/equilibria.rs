@@ -251,15 +251,17 @@ fn swing(present: f64, [from, to]: [f64; 2]) -> Vec<f64> {
         .collect()
 }
 
-/// A machine that swings through a range of angles and back.
+/// A machine that swings through a range of angles and back; `input` is the path of the angle, empty where that is
+/// sought.
 pub(crate) fn film(
     title: &'static str,
-    present: f64,
+    (input, present): (&'static str, f64),
     range: [f64; 2],
     frame: impl Fn(f64) -> Vec<DrawnShape>,
 ) -> Exhibit {
-    let frames = swing(present, range).into_iter().map(frame).collect();
-    Exhibit::Film(Film { title: title.into(), frames, period: 3.0 })
+    let angles = swing(present, range);
+    let frames = angles.iter().copied().map(frame).collect();
+    Exhibit::Film(Film::new(title, frames, 3.0).over(input, angles))
 }
 
 /// An arrow with its name at the tail.

@@ -41,8 +41,13 @@ pub struct FiveBar {
     /// Side on which the rods meet.
     pub apex: Apex,
     /// Angle of the first crank.
-    #[input("θ_2", "deg")]
+    #[input("θ_2", "deg", kept_in = "drawn")]
     pub first_angle: f64,
+    /// Angle in the drawn position.
+    /// With gears the angle of the second crank is that of the drawn position; from there they turn it as the first crank
+    /// turns. Left out, it is drawn with the angle above.
+    #[input("θ_d", "deg")]
+    pub drawn: Option<f64>,
     /// Angle of the second crank.
     #[input("θ_5", "deg")]
     pub second_angle: f64,
@@ -196,10 +201,18 @@ impl Template for FiveBar {
         let crank = |angle: W::Num| Turning { angle, ratio: 1.0.into(), speed: zero, acceleration: zero };
         let arm = works::direction::<W>(given.first_angle) * given.first_crank;
         let arm = sheet.step_vector(symbol("r", "2"), "mm", arm, "First crank, from O to A");
-        let other = works::direction::<W>(given.second_angle) * given.second_crank;
+        let gear = self.gear(sheet);
+        let turned = match (gear, given.drawn) {
+            (Some(gear), Some(drawn)) => {
+                let why = "Angle of the second crank: the gears turn it from where it was drawn";
+                sheet.step("θ′_5", "deg", given.second_angle + gear * (given.first_angle - drawn), why)
+            }
+            _ => given.second_angle,
+        };
+        let other = works::direction::<W>(turned) * given.second_crank;
         let other = sheet.step_vector(symbol("r", "5"), "mm", other, "Second crank, from C to B");
         let a = works::moving("A", works::fixed(), arm, crank(given.first_angle), false, sheet);
-        let b = works::moving("B", works::fixed(), other, crank(given.second_angle), false, sheet);
+        let b = works::moving("B", works::fixed(), other, crank(turned), false, sheet);
         let end = plane::<W>(given.frame, zero) + other;
         let end = sheet.step_vector(symbol("s", "B"), "mm", end, "B, from the origin");
         let supports = [
@@ -227,18 +240,6 @@ impl Template for FiveBar {
         });
         let place = pair.at.value();
         let found = |torques, force| Found { angles: pair.angles, place: [place.x, place.y], torques, force };
-        let gear = match self.cranks {
-            Cranks::Free => None,
-            Cranks::Geared { first, second, mesh } => {
-                let why = "Teeth, as given";
-                let z2 = sheet.found(symbol("z", "2"), "1", f64::from(first), why);
-                let z5 = sheet.found(symbol("z", "5"), "1", f64::from(second), why);
-                let why = "Virtual turn of the second crank for δθ_2 = 1, by the gears";
-                let ratio = z2 / z5;
-                let ratio = if mesh == Mesh::Outside { -ratio } else { ratio };
-                Some(sheet.step(symbol("h", "5"), "1", ratio, (why, SHIGLEY.at("ch. 7"))))
-            }
-        };
         match (&given.unknown, gear) {
             (&UnknownGiven::Torques { force }, Some(gear)) => {
                 let why =
@@ -286,13 +287,25 @@ impl Template for FiveBar {
 }
 
 impl FiveBar {
+    /// The turn of the second crank for a turn of the first, where they are geared.
+    fn gear<W: Worksheet>(&self, sheet: W) -> Option<W::Num> {
+        let Cranks::Geared { first, second, mesh } = self.cranks else { return None };
+        let why = "Teeth, as given";
+        let z2 = sheet.found(symbol("z", "2"), "1", f64::from(first), why);
+        let z5 = sheet.found(symbol("z", "5"), "1", f64::from(second), why);
+        let why = "Virtual turn of the second crank for δθ_2 = 1, by the gears";
+        let ratio = z2 / z5;
+        let ratio = if mesh == Mesh::Outside { -ratio } else { ratio };
+        Some(sheet.step(symbol("h", "5"), "1", ratio, (why, SHIGLEY.at("ch. 7"))))
+    }
+
     /// The same mechanism put together from its lengths, and its fixed pins.
     fn built(&self, angles: [f64; 2], force: [f64; 2]) -> Result<(Solved, [usize; 2]), PlanarError> {
         let mut it = Built::new([0.0; 2]);
         let [a, b] = self.pins();
         let (still, fixed) = (Mass::default(), [self.frame, 0.0]);
         let two = it.link("first crank", [0.0; 2], self.first_angle, still);
-        let five = it.link("second crank", fixed, self.second_angle, still);
+        let five = it.link("second crank", fixed, self.second(), still);
         let three = it.link("first rod", a, angles[0], still);
         let four = it.link("second rod", b, angles[1], still);
         let joints = [
@@ -308,7 +321,7 @@ impl FiveBar {
         }
         it.turn(two, [self.first_angle, 0.0, 0.0]);
         match self.cranks {
-            Cranks::Free => it.turn(five, [self.second_angle, 0.0, 0.0]),
+            Cranks::Free => it.turn(five, [self.second(), 0.0, 0.0]),
             Cranks::Geared { first, second, mesh } => {
                 it.join(Joint::Gears {
                     a: two.frame(),
@@ -324,11 +337,11 @@ impl FiveBar {
 
     fn pins(&self) -> [[f64; 2]; 2] {
         let a = built::away([0.0; 2], self.first_crank, self.first_angle);
-        [a, built::away([self.frame, 0.0], self.second_crank, self.second_angle)]
+        [a, built::away([self.frame, 0.0], self.second_crank, self.second())]
     }
 
-    /// The second crank's angle when the first has gone to another one; free, it stays.
-    fn turned_to(&self, angle: f64) -> Self {
+    /// The second crank's angle: geared, it has turned with the first from the drawn position; free, it is as given.
+    fn second(&self) -> f64 {
         let follow = match self.cranks {
             Cranks::Free => 0.0,
             Cranks::Geared { first, second, mesh } => {
@@ -336,8 +349,12 @@ impl FiveBar {
                 if mesh == Mesh::Outside { -ratio } else { ratio }
             }
         };
-        let second_angle = self.second_angle + follow * (angle - self.first_angle);
-        Self { first_angle: angle, second_angle, ..self.clone() }
+        self.second_angle + follow * (self.first_angle - self.drawn.unwrap_or(self.first_angle))
+    }
+
+    /// The linkage when the first crank has gone to another angle.
+    fn turned_to(&self, angle: f64) -> Self {
+        Self { first_angle: angle, drawn: self.drawn.or(Some(self.first_angle)), ..self.clone() }
     }
 
     fn show<W: Worksheet>(&self, sheet: W) {
@@ -348,20 +365,23 @@ impl FiveBar {
             distance < self.first_rod + self.second_rod && distance > (self.first_rod - self.second_rod).abs()
         };
         let range = Range::about(self.first_angle, closes);
-        let cycle = Cycle::new(range, at);
+        let cycle = Cycle::new(range, "first_angle", at);
         if let Unknown::Torques { .. } = self.unknown {
             sheet.show(|| {
                 let torque = |n: usize| cycle.curve(|found| found.torques[n].unwrap_or(f64::INFINITY));
-                let mut series = vec![Series::line("first crank", torque(0))];
+                let mut series = vec![Series::line("first crank", torque(0)).of("first_torque")];
                 if let Cranks::Free = self.cranks {
-                    series.push(Series::line("second crank", torque(1)));
+                    series.push(Series::line("second crank", torque(1)).of("second_torque"));
                 }
-                Exhibit::Plot(Plot::new(
-                    Text::from("Torques over the turn of the first crank"),
-                    Axis::linear("Angle of the first crank", "deg"),
-                    Axis::linear("Torque", "N*m"),
-                    series,
-                ))
+                Exhibit::Plot(
+                    Plot::new(
+                        Text::from("Torques over the turn of the first crank"),
+                        Axis::linear("Angle of the first crank", "deg"),
+                        Axis::linear("Torque", "N*m"),
+                        series,
+                    )
+                    .over("first_angle"),
+                )
             });
         }
         let path = || {
@@ -377,7 +397,7 @@ impl FiveBar {
             ))
         });
         sheet.show(|| {
-            built::film("The five-bar linkage", range, |angle| {
+            built::film("The five-bar linkage", ("first_angle", self.first_angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let ([a, b], fixed) = (there.pins(), [there.frame, 0.0]);

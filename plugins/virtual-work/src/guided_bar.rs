@@ -149,7 +149,12 @@ impl Analysis for GuidedBar {
         let at = telling(&balanced.list);
         let [from, to] = balanced.range;
         sheet.show(|| {
-            film("The bar in its guides", at, [from.max(at - 0.5), to.min(at + 0.5)], |at| self.frame(at))
+            film(
+                "The bar in its guides",
+                ("position.given.angle", at),
+                [from.max(at - 0.5), to.min(at + 0.5)],
+                |at| self.frame(at),
+            )
         });
         Ok(())
     }

@@ -238,11 +238,12 @@ impl LazyTongs {
             "Reaction along the line against the angle of the bars",
             Axis::linear("angle of the bars", "deg"),
             Axis::linear("reaction towards the other support", "N"),
-            vec![Series::line(
-                "X_B",
-                spread([(0.3 * self.angle).max(0.05), PI / 2.0], 300).map(at).collect(),
-            )],
+            vec![
+                Series::line("X_B", spread([(0.3 * self.angle).max(0.05), PI / 2.0], 300).map(at).collect())
+                    .of("reaction_b_along"),
+            ],
         )
+        .over("angle")
         .mark("at this angle", (self.angle, along))
     }
 

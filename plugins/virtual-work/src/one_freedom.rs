@@ -270,8 +270,9 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
             "Load of equilibrium against the angle",
             Axis::linear("angle", "deg"),
             Axis::linear(part.answer[1], part.symbol[1]),
-            vec![Series::line(part.symbol[0], spread(range, 300).map(load).collect())],
+            vec![Series::line(part.symbol[0], spread(range, 300).map(load).collect()).of(part.answer[0])],
         )
+        .over("position.given.angle")
         .mark("at this angle", (at, loads[sought]))
     }
 }

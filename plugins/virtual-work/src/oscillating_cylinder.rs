@@ -345,28 +345,32 @@ impl OscillatingCylinder {
     fn show<W: Worksheet>(&self, sheet: W) {
         let at = |angle: f64| OscillatingCylinder { angle, ..self.clone() };
         let range = Range::Turn(self.angle);
-        let cycle = Cycle::new(range, at);
+        let cycle = Cycle::new(range, "angle", at);
         sheet.show(|| {
             if let Unknown::Force { .. } = self.unknown {
                 let label = "Force of the cylinder";
                 let force = |found: &Found<f64>| built::bounded(found.force, found.shift, self.crank);
-                cycle.plot("Force over the turn", (label, "N"), &[(label, &force)])
+                cycle.plot("Force over the turn", (label, "N"), &[(label, "force", &force)])
             } else {
                 let label = "Torque on the crank";
-                cycle.plot("Torque over the turn", (label, "N*m"), &[(label, &|found| found.torque)])
+                cycle.plot(
+                    "Torque over the turn",
+                    (label, "N*m"),
+                    &[(label, "torque", &|found| found.torque)],
+                )
             }
         });
         sheet.show(|| {
             cycle.plot(
                 "Length of the cylinder",
                 ("Length of the cylinder from pin to pin", "mm"),
-                &[("length", &|found| found.length)],
+                &[("length", "length", &|found| found.length)],
             )
         });
         sheet.show(|| {
             let shortest =
                 cycle.curve(|found| found.length).into_iter().fold(f64::INFINITY, |s, (_, x)| s.min(x));
-            built::film("The inverted slider-crank", range, |angle| {
+            built::film("The inverted slider-crank", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let pin = built::away([0.0; 2], there.crank, angle);

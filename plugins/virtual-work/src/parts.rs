@@ -328,6 +328,15 @@ impl Driven {
         }
     }
 
+    /// The path of its value, from the driver on.
+    pub(crate) fn path(&self) -> &'static str {
+        match self {
+            Driven::Angle { .. } => "what.angle.value",
+            Driven::Position { .. } => "what.position.value",
+            Driven::Distance { .. } => "what.distance.value",
+        }
+    }
+
     /// Its value in the drawn position.
     pub(crate) fn drawn(&self) -> f64 {
         match *self {

@@ -446,20 +446,20 @@ impl QuickReturn {
     fn show<W: Worksheet>(&self, sheet: W) {
         let at = |angle: f64| QuickReturn { angle, ..self.clone() };
         let range = Range::about(self.angle, |angle| self.reached(angle));
-        let cycle = Cycle::new(range, at);
+        let cycle = Cycle::new(range, "angle", at);
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
                 cycle.plot(
                     "Torque over the turn",
                     ("Torque on the crank", "N*m"),
-                    &[("torque", &|found| found.torque)],
+                    &[("torque", "torque", &|found| found.torque)],
                 )
             }),
             Unknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
                     "Force over the turn",
                     ("Force on the output", "N"),
-                    &[("force", &|found| built::bounded(found.force, found.shift, self.crank))],
+                    &[("force", "force", &|found| built::bounded(found.force, found.shift, self.crank))],
                 )
             }),
         }
@@ -467,7 +467,7 @@ impl QuickReturn {
             cycle.plot(
                 "Velocity ratio",
                 ("Angular velocity over that of the crank", "1"),
-                &[("lever", &|found| found.lever.ratio)],
+                &[("lever", "lever_ratio", &|found| found.lever.ratio)],
             )
         });
         if self.moves() && matches!(self.output, Output::Slider { .. }) {
@@ -475,12 +475,12 @@ impl QuickReturn {
                 cycle.plot(
                     "Velocity of the slider",
                     ("Velocity of the slider", "m/s"),
-                    &[("velocity", &|found| found.velocity)],
+                    &[("velocity", "slider_velocity", &|found| found.velocity)],
                 )
             });
         }
         sheet.show(|| {
-            built::film("The quick-return mechanism", range, |angle| {
+            built::film("The quick-return mechanism", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let (centre, pin) = ([0.0, there.frame], there.pin());

@@ -146,7 +146,7 @@ impl Analysis for RackPress {
                 sheet.check("the torque of the hand, less the losses, by Newton and Euler for handle, pinion and rack", torque, ideal);
             }
         });
-        sheet.show(|| film("The press", 0.5, [-0.6, 1.2], |angle| self.frame(radius, angle)));
+        sheet.show(|| film("The press", ("", 0.5), [-0.6, 1.2], |angle| self.frame(radius, angle)));
         Ok(())
     }
 }

@@ -134,7 +134,7 @@ impl Analysis for RobervalBalance {
             }
         });
         let range = [self.angle.min(-0.35), self.angle.max(0.35)];
-        sheet.show(|| film("The balance", self.angle, range, |angle| self.frame(angle)));
+        sheet.show(|| film("The balance", ("angle", self.angle), range, |angle| self.frame(angle)));
         Ok(())
     }
 }

@@ -366,20 +366,20 @@ impl RollingDisc {
     fn show<W: Worksheet>(&self, sheet: W) {
         let at = |angle: f64| RollingDisc { angle, ..self.clone() };
         let range = Range::about(self.angle, |angle| (self.crank * angle.sin()).abs() < self.rod);
-        let cycle = Cycle::new(range, at);
+        let cycle = Cycle::new(range, "angle", at);
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
                 cycle.plot(
                     "Torque over the turn",
                     ("Torque on the crank", "N*m"),
-                    &[("torque", &|found| found.torque)],
+                    &[("torque", "torque", &|found| found.torque)],
                 )
             }),
             Unknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
                     "Force over the turn",
                     ("Force on the centre of the disc", "N"),
-                    &[("force", &|found| built::bounded(found.force, found.shift, self.crank))],
+                    &[("force", "force", &|found| built::bounded(found.force, found.shift, self.crank))],
                 )
             }),
         }
@@ -388,13 +388,13 @@ impl RollingDisc {
                 cycle.plot(
                     "Velocity of the centre",
                     ("Velocity of the centre", "m/s"),
-                    &[("velocity", &|found| found.velocity)],
+                    &[("velocity", "velocity", &|found| found.velocity)],
                 )
             });
         }
         sheet.show(|| {
             let first = self.crank + self.rod;
-            built::film("The rolling disc", range, |angle| {
+            built::film("The rolling disc", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let (x, radius) = (found.position, there.radius);

@@ -246,7 +246,7 @@ impl Analysis for ScissorLift {
         let force = force.value();
         sheet.show(|| Exhibit::Plot(self.force_over_angle(share, force)));
         let range = [(0.4 * self.angle).max(0.08), (1.3 * self.angle).min(1.35)];
-        sheet.show(|| film("The lift", self.angle, range, |angle| self.frame(angle)));
+        sheet.show(|| film("The lift", ("angle", self.angle), range, |angle| self.frame(angle)));
         Ok(())
     }
 }

@@ -233,25 +233,25 @@ impl ScotchYoke {
     fn show<W: Worksheet>(&self, sheet: W) {
         let at = |angle: f64| ScotchYoke { angle, ..self.clone() };
         let range = Range::Turn(self.angle);
-        let cycle = Cycle::new(range, at);
+        let cycle = Cycle::new(range, "angle", at);
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
                 cycle.plot(
                     "Torque over the turn",
                     ("Torque on the crank", "N*m"),
-                    &[("torque", &|found| found.torque)],
+                    &[("torque", "torque", &|found| found.torque)],
                 )
             }),
             Unknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
                     "Force over the turn",
                     ("Force on the yoke", "N"),
-                    &[("force", &|found| built::bounded(found.force, found.shift, self.crank))],
+                    &[("force", "force", &|found| built::bounded(found.force, found.shift, self.crank))],
                 )
             }),
         }
         sheet.show(|| {
-            built::film("The Scotch yoke", range, |angle| {
+            built::film("The Scotch yoke", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let r = there.crank;

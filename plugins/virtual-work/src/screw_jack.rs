@@ -185,10 +185,19 @@ impl Analysis for ScrewJack {
             sheet.warn(|| "the links lie nearly flat: the axial force grows without bound as they do".into());
         }
         if let Some(angle) = self.angle() {
+            let input = match self.frame {
+                Frame::Scissors { .. } => "frame.scissors.angle",
+                _ => "frame.rhombus.angle",
+            };
             let stages = self.stages();
-            sheet.show(|| Exhibit::Plot(force_over_angle(stages, plain_load, angle, plain_force)));
+            sheet.show(|| {
+                let plot = force_over_angle(stages, plain_load, angle, plain_force);
+                // Under another load than asked for, where a torque or a force tells the load.
+                let is_asked = matches!(self.sought, Sought::Effort { .. });
+                Exhibit::Plot(if is_asked { plot.over(input) } else { plot })
+            });
             let range = [(0.4 * angle).max(0.1), (1.3 * angle).min(1.4)];
-            sheet.show(|| film("The jack", angle, range, |angle| self.frame_at(angle)));
+            sheet.show(|| film("The jack", (input, angle), range, |angle| self.frame_at(angle)));
         }
         Ok(())
     }
@@ -402,7 +411,10 @@ fn force_over_angle(stages: f64, load: f64, angle: f64, force: f64) -> Plot {
         "Axial force against the angle of the links",
         Axis::linear("angle of the links", "deg"),
         Axis::linear("axial force", "kN"),
-        vec![Series::line("T", spread([(0.3 * angle).max(0.05), 1.5], 300).map(at).collect())],
+        vec![
+            Series::line("T", spread([(0.3 * angle).max(0.05), 1.5], 300).map(at).collect())
+                .of("axial_force"),
+        ],
     )
     .mark("at this angle", (angle, force))
 }

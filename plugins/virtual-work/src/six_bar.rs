@@ -486,26 +486,30 @@ impl SixBar {
             SixBar { angle, load, speed: 0.0, acceleration: 0.0, ..self.clone() }.plain().is_some()
         };
         let range = Range::about(self.angle, kinematic);
-        let cycle = Cycle::new(range, at);
+        let cycle = Cycle::new(range, "angle", at);
         if !matches!(self.load, Load::Unknown { .. }) {
             sheet.show(|| {
                 cycle.plot(
                     "Torque over the turn",
                     ("Torque on the crank", "N*m"),
-                    &[("torque", &|found| found.torque)],
+                    &[("torque", "torque", &|found| found.torque)],
                 )
             });
         }
         sheet.show(|| {
-            let (title, label, unit) = match self.output {
-                Output::Slider { .. } => ("Way of the slider", "Position of the slider", "mm"),
-                Output::Rocker { .. } => ("Swing of the second rocker", "Angle of the second rocker", "deg"),
+            let (title, label, unit, answer) = match self.output {
+                Output::Slider { .. } => {
+                    ("Way of the slider", "Position of the slider", "mm", "slider_position")
+                }
+                Output::Rocker { .. } => {
+                    ("Swing of the second rocker", "Angle of the second rocker", "deg", "output_angle")
+                }
             };
-            cycle.plot(title, (label, unit), &[("output", &|found| found.output[0])])
+            cycle.plot(title, (label, unit), &[("output", answer, &|found| found.output[0])])
         });
         sheet.show(|| {
             let still = self.plain().map_or([0.0; 2], |found| found.pins[1]);
-            built::film("The six-bar linkage", range, |angle| {
+            built::film("The six-bar linkage", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let a = built::away([0.0; 2], there.crank, angle);

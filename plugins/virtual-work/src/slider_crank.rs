@@ -381,20 +381,20 @@ impl SliderCrank {
         let at = |angle: f64| SliderCrank { angle, ..self.clone() };
         let closes = |angle: f64| (self.offset - self.crank * angle.sin()).abs() < self.rod;
         let range = Range::about(self.angle, closes);
-        let cycle = Cycle::new(range, at);
+        let cycle = Cycle::new(range, "angle", at);
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
                 cycle.plot(
                     "Torque over the turn",
                     ("Torque on the crank", "N*m"),
-                    &[("torque", &|found| found.torque)],
+                    &[("torque", "torque", &|found| found.torque)],
                 )
             }),
             Unknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
                     "Force over the turn",
                     ("Force on the slider", "N"),
-                    &[("force", &|found| built::bounded(found.force, found.shift, self.crank))],
+                    &[("force", "force", &|found| built::bounded(found.force, found.shift, self.crank))],
                 )
             }),
         }
@@ -403,19 +403,19 @@ impl SliderCrank {
                 cycle.plot(
                     "Velocity of the slider",
                     ("Velocity of the slider", "m/s"),
-                    &[("velocity", &|found| found.velocity)],
+                    &[("velocity", "slider_velocity", &|found| found.velocity)],
                 )
             });
             sheet.show(|| {
                 cycle.plot(
                     "Acceleration of the slider",
                     ("Acceleration of the slider", "m/s^2"),
-                    &[("acceleration", &|found| found.acceleration)],
+                    &[("acceleration", "slider_acceleration", &|found| found.acceleration)],
                 )
             });
         }
         sheet.show(|| {
-            built::film("The slider-crank", range, |angle| {
+            built::film("The slider-crank", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let (pin, slider) = (there.pin(), [found.position, self.offset]);

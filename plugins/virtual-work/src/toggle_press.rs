@@ -166,7 +166,7 @@ impl Analysis for TogglePress {
         sheet.show(|| Exhibit::Plot(self.advantage(ratio.value())));
         let range =
             [0.02, (1.6 * self.angle).min(1.4).min(0.95 * (self.ram_link / self.fixed_link).min(1.0).asin())];
-        sheet.show(|| film("The press closing", self.angle, range, |angle| self.frame(angle)));
+        sheet.show(|| film("The press closing", ("angle", self.angle), range, |angle| self.frame(angle)));
         Ok(())
     }
 }
@@ -207,8 +207,12 @@ impl TogglePress {
             "Mechanical advantage against the angle",
             Axis::linear("angle of the link at the fixed pin", "deg"),
             Axis::linear("thrust over force on the knee", "1"),
-            vec![Series::line("Q/P", spread([0.03, 0.98 * last], 300).map(at).collect())],
+            vec![
+                Series::line("Q/P", spread([0.03, 0.98 * last], 300).map(at).collect())
+                    .of("mechanical_advantage"),
+            ],
         )
+        .over("angle")
         .mark("at this angle", (self.angle, present))
     }
 

@@ -132,7 +132,11 @@ impl Analysis for TwoBarLinkage {
         let balanced = machine.solve(&given.position, sheet, |loads, at| self.built(loads, at))?;
         let at = telling(&balanced.list);
         let [from, to] = balanced.range;
-        sheet.show(|| film("The two bars", at, [from.max(at - 0.4), to.min(at + 0.4)], |at| self.frame(at)));
+        sheet.show(|| {
+            film("The two bars", ("position.given.angle", at), [from.max(at - 0.4), to.min(at + 0.4)], |at| {
+                self.frame(at)
+            })
+        });
         Ok(())
     }
 }

@@ -75,26 +75,26 @@ impl Analysis for AnalysisName {
         sheet.answer("period", "Period", period);
         sheet.answer("greatest_speed", "Greatest speed", speed);
         // Plots and drawings are built only when somebody looks.
-        let natural = natural.value();
-        sheet.show(|| Exhibit::Plot(self.motion(natural)));
+        sheet.show(|| Exhibit::Plot(self.over_mass()));
         sheet.show(|| Exhibit::Drawing(sketch()));
         Ok(())
     }
 }
 
 impl AnalysisName {
-    /// Three oscillations.
-    fn motion(&self, natural: f64) -> Plot {
+    /// A plot names the input that it is over and the answer that each of its curves is of: a test solves at the points.
+    fn over_mass(&self) -> Plot {
         let at = |n: u16| {
-            let time = 3.0 * TAU / natural * f64::from(n) / 300.0;
-            (time, self.deflection * (natural * time).cos())
+            let mass = 3.0 * self.mass * f64::from(n) / 300.0;
+            (mass, TAU / sdof::natural_frequency(self.stiffness, mass))
         };
         Plot::new(
-            "Motion after the mass is let go",
-            Axis::linear("time", "s"),
-            Axis::linear("deflection", "mm"),
-            vec![Series::line("x", (0..=300).map(at).collect())],
+            "Period against mass",
+            Axis::linear("mass", "kg"),
+            Axis::linear("period", "s"),
+            vec![Series::line("T", (1..=300).map(at).collect()).of("period")],
         )
+        .over("mass")
     }
 }
 

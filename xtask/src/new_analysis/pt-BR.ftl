@@ -12,9 +12,7 @@ the-energy-of-the-motion-is-that-of-the-deflected-spring = a energia do moviment
 natural-frequency = Frequência natural
 period = Período
 greatest-speed = Maior velocidade
-motion-after-the-mass-is-let-go = Movimento depois que a massa é solta
-time = tempo
-deflection = deslocamento
+period-against-mass = Período em função da massa
 the-mass-on-its-spring = A massa na mola
 n-2-kg-on-800-n-m = 2 kg em 800 N/m
 by-hand-800-2-20 = À mão: √(800/2) = 20

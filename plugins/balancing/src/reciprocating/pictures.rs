@@ -142,9 +142,5 @@ pub(super) fn stars(pistons: &[Piston], orders: &[u8]) -> Film {
         }
         shapes
     };
-    Film {
-        title: "Stars of the cranks by orders".into(),
-        frames: (0..FRAMES).map(frame).collect(),
-        period: 4.0,
-    }
+    Film::new("Stars of the cranks by orders", (0..FRAMES).map(frame).collect(), 4.0)
 }

@@ -37,8 +37,9 @@ impl GyroscopicCouple {
                 "Gyroscopic couple against the radius of the turn",
                 Axis::linear("radius of the turn", "m"),
                 Axis::linear("couple", "N*m"),
-                vec![Series::line("C", curve)],
+                vec![Series::line("C", curve).of("couple")],
             )
+            .over("motion.steady-turn.radius")
             .mark("this turn", (radius, couple)),
         ))
     }

@@ -19,6 +19,7 @@ impl Motion {
             Exhibit::Plot(components(
                 "Angular velocity in the axes of the body",
                 ["ωₓ", "ω_y", "ω_z"],
+                "omega_body",
                 samples,
                 omega,
             ))
@@ -28,6 +29,7 @@ impl Motion {
             Exhibit::Plot(components(
                 "Angular velocity in the fixed axes",
                 ["ω_X", "ω_Y", "ω_Z"],
+                "omega",
                 samples,
                 omega,
             ))
@@ -37,13 +39,20 @@ impl Motion {
             let points =
                 samples.iter().map(|sample| self.axis_of(sample)).map(|axis| (axis.x, axis.y)).collect();
             let circle = (0..=72).map(|n| (TAU * f64::from(n) / 72.0).sin_cos()).map(|(sin, cos)| (cos, sin));
-            Exhibit::Plot(Plot::new(
-                Text::new("Trace of the axis {axis} on the unit sphere, seen from above")
-                    .with("axis", self.axis.name()),
-                Axis::linear("X", "1"),
-                Axis::linear("Y", "1"),
-                vec![Series::line("axis", points), Series::line("horizon", circle.collect())],
-            ))
+            let times = samples.iter().map(|sample| sample.time).collect();
+            Exhibit::Plot(
+                Plot::new(
+                    Text::new("Trace of the axis {axis} on the unit sphere, seen from above")
+                        .with("axis", self.axis.name()),
+                    Axis::linear("X", "1"),
+                    Axis::linear("Y", "1"),
+                    vec![
+                        Series::line("axis", points).of("axis.y").at(times),
+                        Series::line("horizon", circle.collect()),
+                    ],
+                )
+                .over_answer("duration", "axis.x"),
+            )
         });
         sheet.show(|| Exhibit::Plot(energies(samples)));
         sheet.show(|| Exhibit::Plot(drifts(body, samples)));
@@ -133,14 +142,17 @@ fn edges(body: &Body) -> Vector3<f64> {
 fn components(
     title: &'static str,
     names: [&'static str; 3],
+    answer: &'static str,
     samples: &[Sample],
     of: fn(&Sample) -> Vector3<f64>,
 ) -> Plot {
     let line = |(n, name): (usize, &'static str)| {
-        Series::line(name, samples.iter().map(|sample| (sample.time, of(sample)[n])).collect())
+        let points = samples.iter().map(|sample| (sample.time, of(sample)[n])).collect();
+        Series::line(name, points).of(format_args!("{answer}.{}", ["x", "y", "z"][n]))
     };
     let series = names.into_iter().enumerate().map(line).collect();
     Plot::new(title, Axis::linear("Time", "s"), Axis::linear("Angular velocity", "rad/s"), series)
+        .over("duration")
 }
 
 fn energies(samples: &[Sample]) -> Plot {
@@ -148,11 +160,11 @@ fn energies(samples: &[Sample]) -> Plot {
         Series::line(name, samples.iter().map(|sample| (sample.time, of(sample))).collect())
     };
     let series = vec![
-        line("Kinetic", |sample| sample.kinetic),
+        line("Kinetic", |sample| sample.kinetic).of("kinetic_energy"),
         line("Potential", |sample| sample.potential),
         line("Work done", |sample| sample.work),
     ];
-    Plot::new("Energy", Axis::linear("Time", "s"), Axis::linear("Energy", "J"), series)
+    Plot::new("Energy", Axis::linear("Time", "s"), Axis::linear("Energy", "J"), series).over("duration")
 }
 
 /// What energy and angular momentum are off by, in parts of the largest.

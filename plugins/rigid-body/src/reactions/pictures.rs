@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Axis, Exhibit, Ink, Plot, Series, Text, Worksheet};
+use dalembert_core::{Axis, Exhibit, Ink, Name, Plot, Series, Text, Worksheet};
 use dalembert_mechanics::rigid::{
     self, MassProperties,
     chain::{self, Frame},
@@ -130,10 +130,14 @@ impl Reactions {
         }
         let largest = curves.iter().flatten().flatten().map(|(_, x)| x.abs()).fold(0.0f64, f64::max);
         let mut series = Vec::new();
-        for (support, components) in self.supports.iter().zip(curves) {
-            for (name, curve) in ["{name}, X", "{name}, Y", "{name}, Z"].into_iter().zip(components) {
+        // Without other axes, the axes of the answers are the fixed ones.
+        let answer = if self.axes.place() > 0 { "fixed_reaction" } else { "reaction" };
+        for ((support, components), row) in self.supports.iter().zip(curves).zip(1..) {
+            let names = [("{name}, X", "x"), ("{name}, Y", "y"), ("{name}, Z", "z")];
+            for ((name, axis), curve) in names.into_iter().zip(components) {
                 if curve.iter().any(|(_, x)| x.abs() > 1e-9 * largest) {
-                    series.push(Series::line(Text::new(name).with("name", &support.name), curve));
+                    let label = Text::new(name).with("name", &support.name);
+                    series.push(Series::line(label, curve).of(format_args!("{answer}[{row}].{axis}")));
                 }
             }
         }
@@ -143,6 +147,7 @@ impl Reactions {
             Axis::linear("force", "N"),
             series,
         )
+        .over("joints[1].motion.now.angle")
     }
 
     fn against_speed(&self, body: &MassProperties, joint: chain::Joint) -> Plot {
@@ -160,15 +165,16 @@ impl Reactions {
                 curve.push((speed.abs(), force.norm()));
             }
         }
-        let named = |(support, curve): (&super::Support, Vec<(f64, f64)>)| {
-            Series::line(given_name(&support.name), curve)
+        let named = |((support, curve), row): ((&super::Support, Vec<(f64, f64)>), usize)| {
+            Series::line(given_name(&support.name), curve).of(Name::from(("reaction_size", row)))
         };
         let plot = Plot::new(
             "Magnitudes of the reactions against the speed",
             Axis::linear("speed", "rpm"),
             Axis::linear("force", "N"),
-            self.supports.iter().zip(curves).map(named).collect(),
-        );
+            self.supports.iter().zip(curves).zip(1..).map(named).collect(),
+        )
+        .over("joints[1].motion.now.rate");
         match now {
             Some(at) => plot.mark("at this speed", at),
             None => plot,

@@ -22,14 +22,15 @@ impl WheelLoads {
                 let speed = most * f64::from(n) / 100.0;
                 (speed, constants.load(wheel, speed))
             };
-            Series::line(wheel.label, (0..=100).map(at).collect())
+            Series::line(wheel.label, (0..=100).map(at).collect()).of(wheel.name)
         };
         let mut plot = Plot::new(
             "Wheel loads against speed",
             Axis::linear("speed", "km/h"),
             Axis::linear("wheel load", "N"),
             wheels.iter().map(curve).collect(),
-        );
+        )
+        .over("speed");
         if first.is_finite() {
             plot = plot.mark("a wheel lifts", (first, 0.0));
         }

@@ -41,7 +41,7 @@ pub(super) fn response(kernel: &Kernel, natural: Option<f64>, peak: Option<Peak>
         axis,
         Axis::linear("magnification", "1"),
         vec![
-            Series::line("with the absorber", curve(&|g| kernel.magnification(g))),
+            Series::line("with the absorber", curve(&|g| kernel.magnification(g))).of("magnification"),
             Series::line("without it", curve(&|g| sdof::magnification(g, kernel.main_damping))),
         ],
     );
@@ -62,7 +62,7 @@ pub(super) fn stroke(kernel: &Kernel, natural: Option<f64>) -> Plot {
         "Motion of the absorber relative to the main system",
         axis,
         Axis::linear("relative motion over static deflection", "1"),
-        vec![Series::line("absorber", points)],
+        vec![Series::line("absorber", points).of("relative_motion")],
     );
     match largest {
         Some(peak) => plot.mark("largest", (peak.ratio * unit, peak.height)),
@@ -87,7 +87,9 @@ pub(super) fn family(kernel: &Kernel) -> Plot {
     let mut series: Vec<Series> = dampings
         .iter()
         .map(|&damping| {
-            Series::line(Text::new("γ = {ratio}").with_quantity("ratio", damping, "1"), curve(damping))
+            let label = Text::new("γ = {ratio}").with_quantity("ratio", damping, "1");
+            let line = Series::line(label, curve(damping)).of("magnification");
+            line.with("absorber.given.damping.by-main.ratio", damping)
         })
         .collect();
     let locked = |g: f64| {

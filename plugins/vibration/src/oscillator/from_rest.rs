@@ -70,7 +70,7 @@ impl<N: Real> BuildUp<N> {
     pub(crate) fn show<W: Worksheet<Num = N>>(&self, time: f64, label: &'static str, at: f64, sheet: W) {
         sheet.show(|| {
             let points = self.history(time, 400).unwrap_or_default();
-            let mut series = vec![Series::line("x", points)];
+            let mut series = vec![Series::line("x", points).of("displacement")];
             if let Some((amplitude, _)) = self.steady {
                 let level = amplitude.value();
                 series.push(Series::line("steady amplitude", vec![(0.0, level), (time, level)]));
@@ -83,7 +83,8 @@ impl<N: Real> BuildUp<N> {
                 Axis::linear("time", "s"),
                 Axis::linear("displacement", "mm"),
                 series,
-            );
+            )
+            .over("start.time");
             Exhibit::Plot(plot.mark("asked", (time, at)))
         });
     }

@@ -28,8 +28,27 @@ pub(crate) fn family(
     Plot::new(title, Axis::linear("frequency ratio", "1"), y, series).mark("here", here)
 }
 
-/// Magnification and phase of a harmonic force. `own` is the damping ratio at a frequency ratio.
-pub(crate) fn force_families<W: Worksheet>(ratio: f64, own: impl Fn(f64) -> f64 + Copy, sheet: W) {
+/// A family as what an answer is with another frequency, the input at a path, and with the dampings of the family.
+pub(crate) fn answered(mut plot: Plot, input: &'static str, answer: &'static str) -> Plot {
+    let dampings = [None].into_iter().chain(FAMILY.map(Some));
+    let series = std::mem::take(&mut plot.series).into_iter().zip(dampings);
+    plot.series = series
+        .map(|(series, damping)| match damping {
+            Some(ratio) => series.of(answer).with("damping.ratio.ratio", ratio),
+            None => series.of(answer),
+        })
+        .collect();
+    plot.over_answer(input, "frequency_ratio")
+}
+
+/// Magnification and phase of a harmonic force. `own` is the damping ratio at a frequency ratio, `answer` the name of the
+/// magnification among the answers.
+pub(crate) fn force_families<W: Worksheet>(
+    ratio: f64,
+    own: impl Fn(f64) -> f64 + Copy,
+    answer: Option<&'static str>,
+    sheet: W,
+) {
     let magnification = move |r: f64| {
         let zeta = if r > 0.0 { own(r) } else { 0.0 };
         below(sdof::magnification(r, zeta), 20.0)
@@ -38,14 +57,19 @@ pub(crate) fn force_families<W: Worksheet>(ratio: f64, own: impl Fn(f64) -> f64 
     sheet.show(|| {
         let here = (ratio, sdof::magnification(ratio, own(ratio)));
         let y = Axis::linear("magnification", "1");
-        Exhibit::Plot(family("Magnification against frequency ratio", y, here, magnification, |r, zeta| {
+        let plot = family("Magnification against frequency ratio", y, here, magnification, |r, zeta| {
             below(sdof::magnification(r, zeta), 20.0)
-        }))
+        });
+        Exhibit::Plot(match answer {
+            Some(answer) => answered(plot, "frequency", answer),
+            None => plot,
+        })
     });
     sheet.show(|| {
         let here = (ratio, lag(ratio));
         let y = Axis::linear("phase lag", "deg");
-        Exhibit::Plot(family("Phase lag against frequency ratio", y, here, lag, sdof::phase_lag_from_ratios))
+        let plot = family("Phase lag against frequency ratio", y, here, lag, sdof::phase_lag_from_ratios);
+        Exhibit::Plot(answered(plot, "frequency", "phase"))
     });
 }
 

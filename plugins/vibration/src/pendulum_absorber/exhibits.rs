@@ -37,7 +37,7 @@ impl Rotor {
             "Effective inertia of the pendulums against the order",
             Axis::linear("order", "1"),
             Axis::linear("effective inertia", "kg*m^2"),
-            vec![Series::line("pendulums", (0..=POINTS).map(at).collect())],
+            vec![Series::line("pendulums", (0..=POINTS).map(at).collect()).of("effective_inertia")],
         )
         .level("takes away the whole rotor", -self.alone)
     }
@@ -54,9 +54,11 @@ impl Rotor {
             (0..=200).map(at).collect::<Vec<_>>()
         };
         let ray = |order: f64| vec![(0.0, 0.0), (last, order * last)];
-        let mut series = vec![Series::line("upper natural frequency", curve(1))];
-        if self.pair.held > 0.0 {
-            series.push(Series::line("lower natural frequency", curve(0)));
+        let two = self.pair.held > 0.0;
+        let upper = if two { "frequency[2]" } else { "frequency[1]" };
+        let mut series = vec![Series::line("upper natural frequency", curve(1)).of(upper)];
+        if two {
+            series.push(Series::line("lower natural frequency", curve(0)).of("frequency[1]"));
         }
         series.push(Series::line("tuned order", ray(self.tuned)));
         if (self.order / self.tuned - 1.0).abs() > 1e-9 {
@@ -91,11 +93,7 @@ impl Rotor {
                 DrawnShape::Label((0.12, pivot + 0.4 * arm), Text::from("r")),
             ]
         };
-        Film {
-            title: "The pendulum on the rotor".into(),
-            frames: (0..FRAMES).map(frame).collect(),
-            period: 1.5,
-        }
+        Film::new("The pendulum on the rotor", (0..FRAMES).map(frame).collect(), 1.5)
     }
 }
 
@@ -122,7 +120,7 @@ impl Hung {
             Axis::linear("frequency", "Hz"),
             Axis::log("amplitude over force", "m/N"),
             vec![
-                Series::line("mass", at(0, 1.0)),
+                Series::line("mass", at(0, 1.0)).of("|amplitude|").with("problem.gravity.force", 1.0),
                 Series::line("swing, at the end of the pendulum", at(1, self.length)),
             ],
         );

@@ -23,6 +23,8 @@ impl<N: Real> Hung<N> {
         mass: &MassGiven<W>,
         sheet: W,
     ) -> Result<(), Refusal> {
+        // A pendulum that is tuned, or as heavy as its swing asks for, is another one under another force.
+        let is_given = matches!((length, mass), (LengthGiven::Given { .. }, MassGiven::Given { .. }));
         let (length, gyration) = match length {
             LengthGiven::Given { length, gyration } => (*length, *gyration),
             LengthGiven::Tuned {} => {
@@ -91,7 +93,10 @@ impl<N: Real> Hung<N> {
         }
         let view =
             exhibits::Hung { pair: motion.pair(), frequency: self.frequency.value(), length: length.value() };
-        sheet.show(|| Exhibit::Plot(view.response()));
+        sheet.show(|| {
+            let plot = view.response();
+            Exhibit::Plot(if is_given { plot.over("problem.gravity.frequency") } else { plot })
+        });
         sheet.show(|| Exhibit::Drawing(view.drawing()));
         Ok(())
     }

@@ -123,11 +123,11 @@ pub(super) fn film(figure: &Figure, outline: Outline) -> Exhibit {
         lines.iter().map(line).collect()
     };
     let [first, second] = figure.pattern();
-    Exhibit::Film(Film {
-        title: Text::new("Shape ({m}, {n}) in motion").with("m", first).with("n", second),
-        frames: (0..FRAMES).map(frame).collect(),
-        period: 2.0,
-    })
+    Exhibit::Film(Film::new(
+        Text::new("Shape ({m}, {n}) in motion").with("m", first).with("n", second),
+        (0..FRAMES).map(frame).collect(),
+        2.0,
+    ))
 }
 
 /// Lines on the surface of a shape: places and deflections.

@@ -105,7 +105,7 @@ impl Shown<'_> {
     }
 
     fn campbell(&self, diagram: Option<&Campbell>) -> Plot {
-        let mut series = branches(diagram, Mode::frequency);
+        let mut series = branches(diagram, "frequency[*]", Mode::frequency);
         let (last, slope) = (self.problem.highest_speed, self.problem.slope);
         let top = series
             .iter()
@@ -126,7 +126,8 @@ impl Shown<'_> {
             Axis::linear("speed", "rpm"),
             Axis::linear("damped natural frequency", "Hz"),
             series,
-        );
+        )
+        .over("speed");
         for (n, critical) in self.criticals.iter().enumerate() {
             plot = plot.mark(
                 Text::new("critical speed {n}").with("n", n + 1),
@@ -243,11 +244,11 @@ impl Shown<'_> {
         } else {
             Text::new("Mode {n} at {frequency}")
         };
-        Film {
-            title: title.with("n", n).with_quantity("frequency", mode.frequency(), "Hz"),
-            frames: (0..FRAMES).map(frame).collect(),
-            period: 2.0,
-        }
+        Film::new(
+            title.with("n", n).with_quantity("frequency", mode.frequency(), "Hz"),
+            (0..FRAMES).map(frame).collect(),
+            2.0,
+        )
     }
 }
 
@@ -263,10 +264,11 @@ fn response(sweep: &[Sample]) -> Plot {
         Axis::linear("speed", "rpm"),
         Axis::log("half-axes of the orbit", "um"),
         vec![
-            Series::line("long half-axis", curve(|orbit| orbit.major)),
-            Series::line("short half-axis", curve(|orbit| orbit.minor.abs())),
+            Series::line("long half-axis", curve(|orbit| orbit.major)).of("response_major"),
+            Series::line("short half-axis", curve(|orbit| orbit.minor.abs())).of("|response_minor|"),
         ],
     )
+    .over("speed")
 }
 
 fn phase(sweep: &[Sample]) -> Plot {
@@ -275,12 +277,13 @@ fn phase(sweep: &[Sample]) -> Plot {
         "Phase of the unbalance response along x",
         Axis::linear("speed", "rpm"),
         Axis::linear("phase ahead of the mark", "deg"),
-        vec![Series::line("φ", sweep.iter().map(at).collect())],
+        vec![Series::line("φ", sweep.iter().map(at).collect()).of("response_phase")],
     )
+    .over("speed")
 }
 
 /// A curve for each mode.
-fn branches(diagram: Option<&Campbell>, value: fn(&Mode) -> f64) -> Vec<Series> {
+fn branches(diagram: Option<&Campbell>, answer: &'static str, value: fn(&Mode) -> f64) -> Vec<Series> {
     let Some(diagram) = diagram else { return Vec::new() };
     let branch = |(n, branch): (usize, &Vec<Option<Mode>>)| {
         let points = diagram
@@ -288,9 +291,15 @@ fn branches(diagram: Option<&Campbell>, value: fn(&Mode) -> f64) -> Vec<Series> 
             .iter()
             .zip(branch)
             .map(|(&speed, mode)| (speed, mode.as_ref().map_or(f64::INFINITY, value)));
-        Series::line(Text::new("mode {n}").with("n", n + 1), points.collect())
+        Series::line(Text::new("mode {n}").with("n", n + 1), points.collect()).of(answer)
     };
     diagram.branches.iter().enumerate().map(branch).collect()
+}
+
+/// What is the rounding of an eigenvalue alone is no decrement.
+fn decrement(mode: &Mode) -> f64 {
+    let decrement = mode.log_decrement();
+    if decrement.abs() > 1e-12 { decrement } else { 0.0 }
 }
 
 fn stability(diagram: Option<&Campbell>) -> Plot {
@@ -298,7 +307,8 @@ fn stability(diagram: Option<&Campbell>) -> Plot {
         "Stability map",
         Axis::linear("speed", "rpm"),
         Axis::linear("logarithmic decrement", "1"),
-        branches(diagram, Mode::log_decrement),
+        branches(diagram, "log_decrement[*]", decrement),
     )
+    .over("speed")
     .level("limit of stability, δ = 0", 0.0)
 }

@@ -72,12 +72,15 @@ impl ShaftClearance {
             // From well below to well above the diameters whose critical speed lies in the range.
             let ends_shown = [0.4 * critical(range[0].max(0.02 * range[1])), 1.6 * critical(range[1])];
             let plot = self.amplitude_over(ends_shown, unbalance, range, stiffness);
-            Exhibit::Plot(plot.permitted(
-                "Largest amplitude in the range of speeds against diameter",
-                ("diameter", "mm"),
-                &set,
-                ends,
-            ))
+            Exhibit::Plot(
+                plot.permitted(
+                    "Largest amplitude in the range of speeds against diameter",
+                    ("diameter", "mm"),
+                    &set,
+                    ends,
+                )
+                .over("sought.diameter.diameter"),
+            )
         });
         Ok(())
     }
@@ -116,12 +119,15 @@ impl ShaftClearance {
             let critical = |speed: f64| self.mass * speed.powi(2);
             let ends_shown = [0.03 * critical(range[0].max(0.02 * range[1])), 6.0 * critical(range[1])];
             let plot = self.amplitude_over(ends_shown, unbalance, range, |k| k);
-            Exhibit::Plot(plot.permitted(
-                "Largest amplitude in the range of speeds against stiffness",
-                ("stiffness", "MN/m"),
-                &set,
-                ends,
-            ))
+            Exhibit::Plot(
+                plot.permitted(
+                    "Largest amplitude in the range of speeds against stiffness",
+                    ("stiffness", "MN/m"),
+                    &set,
+                    ends,
+                )
+                .over("sought.stiffness.stiffness"),
+            )
         });
         Ok(())
     }

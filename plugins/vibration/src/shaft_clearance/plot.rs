@@ -35,6 +35,10 @@ impl ShaftClearance {
             Damping::Ratio { ratio } => sdof::damping_from_ratio(ratio, k, self.mass),
             Damping::Coefficient { coefficient } => coefficient,
         };
+        let natural = sdof::natural_frequency(k, self.mass);
+        if c == 0.0 && (speeds[0]..=speeds[1]).contains(&natural) {
+            return f64::INFINITY;
+        }
         whirl::worst_speed(k, self.mass, c, speeds)
             .map_or(f64::NAN, |(speed, _)| sdof::unbalance_amplitude(unbalance, k, self.mass, c, speed))
     }
@@ -53,7 +57,7 @@ impl Curve {
             title,
             Axis::log(label, unit),
             Axis::log("amplitude", "mm"),
-            vec![Series::line("X", self.points)],
+            vec![Series::line("X", self.points).of("worst_amplitude")],
         )
         .level("clearance", self.clearance);
         for (limit, label) in limits.into_iter().zip(["end of the soft branch", "start of the stiff branch"])

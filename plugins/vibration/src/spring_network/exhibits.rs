@@ -97,8 +97,9 @@ impl SpringNetwork {
             "Receptance at the loaded node",
             Axis::linear("frequency", "rad/s"),
             Axis::log("receptance", "m/N"),
-            vec![Series::line("X/F", (1..=points).map(at).collect())],
+            vec![Series::line("X/F", (1..=points).map(at).collect()).of("amplitude").with("force", 1.0)],
         )
+        .over("frequency")
     }
 }
 

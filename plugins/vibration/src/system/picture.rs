@@ -30,7 +30,7 @@ pub(crate) fn mode(system: &System, place: usize, shape: &[f64]) -> Film {
             shapes(system, &moved, false)
         })
         .collect();
-    Film { title: Text::new("Mode {mode}").with("mode", place), frames, period: 2.0 }
+    Film::new(Text::new("Mode {mode}").with("mode", place), frames, 2.0)
 }
 
 fn size(system: &System) -> usize {

@@ -87,11 +87,11 @@ impl Layout {
             shapes.push(DrawnShape::Circle((0.0, self.lowest() - AMPLITUDE - 0.3), 0.01, Ink::Faint));
             shapes
         };
-        Film {
-            title: Text::new("Mode {mode}: angle of twist along the shafts").with("mode", mode),
-            frames: (0..FRAMES).map(frame).collect(),
-            period: 2.0,
-        }
+        Film::new(
+            Text::new("Mode {mode}: angle of twist along the shafts").with("mode", mode),
+            (0..FRAMES).map(frame).collect(),
+            2.0,
+        )
     }
 
     fn lowest(&self) -> f64 {

@@ -111,12 +111,14 @@ impl View<'_> {
     /// Acceleration of the piston over a turn.
     pub(super) fn accelerations(&self) -> Plot {
         let curve = |(name, kernel): (&'static str, Kernel)| {
+            let is_asked = kernel.model == self.kernel.model;
             let at = |k: u32| {
                 let angle = TAU * f64::from(k) / f64::from(POINTS);
                 let crank = CrankMotion { angle, acceleration: 0.0, ..self.crank };
                 (angle, kernel.motion(crank).acceleration)
             };
-            Series::line(name, (0..=POINTS).map(at).collect())
+            let series = Series::line(name, (0..=POINTS).map(at).collect());
+            if is_asked { steady(series.of("acceleration")) } else { series }
         };
         Plot::new(
             "Acceleration of the piston at this speed",
@@ -124,35 +126,38 @@ impl View<'_> {
             Axis::linear("Acceleration, towards the crank", "m/s^2"),
             self.all_models().into_iter().map(curve).collect(),
         )
+        .over("angle")
     }
 
     /// Forces along the stroke.
     pub(super) fn efforts(&self) -> Plot {
+        let net = self.curve("net effort", |_, forces| forces.effort);
+        let (x, y) = (Axis::linear("Crank angle", "deg"), Axis::linear("Force towards the crank", "N"));
+        if self.cycle.is_none() {
+            let title = "Forces along the stroke without the gas, which is known at this angle alone";
+            return Plot::new(title, x, y, vec![net]);
+        }
         let mut series = Vec::new();
         if self.gas.is_some() {
-            series.push(self.curve("gas", |gas, _| gas));
+            series.push(steady(self.curve("gas", |gas, _| gas).of("piston_force")));
             series.push(self.curve("inertia, weight and friction", |gas, forces| forces.effort - gas));
         }
-        series.push(self.curve("net effort", |_, forces| forces.effort));
-        let title = if self.cycle.is_some() {
-            "Forces along the stroke over the cycle"
-        } else {
-            "Forces along the stroke without the gas, which is known at this angle alone"
-        };
-        let y = Axis::linear("Force towards the crank", "N");
-        Plot::new(title, Axis::linear("Crank angle", "deg"), y, series)
+        series.push(steady(net.of("effort")));
+        Plot::new("Forces along the stroke over the cycle", x, y, series).over("angle")
     }
 
     /// The turning moment.
     pub(super) fn moments(&self) -> Plot {
-        let series = vec![self.curve("turning moment", |_, forces| forces.moment)];
+        let curve = self.curve("turning moment", |_, forces| forces.moment);
         let (x, y) = (Axis::linear("Crank angle", "deg"), Axis::linear("Turning moment", "N*m"));
         let Some(turned) = self.cycle else {
             let title = "Turning moment without the gas, which is known at this angle alone";
-            return Plot::new(title, x, y, series);
+            return Plot::new(title, x, y, vec![curve]);
         };
+        let series = vec![steady(curve.of("turning_moment"))];
         let angle = self.crank.angle.rem_euclid(turned.period);
         Plot::new("Turning moment over the cycle", x, y, series)
+            .over("angle")
             .level("mean", turned.cycle.mean)
             .mark("at this angle", (angle, self.at(angle).1.moment))
     }
@@ -182,4 +187,9 @@ impl View<'_> {
     fn loop_of(&self, of: impl Fn(&Forces) -> Point) -> Vec<Point> {
         self.angles().into_iter().map(|angle| of(&self.at(angle).1)).collect()
     }
+}
+
+/// A curve of the engine at a steady speed.
+fn steady(series: Series) -> Series {
+    series.with("motion.running.acceleration", 0.0)
 }

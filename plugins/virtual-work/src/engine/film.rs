@@ -34,14 +34,20 @@ pub(super) fn show(view: &View<'_>) -> Exhibit {
             (angle, view.cycle.map(|_| view.at(angle).1))
         })
         .collect();
-    let size = at.iter().filter_map(|(_, forces)| forces.as_ref().map(largest)).fold(0.0, f64::max);
+    // The same wherever the film begins, and beside the corners of the gas: where rounding decides between two forces.
+    let sides = (0..4 * FRAMES).map(|k| period * (f64::from(k) + 0.4) / f64::from(4 * FRAMES));
+    let size = match view.cycle {
+        Some(_) => sides.map(|angle| largest(&view.at(angle).1)).fold(0.0, f64::max),
+        None => 0.0,
+    };
     let frames = at.iter().map(|(angle, forces)| frame(view, *angle, forces.as_ref(), size)).collect();
+    let angles = at.iter().map(|(angle, _)| *angle).collect();
     let title = if view.cycle.is_some() {
         "The engine over its cycle, with its forces"
     } else {
         "The engine over a turn"
     };
-    Exhibit::Film(Film { title: title.into(), frames, period: 3.0 * period / TAU })
+    Exhibit::Film(Film::new(title, frames, 3.0 * period / TAU).over("angle", angles))
 }
 
 fn largest(forces: &Forces) -> f64 {

@@ -9,20 +9,20 @@ impl FourBar {
     pub(super) fn show<W: Worksheet>(&self, sheet: W) {
         let at = |angle: f64| FourBar { angle, ..self.clone() };
         let range = Range::about(self.angle, |angle| self.closes(angle));
-        let cycle = Cycle::new(range, at);
+        let cycle = Cycle::new(range, "angle", at);
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
                 cycle.plot(
                     "Torque over the turn",
                     ("Torque on the crank", "N*m"),
-                    &[("torque", &|found| found.torque)],
+                    &[("torque", "torque", &|found| found.torque)],
                 )
             }),
             Unknown::Load { .. } => sheet.show(|| {
                 cycle.plot(
                     "Torque over the turn",
                     ("Torque on the rocker", "N*m"),
-                    &[("torque", &|found| built::bounded(found.load, found.ratios[1], 1.0))],
+                    &[("torque", "load", &|found| built::bounded(found.load, found.ratios[1], 1.0))],
                 )
             }),
         }
@@ -30,7 +30,10 @@ impl FourBar {
             cycle.plot(
                 "Velocity ratios",
                 ("Angular velocity over that of the crank", "1"),
-                &[("coupler", &|found| found.ratios[0]), ("rocker", &|found| found.ratios[1])],
+                &[
+                    ("coupler", "coupler_ratio", &|found| found.ratios[0]),
+                    ("rocker", "rocker_ratio", &|found| found.ratios[1]),
+                ],
             )
         });
         if self.moves() {
@@ -39,8 +42,8 @@ impl FourBar {
                     "Angular accelerations",
                     ("Angular acceleration", "rad/s^2"),
                     &[
-                        ("coupler", &|found| found.accelerations[0]),
-                        ("rocker", &|found| found.accelerations[1]),
+                        ("coupler", "coupler_acceleration", &|found| found.accelerations[0]),
+                        ("rocker", "rocker_acceleration", &|found| found.accelerations[1]),
                     ],
                 )
             });
@@ -68,7 +71,7 @@ impl FourBar {
         sheet.show(|| {
             let path = path().into_iter().filter(|(x, _)| x.is_finite());
             let path: Vec<[f64; 2]> = path.map(|(x, y)| [x, y]).collect();
-            built::film("The four-bar linkage", range, |angle| {
+            built::film("The four-bar linkage", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let [o, a, b, c] = there.pins(&found);

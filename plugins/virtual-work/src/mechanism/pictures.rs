@@ -1,7 +1,7 @@
 //! Tables, plots and the film of a mechanism.
 
 use dalembert_core::{
-    Axis, DrawnShape, Exhibit, Film, Ink, Plot, Series, TableExhibit, Text, Worksheet,
+    Axis, DrawnShape, Exhibit, Film, Ink, Name, Plot, Series, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
 };
 use dalembert_mechanics::planar::{Acting, Point, State};
@@ -36,18 +36,24 @@ impl Solved<'_> {
                 };
                 let title = Text::new("Effort of {name}").with("name", &drive.name);
                 let of = |sample: &Sample| sample.multipliers[first_driver + driver];
-                sheet.show(|| Exhibit::Plot(self.over_range(samples, title, label, unit, &[("", &of)])));
+                let answer = Name::from(("effort", driver + 1));
+                sheet.show(|| {
+                    Exhibit::Plot(self.over_range(samples, title, label, unit, &[("", answer, &of)]))
+                });
             }
             let mut all: Vec<(String, Box<dyn Fn(&Sample) -> f64>)> = Vec::new();
             for (body, part) in self.parts.bodies.iter().enumerate() {
                 all.push((part.name.clone(), Box::new(move |sample| sample.state.velocities[body][2])));
             }
-            let series: Vec<Of<'_>> = all.iter().map(|(name, of)| (name.as_str(), of.as_ref())).collect();
+            let series: Vec<Of<'_>> = (1..)
+                .zip(&all)
+                .map(|(row, (name, of))| (name.as_str(), ("angular_velocity", row).into(), of.as_ref()))
+                .collect();
             let title = Text::new("Angular velocities");
             sheet.show(|| {
                 Exhibit::Plot(self.over_range(samples, title, "Angular velocity", "rad/s", &series))
             });
-            for watched in &problem.watched {
+            for (row, watched) in (1..).zip(&problem.watched) {
                 let name = &self.parts.points[watched.point.0].name;
                 let point = self.parts.point(watched.point);
                 let of = |part: usize| {
@@ -57,13 +63,18 @@ impl Solved<'_> {
                     }
                 };
                 let title = Text::new("Speed of {name}").with("name", name);
-                sheet
-                    .show(|| Exhibit::Plot(self.over_range(samples, title, "Speed", "m/s", &[("", &of(1))])));
-                let title = Text::new("Acceleration of {name}").with("name", name);
+                let answer = Name::from(("velocity", row));
                 sheet.show(|| {
-                    Exhibit::Plot(self.over_range(samples, title, "Acceleration", "m/s^2", &[("", &of(2))]))
+                    let series = [("", answer, &of(1) as &dyn Fn(&Sample) -> f64)];
+                    Exhibit::Plot(self.over_range(samples, title, "Speed", "m/s", &series))
                 });
-                sheet.show(|| Exhibit::Plot(self.path(point, name, samples)));
+                let title = Text::new("Acceleration of {name}").with("name", name);
+                let answer = Name::from(("acceleration", row));
+                sheet.show(|| {
+                    let series = [("", answer, &of(2) as &dyn Fn(&Sample) -> f64)];
+                    Exhibit::Plot(self.over_range(samples, title, "Acceleration", "m/s^2", &series))
+                });
+                sheet.show(|| Exhibit::Plot(self.path(point, (row, name), samples)));
             }
             self.show_polar_diagrams(samples, sheet);
         }
@@ -82,8 +93,9 @@ impl Solved<'_> {
             Driven::Angle { .. } => ("Angle of the first driver", "deg"),
             _ => ("Length of the first driver", "mm"),
         };
-        let line = |(name, of): &Of<'_>| {
-            Series::line(verbatim(*name), samples.iter().map(|sample| (sample.value, of(sample))).collect())
+        let line = |(name, answer, of): &Of<'_>| {
+            let points = samples.iter().map(|sample| (sample.value, of(sample))).collect();
+            Series::line(verbatim(*name), points).of(answer)
         };
         Plot::new(
             title,
@@ -91,21 +103,30 @@ impl Solved<'_> {
             Axis::linear(label, unit),
             series.iter().map(line).collect(),
         )
+        .over(self.input())
+    }
+
+    /// The path of the value of the first driver.
+    fn input(&self) -> String {
+        format!("drivers[1].{}", self.parts.drivers[0].what.path())
     }
 
     /// The path of a point over the range.
-    fn path(&self, point: Point, name: &str, samples: &[Sample]) -> Plot {
+    fn path(&self, point: Point, (row, name): (usize, &str), samples: &[Sample]) -> Plot {
         let at = |state: &State| {
             let [[x, y], ..] = self.system.point(point, state);
             (x, y)
         };
         let points = samples.iter().map(|sample| at(&sample.state)).collect();
+        let values = samples.iter().map(|sample| sample.value).collect();
+        let answer = Name::from(("position", row));
         Plot::new(
             Text::new("Path of {name}").with("name", name),
             Axis::linear("x", "mm"),
             Axis::linear("y", "mm"),
-            vec![Series::line("", points)],
+            vec![Series::line("", points).of(format_args!("{answer}.y")).at(values)],
         )
+        .over_answer(self.input(), format_args!("{answer}.x"))
         .mark("here", at(self.state))
     }
 
@@ -145,7 +166,7 @@ impl Solved<'_> {
 
     fn film(&self, problem: &Mechanism, samples: &[Sample]) -> Film {
         const FRAMES: usize = 24;
-        let size = self.parts.size(self.system, self.state);
+        let size = self.drawn_size();
         let paths: Vec<DrawnShape> = problem
             .watched
             .iter()
@@ -162,6 +183,7 @@ impl Solved<'_> {
             shapes
         };
         let mut frames = vec![frame(self.state)];
+        let mut values = vec![self.here()];
         if samples.len() > 1 {
             // The film begins where the problem stands.
             let start = samples
@@ -172,10 +194,20 @@ impl Solved<'_> {
                     here(a).total_cmp(&here(b))
                 })
                 .map_or(0, |(at, _)| at);
-            let shown = |k: usize| &samples[(start + k * (samples.len() - 1) / FRAMES) % samples.len()].state;
-            frames.extend((1..FRAMES).map(|k| frame(shown(k))));
+            let shown = |k: usize| &samples[(start + k * (samples.len() - 1) / FRAMES) % samples.len()];
+            frames.extend((1..FRAMES).map(|k| frame(&shown(k).state)));
+            values.extend((1..FRAMES).map(|k| shown(k).value));
         }
-        Film { title: "Mechanism".into(), frames, period: 4.0 }
+        let film = Film::new("Mechanism", frames, 4.0);
+        if values.len() > 1 { film.over(self.input(), values) } else { film }
+    }
+
+    /// The size of the drawn mechanism, which is the same wherever its drivers have taken it.
+    fn drawn_size(&self) -> f64 {
+        let drawn: Vec<f64> = self.parts.drivers.iter().map(|drive| drive.what.drawn()).collect();
+        let there = self.system.follow(&self.state.positions, &drawn);
+        let there = there.and_then(|there| self.system.solved(&there.positions));
+        self.parts.size(self.system, there.as_ref().map_or(self.state, |(state, _)| state))
     }
 
     fn here(&self) -> f64 {
@@ -183,5 +215,5 @@ impl Solved<'_> {
     }
 }
 
-/// A curve: its name, and what it is at a sample.
-type Of<'a> = (&'a str, &'a dyn Fn(&Sample) -> f64);
+/// A curve: its name, the answer that it shows, and what it is at a sample.
+type Of<'a> = (&'a str, Name, &'a dyn Fn(&Sample) -> f64);

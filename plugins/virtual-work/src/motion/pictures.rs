@@ -1,6 +1,6 @@
 //! Plots and the film of a motion.
 
-use dalembert_core::{Axis, DrawnShape, Exhibit, Film, Ink, Plot, Series, Text, Worksheet};
+use dalembert_core::{Axis, DrawnShape, Exhibit, Film, Ink, Name, Plot, Series, Text, Worksheet};
 use dalembert_mechanics::planar::Snapshot;
 
 use super::{Motion, Solved};
@@ -11,14 +11,19 @@ impl Solved<'_> {
     pub(super) fn show<W: Worksheet>(&self, problem: &Motion, sheet: W) {
         sheet.show(|| Exhibit::Film(self.film(problem)));
         sheet.show(|| {
-            Exhibit::Plot(self.of_bodies("Angles", "Angle", "deg", |moment| &moment.state.positions))
+            Exhibit::Plot(
+                self.of_bodies("Angles", ("Angle", "deg"), "angle", |moment| &moment.state.positions),
+            )
         });
         sheet.show(|| {
-            Exhibit::Plot(self.of_bodies("Angular velocities", "Angular velocity", "rad/s", |moment| {
-                &moment.state.velocities
-            }))
+            let axis = ("Angular velocity", "rad/s");
+            Exhibit::Plot(
+                self.of_bodies("Angular velocities", axis, "angular_velocity", |moment| {
+                    &moment.state.velocities
+                }),
+            )
         });
-        for followed in &problem.watched {
+        for (row, followed) in (1..).zip(&problem.watched) {
             let name = &self.parts.points[followed.point.0].name;
             let point = self.parts.point(followed.point);
             let speed = move |moment: &Snapshot| {
@@ -27,25 +32,31 @@ impl Solved<'_> {
             };
             sheet.show(|| {
                 let title = Text::new("Speed of {name}").with("name", name);
-                Exhibit::Plot(self.over_time(title, "Speed", "m/s", vec![self.line("".into(), speed)]))
+                let line = self.line("".into(), speed).of(Name::from(("velocity", row)));
+                Exhibit::Plot(self.over_time(title, "Speed", "m/s", vec![line]))
             });
             sheet.show(|| {
                 let at = |moment: &Snapshot| place(self.system, point, &moment.state);
                 let path = self.moved.samples.iter().map(at).collect();
-                Exhibit::Plot(Plot::new(
-                    Text::new("Path of {name}").with("name", name),
-                    Axis::linear("x", "mm"),
-                    Axis::linear("y", "mm"),
-                    vec![Series::line("", path)],
-                ))
+                let times = self.moved.samples.iter().map(|moment| moment.time).collect();
+                let answer = Name::from(("position", row));
+                Exhibit::Plot(
+                    Plot::new(
+                        Text::new("Path of {name}").with("name", name),
+                        Axis::linear("x", "mm"),
+                        Axis::linear("y", "mm"),
+                        vec![Series::line("", path).of(format_args!("{answer}.y")).at(times)],
+                    )
+                    .over_answer("duration", format_args!("{answer}.x")),
+                )
             });
         }
         sheet.show(|| {
             let start = self.moved.samples[0].stored;
             let series = vec![
-                self.line("Kinetic".into(), |moment| moment.kinetic),
-                self.line("Stored".into(), move |moment| moment.stored - start),
-                self.line("Work done".into(), |moment| moment.work),
+                self.line("Kinetic".into(), |moment| moment.kinetic).of("kinetic_energy"),
+                self.line("Stored".into(), move |moment| moment.stored - start).of("stored_energy"),
+                self.line("Work done".into(), |moment| moment.work).of("work"),
             ];
             Exhibit::Plot(self.over_time("Energy".into(), "Energy", "J", series))
         });
@@ -55,13 +66,13 @@ impl Solved<'_> {
     fn of_bodies(
         &self,
         title: &'static str,
-        label: &'static str,
-        unit: &'static str,
+        (label, unit): (&'static str, &'static str),
+        answer: &'static str,
         of: impl Fn(&Snapshot) -> &[[f64; 3]] + Copy,
     ) -> Plot {
         let line = |(body, part): (usize, &crate::parts::Part)| {
             let name = verbatim(&part.name);
-            self.line(name, move |moment| of(moment)[body][2])
+            self.line(name, move |moment| of(moment)[body][2]).of(Name::from((answer, body + 1)))
         };
         let series = self.parts.bodies.iter().enumerate().map(line).collect();
         self.over_time(title.into(), label, unit, series)
@@ -72,7 +83,7 @@ impl Solved<'_> {
     }
 
     fn over_time(&self, title: Text, label: &'static str, unit: &'static str, series: Vec<Series>) -> Plot {
-        Plot::new(title, Axis::linear("Time", "s"), Axis::linear(label, unit), series)
+        Plot::new(title, Axis::linear("Time", "s"), Axis::linear(label, unit), series).over("duration")
     }
 
     fn film(&self, problem: &Motion) -> Film {
@@ -92,6 +103,6 @@ impl Solved<'_> {
             self.parts.draw(self.system, &moment.state, size, &mut shapes);
             shapes
         };
-        Film { title: "Mechanism".into(), frames: (0..FRAMES).map(frame).collect(), period: 4.0 }
+        Film::new("Mechanism", (0..FRAMES).map(frame).collect(), 4.0)
     }
 }

@@ -2,7 +2,7 @@
 
 use dalembert_core::{Axis, DrawnShape, Ink, Plot, Series};
 
-use super::ScissorLift;
+use super::{ScissorLift, Sought};
 use crate::equilibria::{arrow, spread};
 
 impl ScissorLift {
@@ -24,8 +24,13 @@ impl ScissorLift {
             "Force of the cylinder against the angle of the bars",
             Axis::linear("angle of the bars", "deg"),
             Axis::linear("force of each cylinder", "kN"),
-            vec![Series::line("F", spread([0.05, 1.5], 300).map(at).collect())],
+            vec![Series::line("F", spread([0.05, 1.5], 300).map(at).collect()).of("cylinder_force")],
         )
+        .over(match self.sought {
+            Sought::Cylinder { .. } => "angle",
+            // The load of the table is another at another angle.
+            Sought::Load { .. } => "",
+        })
         .mark("at this angle", (self.angle, force))
     }
 

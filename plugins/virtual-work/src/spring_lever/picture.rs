@@ -70,7 +70,7 @@ impl SpringLever {
 
     /// The arm swinging through a range about where it stands.
     pub(super) fn film(&self, at: f64, [from, to]: [f64; 2]) -> Exhibit {
-        film("The arm about its position", at, [from.max(at - 0.6), to.min(at + 0.6)], |angle| {
+        film("The arm about its position", ("", at), [from.max(at - 0.6), to.min(at + 0.6)], |angle| {
             self.frame(angle)
         })
     }
