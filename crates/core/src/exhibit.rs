@@ -11,6 +11,7 @@ use crate::Text;
 
 /// Something to look at.
 #[derive(Clone, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a solution has a few of them")]
 pub enum Exhibit {
     /// Curves over an axis.
     Plot(Plot),
