@@ -13,6 +13,7 @@ use dalembert_core::{
     Stop, cases, registry, vary,
 };
 use dalembert_plugins as _;
+use itertools::Itertools as _;
 
 /// The points of a curve, and the frames of a film, that are solved for.
 const ABSCISSAS: usize = 29;
@@ -78,7 +79,7 @@ fn answers(solution: &Solution) -> Answers {
                 found.insert(name, [si, answer.noise]);
             }
             AnswerValue::Number(Number::Vector(si), _) => {
-                for (axis, si) in ["x", "y", "z"].into_iter().zip(si) {
+                for (axis, si) in ["x", "y", "z"].into_iter().zip_eq(si) {
                     found.insert(format!("{name}.{axis}"), [si, answer.noise]);
                 }
                 let size = si.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -336,10 +337,10 @@ fn differ(one: &[DrawnShape], other: &[DrawnShape]) -> Option<String> {
         return Some(format!("{} shapes that move for {}", one.len(), other.len()));
     }
     let size = other.iter().flat_map(|(_, at)| at).fold(0.0, |size: f64, x| size.max(x.abs()));
-    one.iter().zip(&other).find_map(|((what, a), (as_what, b))| {
+    one.iter().zip_eq(&other).find_map(|((what, a), (as_what, b))| {
         let same = what == as_what
             && a.len() == b.len()
-            && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= AGREEMENT * size);
+            && a.iter().zip_eq(b).all(|(a, b)| (a - b).abs() <= AGREEMENT * size);
         (!same).then(|| format!("{what} {a:?} for {as_what} {b:?}"))
     })
 }
