@@ -22,7 +22,7 @@ use crate::{
 /// Points of a curve.
 const POINTS: usize = 400;
 /// The most looks at the motion for its largest displacement, times the number of poles.
-const LOOKS: usize = 10_000_000;
+const LOOKS: usize = 4_000_000;
 /// The most steps of the second way; longer motions are not followed step by step.
 const LIMIT: usize = 150;
 
@@ -350,9 +350,10 @@ impl MultiDegreeResponse {
         let states: Vec<Vec<Complex<f64>>> = grid.iter().map(|time| motion.state(*time)).collect();
         for row in &self.observed {
             sheet.keep_going()?;
-            let Some(farthest) =
-                motion.farthest(row.coordinate - 1, duration, LOOKS / poles.roots.len().max(1))
-            else {
+            let looks = LOOKS / poles.roots.len().max(1);
+            let cancelled = || sheet.keep_going().is_err();
+            let Some(farthest) = motion.farthest(row.coordinate - 1, duration, looks, &cancelled) else {
+                sheet.keep_going()?;
                 sheet.warn(|| {
                     Text::new("the largest displacement of coordinate {at} is not sought over so many oscillations: shorten the duration of the curves")
                         .with("at", row.coordinate)

@@ -113,11 +113,17 @@ impl<'a> Motion<'a> {
 
 impl Motion<'_> {
     /// The displacement of a mass that is farthest from zero from time zero to another one, to 1e-9; none where it takes
-    /// more than so many looks at the motion.
+    /// more than so many looks at the motion, or is cancelled.
     ///
     /// A stretch is cut in halves until the cubic through its ends, with its error `h⁴/384 max |x⁗|`, cannot come so far
     /// out, or is as exact as that.
-    pub fn farthest(&self, row: usize, until: f64, most_looks: usize) -> Option<Extreme> {
+    pub fn farthest(
+        &self,
+        row: usize,
+        until: f64,
+        most_looks: usize,
+        cancelled: &dyn Fn() -> bool,
+    ) -> Option<Extreme> {
         const PARTS: u32 = 64;
         const EXACT: f64 = 1e-9;
         /// What is resolved where no bound holds, at resonance: this part of a radian of the fastest pole.
@@ -162,7 +168,7 @@ impl Motion<'_> {
             }
             let middle = f64::midpoint(from, to);
             let (look, looks) = number(middle);
-            if looks > most_looks {
+            if looks > most_looks || cancelled() {
                 return None;
             }
             floor = floor.max(look.value.abs());
