@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use dalembert_core::{
     Entry, Language, Locale, Solution, Stop,
     cases::{self, Hold, Outcome, Seen},
+    coverage::same_trees,
     printer, registry,
 };
 use dalembert_plugins as _;
@@ -122,6 +123,9 @@ fn every_solution_is_sound() {
         assert!(solution.defects.is_empty(), "{name}: {:?}", solution.defects);
         for check in &solution.checks {
             assert!(check.passed, "{name}: {} ({:e})", check.what.english(), check.residual);
+        }
+        for check in same_trees(solution) {
+            panic!("{name}: both sides are the same tree: {}", check.what.english());
         }
         assert!(!solution.checks.is_empty(), "{name}: no answer is found in a second way");
         assert!(!solution.steps.is_empty(), "{name}: nothing is worked");

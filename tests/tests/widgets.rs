@@ -3,7 +3,8 @@
 
 use dalembert_core::{
     Answer, AnswerValue, Axis, Cell, Check, Column, Draft, Drawing, DrawnShape, Entry, Exhibit, FieldError,
-    Ink, Locale, Plot, Refusal, Scale, Series, Solution, SolveError, Stop, TableExhibit, Text, cases, find,
+    Ink, Locale, Plot, Refusal, Scale, Series, Sides, Solution, SolveError, Stop, TableExhibit, Text, cases,
+    find,
 };
 use dalembert_mechanics::{intervals::IntervalSet, sdof};
 use dalembert_plugins as _;
@@ -426,7 +427,13 @@ fn doubts_and_faults_are_not_passed_over() {
     let (_, mut solution) = solved();
     solution.warnings.push(Text::new("the speed is near the natural frequency"));
     solution.defects.push("k is in m·kg·s⁻², not in kN/m".into());
-    solution.checks.push(Check { what: "a second way".into(), residual: 3e-4, limit: 1e-9, passed: false });
+    solution.checks.push(Check {
+        what: "a second way".into(),
+        residual: 3e-4,
+        limit: 1e-9,
+        passed: false,
+        sides: Sides::Plain,
+    });
     let set = IntervalSet::interval(std::ops::Bound::Unbounded, std::ops::Bound::Included(0.1134));
     let unit = dalembert_units::unit("mm").unwrap();
     let value = AnswerValue::Set(set, vec!["the first critical speed".into()]);
@@ -652,7 +659,13 @@ fn the_panes_speak_portuguese() {
     let locale = Locale::portuguese();
     let (_, mut solution) = solved();
     solution.defects.push("k".into());
-    solution.checks.push(Check { what: "k".into(), residual: 3e-4, limit: 1e-9, passed: false });
+    solution.checks.push(Check {
+        what: "k".into(),
+        residual: 3e-4,
+        limit: 1e-9,
+        passed: false,
+        sides: Sides::Plain,
+    });
     let shown =
         text(&results::stale(results::lines(&solution, &UNICODE, &locale, 90), &UNICODE, &locale, 90));
     for words in ["! dos últimos dados válidos", "✗ Falha do programa", "dois caminhos diferem em 3×10⁻⁴"]

@@ -284,3 +284,10 @@ show-is-a-table-of-answers-and-their-units-as-in-show-amplitude-mm-6-digits = `s
 count-digits-write-from-1-to-17-digits = `{ $count } digits`: escreva de 1 a 17 algarismos
 a-check-of-the-solution-fails = uma verificação da solução falha
 the-right-value-beside-the-disputed-one-is-right = o valor certo ao lado do contestado é { $right }
+
+## Coverage of answers by checks
+its-own-definition-there-is-no-second-way-to-it = a própria definição: não há um segundo caminho até ela
+it-is-counted-not-measured = é contada, não medida
+a-list-or-a-set-its-numbers-have-no-steps-that-could-be-followed = uma lista ou um conjunto: seus números não têm passos que se possam seguir
+a-standard-or-an-empirical-rule-gives-it = dada por uma norma ou uma regra empírica
+there-is-a-second-way-that-is-not-written-yet = há um segundo caminho que ainda não está escrito

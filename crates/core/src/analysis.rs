@@ -68,7 +68,7 @@ pub struct Entry {
     /// What a person reads before picking it.
     pub about: &'static About,
     shape: fn() -> Shape,
-    solve: fn(&Record, &Stop) -> Result<Solution, SolveError>,
+    solve: fn(&Record, &Stop, perturbed: Option<usize>) -> Result<Solution, SolveError>,
     prepare: Prepare,
 }
 
@@ -129,7 +129,13 @@ impl Entry {
 
     /// Solves, leaving the worked solution.
     pub fn solve(&self, record: &Record, stop: &Stop) -> Result<Solution, SolveError> {
-        (self.solve)(record, stop)
+        (self.solve)(record, stop, None)
+    }
+
+    /// Solves with the result of one step wrong by [`trace::PERTURBATION`](crate::trace::PERTURBATION), to see which
+    /// checks notice.
+    pub fn solve_perturbed(&self, record: &Record, step: usize, stop: &Stop) -> Result<Solution, SolveError> {
+        (self.solve)(record, stop, Some(step))
     }
 
     /// Prepares the plain reading: `vary` are paths of quantities, `wanted` names of answers that are numbers.
@@ -205,10 +211,14 @@ impl Stop {
     }
 }
 
-fn solve<A: Analysis>(record: &Record, stop: &Stop) -> Result<Solution, SolveError> {
+fn solve<A: Analysis>(
+    record: &Record,
+    stop: &Stop,
+    perturbed: Option<usize>,
+) -> Result<Solution, SolveError> {
     let value = Value::Group(record.clone());
     let problem = A::read_all(&value).map_err(SolveError::Fields)?;
-    let sheet = Sheet::new(stop);
+    let sheet = perturbed.map_or_else(|| Sheet::new(stop), |step| Sheet::perturbed(stop, step));
     let given = problem.given(Lift { sheet: &sheet, value: Some(&value), trail: &Trail::TOP });
     problem.solve(&given, &sheet)?;
     drop(given);

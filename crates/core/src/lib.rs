@@ -11,6 +11,7 @@ pub mod ascii;
 mod assumed;
 pub mod cases;
 pub mod check;
+pub mod coverage;
 pub mod draft;
 pub mod exercises;
 pub mod exhibit;
@@ -56,7 +57,7 @@ pub use crate::{
     path::{is_within, nearest},
     record::{Record, Table, Value},
     sheet::{Sheet, Term, Vect},
-    solution::{Answer, AnswerValue, Check, Display, Name, Solution, Step},
+    solution::{Answer, AnswerValue, Check, Display, Name, Sides, Solution, Step},
     source::{Cite, Source},
     text::{Arg, Language, Locale, Messages, Text},
     trace::{Number, Symbol, Trace},

@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 
 pub use self::{term::Term, vect::Vect};
 use crate::{
-    Answer, Check, Exhibit, Locale, Name, Refusal, Solution, Step, Stop, Symbol, Text, Why, Worksheet,
+    Answer, Check, Exhibit, Locale, Name, Refusal, Sides, Solution, Step, Stop, Symbol, Text, Why, Worksheet,
     printer,
     solution::AnswerValue,
     trace::{Id, Node, Number, Op, ROUNDING},
@@ -32,12 +32,20 @@ const WAYS: f64 = 8.0;
 pub struct Sheet<'a> {
     solution: RefCell<Solution>,
     stop: &'a Stop,
+    /// The step whose result is written down with a relative error of [`PERTURBATION`].
+    perturbed: Option<usize>,
 }
 
 impl<'a> Sheet<'a> {
     /// An empty sheet.
     pub fn new(stop: &'a Stop) -> Self {
-        Self { solution: RefCell::default(), stop }
+        Self { solution: RefCell::default(), stop, perturbed: None }
+    }
+
+    /// An empty sheet on which the result of one step comes out wrong by [`PERTURBATION`]: everything after it, what
+    /// numerical methods make of it included, goes on with the wrong number.
+    pub fn perturbed(stop: &'a Stop, step: usize) -> Self {
+        Self { perturbed: Some(step), ..Self::new(stop) }
     }
 
     /// What was recorded. Refused when a number left the finite range, with the first such number named.
@@ -122,6 +130,7 @@ impl<'a> Sheet<'a> {
             }
             None => [number.size(), f64::EPSILON * number.size()],
         };
+        let number = if self.perturbed == Some(step) { number.perturbed(rounded[0]) } else { number };
         let result = self.push_rounded(number, unit.dim, Op::Step(step), rounded);
         let step = Step { symbol, unit, formula, result, why: why.reason, cite: why.cite };
         self.solution.borrow_mut().steps.push(step);
@@ -152,12 +161,12 @@ impl<'a> Sheet<'a> {
     }
 
     /// Holds a difference to zero beside `scale`, of numbers that rounding alone lets differ by `error`.
-    fn hold(&self, what: Text, difference: f64, scale: f64, error: f64) {
+    fn hold(&self, what: Text, difference: f64, scale: f64, error: f64, sides: Sides) {
         let relative = |x: f64| if x == 0.0 { 0.0 } else { x / scale };
         let residual = relative(difference);
         let limit = AGREEMENT.max(relative(WAYS * error));
         let passed = residual <= limit;
-        self.solution.borrow_mut().checks.push(Check { what, residual, limit, passed });
+        self.solution.borrow_mut().checks.push(Check { what, residual, limit, passed, sides });
     }
 
     fn error(&self, id: Id) -> f64 {
@@ -250,13 +259,15 @@ impl<'s> Worksheet for &'s Sheet<'s> {
             self.same_dim(a, b);
         }
         let error = self.error_between(left.node(), right.node());
+        let sides = Sides::of(left.node(), right.node());
         let (left, right) = (left.value(), right.value());
-        self.hold(what.into(), (left - right).abs(), left.abs().max(right.abs()), error);
+        self.hold(what.into(), (left - right).abs(), left.abs().max(right.abs()), error, sides);
     }
 
     fn check_zero(self, what: impl Into<Text>, residual: Term<'s>, scale: f64) {
         let error = self.error_between(residual.node(), None);
-        self.hold(what.into(), residual.value().abs(), scale.abs(), error);
+        let sides = residual.node().map_or(Sides::Plain, Sides::Residual);
+        self.hold(what.into(), residual.value().abs(), scale.abs(), error, sides);
     }
 
     fn check_sum(self, what: impl Into<Text>, left: Term<'s>, right: Term<'s>, scale: f64) {
@@ -264,12 +275,14 @@ impl<'s> Worksheet for &'s Sheet<'s> {
             self.same_dim(a, b);
         }
         let error = self.error_between(left.node(), right.node());
-        self.hold(what.into(), (left.value() - right.value()).abs(), scale.abs(), error);
+        let sides = Sides::of(left.node(), right.node());
+        self.hold(what.into(), (left.value() - right.value()).abs(), scale.abs(), error, sides);
     }
 
     fn check_residual(self, what: impl Into<Text>, residual: Term<'s>, scale: f64, error: f64) {
         let error = error.abs() + self.error_between(residual.node(), None);
-        self.hold(what.into(), residual.value().abs(), scale.abs(), error);
+        let sides = residual.node().map_or(Sides::Plain, Sides::Residual);
+        self.hold(what.into(), residual.value().abs(), scale.abs(), error, sides);
     }
 
     fn check_vector(self, what: impl Into<Text>, left: Vect<'s>, right: Vect<'s>) {
@@ -277,8 +290,9 @@ impl<'s> Worksheet for &'s Sheet<'s> {
             self.same_dim(a, b);
         }
         let error = self.error_between(left.node(), right.node());
+        let sides = Sides::of(left.node(), right.node());
         let (left, right) = (left.value(), right.value());
-        self.hold(what.into(), (left - right).norm(), left.norm().max(right.norm()), error);
+        self.hold(what.into(), (left - right).norm(), left.norm().max(right.norm()), error, sides);
     }
 
     fn answer(self, name: impl Into<Name>, label: &'static str, value: Term<'s>) {

@@ -99,6 +99,32 @@ pub struct Check {
     pub limit: f64,
     /// Whether the residual is within its limit.
     pub passed: bool,
+    /// What is compared, in the trace.
+    pub sides: Sides,
+}
+
+/// The two sides of a check, by their nodes of the trace.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sides {
+    /// Two numbers of the trace.
+    Both(Id, Id),
+    /// A number of the trace, and one that a numerical method found, which is not in it.
+    One(Id),
+    /// A residual of the trace, held to zero.
+    Residual(Id),
+    /// Numbers that are not in the trace.
+    #[default]
+    Plain,
+}
+
+impl Sides {
+    pub(crate) fn of(left: Option<Id>, right: Option<Id>) -> Self {
+        match (left, right) {
+            (Some(left), Some(right)) => Sides::Both(left, right),
+            (Some(one), None) | (None, Some(one)) => Sides::One(one),
+            (None, None) => Sides::Plain,
+        }
+    }
 }
 
 impl Solution {

@@ -31,6 +31,10 @@ pub struct Node {
 /// What is left of terms that cancel, as a share of their size, is rounding.
 pub const ROUNDING: f64 = 1e-14;
 
+/// The relative error that a check must notice to cover a number: far above the limits of checks, and small enough for
+/// the rest of a solve to take the same way.
+pub const PERTURBATION: f64 = 1e-6;
+
 /// A number or a vector, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Number {
@@ -247,6 +251,18 @@ impl Number {
         match self {
             Number::Scalar(x) => Number::Scalar(clean(x)),
             Number::Vector(v) => Number::Vector(v.map(clean)),
+        }
+    }
+
+    /// The same number, wrong by [`PERTURBATION`]; where it is rounding alone, wrong by as much of `scale`, the size of what
+    /// was added up to make it.
+    pub(crate) fn perturbed(self, scale: f64) -> Number {
+        let size = self.size();
+        let error = PERTURBATION * if size <= ROUNDING * scale { scale } else { size };
+        match self {
+            Number::Scalar(x) => Number::Scalar(x + error.copysign(x)),
+            Number::Vector(v) if size == 0.0 => Number::Vector(v.map(|x| x + error)),
+            Number::Vector(v) => Number::Vector(v.map(|x| x * (1.0 + error / size))),
         }
     }
 

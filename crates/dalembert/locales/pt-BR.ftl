@@ -134,3 +134,10 @@ seen-in-a-companion-s-output = visto na saída de um programa que acompanha o li
 seen-on-a-page-that-quotes-it = visto em uma página que o cita
 recalled = lembrado
 refusal = recusa
+
+## Coverage of answers by checks
+answers-answers-covered-covered-forms-other-forms-of-covered-ones-inputs-inputs-explained-uncovered = { $answers } respostas: { $covered } cobertas, { $forms } outras formas de cobertas, { $inputs } dados, { $explained } descobertas com motivo, { $unexplained } descobertas sem motivo
+a-reason-is-given-but-it-is-covered = um motivo é dado, mas ela está coberta
+no-reason-given = nenhum motivo dado
+an-answer-is-covered-when-a-check-of-one-of-its-cases-fails-once-it-is-wrong-by-one-part-in-a-million = Uma resposta está coberta quando uma verificação de um de seus casos falha assim que ela erra em uma parte em um milhão.
+list-the-answers-that-no-check-covers-each-with-the-reason = Listar as respostas que nenhuma verificação cobre, cada uma com o motivo

@@ -137,6 +137,9 @@ pub(crate) enum Format {
 pub(crate) struct Verify {
     /// Words that the id, the title, the summary or the keywords contain
     pub(crate) filter: Vec<String>,
+    /// List the answers that no check covers, each with the reason
+    #[arg(long)]
+    pub(crate) uncovered: bool,
     /// Print JSON
     #[arg(long)]
     pub(crate) json: bool,

@@ -327,7 +327,11 @@ fn ratio_of<W: Worksheet>(
         coefficient / critical,
         ("Damping ratio: damping over critical damping", RAO.at("§2.6")),
     );
-    sheet.check("the same from stiffness and mass", sdof::damping_ratio(coefficient, stiffness, mass), zeta);
+    sheet.check(
+        "the square of the damping is 4 ζ² k m",
+        coefficient.powi(2),
+        stiffness * mass * zeta.powi(2) * 4.0,
+    );
     zeta
 }
 

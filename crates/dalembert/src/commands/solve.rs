@@ -163,7 +163,7 @@ fn complaints(solution: &Solution, locale: &Locale) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use dalembert_core::Check;
+    use dalembert_core::{Check, Sides};
 
     use super::*;
 
@@ -175,6 +175,7 @@ mod tests {
             residual,
             limit: 1e-9,
             passed: residual <= 1e-9,
+            sides: Sides::Plain,
         };
         solution.checks.push(check(1e-12));
         assert_eq!(complaints(&solution, &Locale::english()), Vec::<String>::new());

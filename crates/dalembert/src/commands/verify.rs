@@ -1,5 +1,7 @@
 //! `dalembert verify`
 
+mod uncovered;
+
 use std::process::ExitCode;
 
 use dalembert_core::{
@@ -24,6 +26,9 @@ pub(crate) fn run(verify: &Verify, console: &Console) -> Result<ExitCode, Failur
         // Nothing verified must not pass for verified.
         let why = Text::new("no analysis matches {filter}; `dalembert list` shows them all");
         return Err(Failure::input(why.with("filter", verify.filter.join(" "))));
+    }
+    if verify.uncovered {
+        return uncovered::run(&found, verify.json, console);
     }
     let held: Vec<Held> = found.into_iter().flat_map(held).collect();
     let counts = Counts::of(&held);
