@@ -89,19 +89,19 @@ pub(crate) fn correct<W: Worksheet>(
     if size.value() <= 1e-12 * scale {
         return;
     }
-    let mass = match known {
+    let (mass, product) = match known {
         CorrectionGiven::Radius { radius } => {
             let why = ("Mass at the given radius", RIUL.at("eq. 17"));
             let mass = sheet.step((symbols.mass, row), "kg", size / *radius, why);
             sheet.answer((keys.mass.0, row), keys.mass.1, mass);
-            Some(mass)
+            (Some(mass), mass * *radius)
         }
         CorrectionGiven::Mass { mass } => {
             let radius = sheet.step((symbols.radius, row), "mm", size / *mass, "Radius of the given mass");
             sheet.answer((keys.radius.0, row), keys.radius.1, radius);
-            Some(*mass)
+            (Some(*mass), *mass * radius)
         }
-        CorrectionGiven::Product {} => None,
+        CorrectionGiven::Product {} => (None, size),
     };
     let (direction, why) = match way {
         Way::Add => (
@@ -119,6 +119,13 @@ pub(crate) fn correct<W: Worksheet>(
         sheet.step((symbols.other_angle, row), "deg", other, "The same place, counted the other way round");
     sheet.answer((keys.angle.0, row), keys.angle.1, angle);
     sheet.answer((keys.other_angle.0, row), keys.other_angle.1, other);
+    sheet.verify(|| {
+        let sign = if way == Way::Add { 1.0 } else { -1.0 };
+        let along_x = product * angle.cos() * sign;
+        let along_y = product * other.sin() * -sign;
+        sheet.check_sum("mass, radius and angle make up the component along x", along_x, x, size.value());
+        sheet.check_sum("mass, radius and angle make up the component along y", along_y, y, size.value());
+    });
     if let Some(mass) = mass {
         let weight = sheet.step((symbols.weight, row), "N", mass * gravity, "Weight of the correction");
         sheet.answer((keys.weight.0, row), keys.weight.1, weight);

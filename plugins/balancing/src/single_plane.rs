@@ -140,11 +140,12 @@ impl Analysis for SinglePlane {
         if size.value() <= 1e-12 * scale {
             sheet.warn(|| Text::new("the masses balance each other; no correction is needed"));
         }
-        if let Some(speed) = given.speed {
+        let force = given.speed.map(|speed| {
             let why = ("Rotating force before balancing", RIUL.at("eq. 7"));
             let force = sheet.step("F", "N", balance::centrifugal_force(size, speed), why);
             sheet.answer("force_before", "Rotating force before balancing", force);
-        }
+            (force.value(), speed.value())
+        });
         let angles: Vec<f64> = unbalances.iter().map(|(_, _, _, angle)| angle.value()).collect();
         sheet.verify(|| {
             // The law of cosines over all pairs knows nothing of the axes x and y.
@@ -157,6 +158,14 @@ impl Analysis for SinglePlane {
                 (size.value().powi(2) - squared).into(),
                 scale * scale,
             );
+            if let Some((force, speed)) = force {
+                let scale = scale * speed.powi(2);
+                sheet.check_zero(
+                    "the rotating force by the law of cosines over all pairs of forces",
+                    (force.powi(2) - squared * speed.powi(4)).into(),
+                    scale * scale,
+                );
+            }
             let left = |axis: fn(f64) -> f64, correction: f64| {
                 let masses = products.iter().zip(&angles).map(|(u, a)| u * axis(*a)).sum::<f64>();
                 W::Num::from(masses + correction)

@@ -208,14 +208,15 @@ impl TwoPlane {
             balance::magnitude(x, y),
             ("Size of the correction", RIUL.at("eq. 16")),
         );
-        let (wanted, mass) = match known {
+        let (wanted, mass, product) = match known {
             CorrectionGiven::Radius { radius } => {
                 let mass =
                     sheet.step(mass, "kg", size / *radius, ("Mass at the given radius", RIUL.at("eq. 17")));
-                (mass, mass)
+                (mass, mass, mass * *radius)
             }
             CorrectionGiven::Mass { mass } => {
-                (sheet.step(radius, "mm", size / *mass, "Radius of the given mass"), *mass)
+                let radius = sheet.step(radius, "mm", size / *mass, "Radius of the given mass");
+                (radius, *mass, *mass * radius)
             }
         };
         let (direction, why) = match self.way {
@@ -229,6 +230,22 @@ impl TwoPlane {
             ),
         };
         let angle = sheet.step(angle, "deg", direction, (why, RIUL.at("eq. 19")));
+        sheet.verify(|| {
+            let product = if self.way == Way::Add { product } else { -product };
+            let scale = size.value();
+            sheet.check_sum(
+                "mass, radius and angle make up the component along x",
+                product * angle.cos(),
+                x,
+                scale,
+            );
+            sheet.check_sum(
+                "mass, radius and angle make up the component along y",
+                product * angle.sin(),
+                y,
+                scale,
+            );
+        });
         Corrected { unbalance: size, angle, mass, wanted }
     }
 

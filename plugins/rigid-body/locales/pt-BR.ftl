@@ -2560,3 +2560,27 @@ fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-12
 fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-10 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.10
 fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-11 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.11
 fossee-companion-notebook-to-khurmi-gupta-theory-of-machines-ch-14-example-14-13 = Caderno complementar FOSSEE a Khurmi & Gupta, Theory of Machines, cap. 14, exemplo 14.13
+the-kinetic-energy-from-the-inertia-about-the-shaft = a energia cinética pela inércia em torno do eixo
+the-gyroscopic-couple-is-the-component-of-the-couple-along-x = o binário giroscópico é a componente do binário em x
+the-kinetic-energy-of-rotation-from-the-squares-of-both-speeds = a energia cinética de rotação pelos quadrados das duas velocidades
+the-kinetic-energy-from-the-moment-of-inertia-about-the-axis-of-the-arm = a energia cinética pelo momento de inércia em torno do eixo do braço
+the-resultant-from-its-mean-and-its-pulsating-part-by-the-law-of-cosines = a resultante pela média e pela parte pulsante, com a lei dos cossenos
+the-product-of-the-largest-and-the-least-resultant = o produto da maior e da menor resultante
+the-principal-axis-n-has-length-one = o eixo principal { $n } tem comprimento um
+the-radii-of-gyration-from-the-trace-of-the-tensor = os raios de giração pelo traço do tensor
+the-radius-of-gyration-about-the-line-from-that-tensor = o raio de giração em torno da reta por esse tensor
+the-point-on-the-instantaneous-axis-only-slides-along-it = o ponto do eixo instantâneo apenas desliza ao longo dele
+the-angular-momentum-about-the-line-from-the-arm-across-it = a quantidade de movimento angular em torno da reta pelo braço perpendicular a ela
+the-angle-to-the-line-from-its-cosine = o ângulo com a reta pelo seu cosseno
+the-kinetic-energy-that-is-left-is-half-of-h = a energia cinética que resta é a metade de H ω
+twice-the-kinetic-energy-of-rotation-is-h-cos = o dobro da energia cinética de rotação é |ω| |H| cos γ
+at-the-speed-of-tipping-the-couple-brings-the-normal-force-to-the-edge = na velocidade de tombamento o binário leva a força normal até a borda
+the-length-rolled-over-on-the-floor-is-that-on-the-rim = o comprimento rolado no chão é o do aro
+the-friction-bends-the-path-of-the-centre-f-a-m-v = o atrito curva a trajetória do centro, F a = m v²
+the-stiffness-from-differences-of-the-equations-of-the-rolling-disc = a rigidez por diferenças das equações do disco que rola
+the-energy-at-a-limit-where-all-of-it-is-in-the-precession-and-the-height = a energia em um limite, onde toda ela está na precessão e na altura
+the-quaternion-has-norm-one = o quatérnion tem norma um
+the-angular-velocity-turned-from-the-axes-of-the-body = a velocidade angular, girada a partir dos eixos do corpo
+the-angular-momentum-is-r-j-r = a quantidade de movimento angular é R J Rᵀ ω
+the-kinetic-energy-is-half-of-h = a energia cinética é a metade de ω · H
+the-followed-axis-turned-from-the-axes-of-the-body = o eixo acompanhado, girado a partir dos eixos do corpo

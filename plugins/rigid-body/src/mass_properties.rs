@@ -147,7 +147,13 @@ fn show_principal<W: Worksheet>(body: &Worked<W>, principal: &Principal, sheet: 
         sheet.answer(("principal_inertia", n + 1), "Principal moment of inertia", moment);
         sheet.answer_vector(("principal_axis", n + 1), "Its axis", axis);
         sheet.verify(|| {
-            let left = tensor * principal.axis(n) - principal.axis(n) * principal.moments[n];
+            let (moment, axis) = (moment.value(), axis.value());
+            let left = tensor * axis - axis * moment;
+            sheet.check(
+                Text::new("the principal axis {n} has length one").with("n", n + 1),
+                W::Num::from(axis.norm_squared()),
+                W::Num::from(1.0),
+            );
             sheet.check_zero("the principal axis from I u − λ u = 0", left.norm().into(), tensor.amax());
         });
     }
@@ -180,7 +186,7 @@ impl MassProperties {
             ("k_y", "radius_y", "Radius of gyration about the y axis through G"),
             ("k_z", "radius_z", "Radius of gyration about the z axis through G"),
         ];
-        for ((symbol, name, label), moment) in names.into_iter().zip(body.moments) {
+        let radii = names.into_iter().zip(body.moments).map(|((symbol, name, label), moment)| {
             // A moment that is rounding alone may be below zero.
             let radius = if moment.value() > 1e-14 * body.properties.inertia.amax() {
                 sheet.step(symbol, "m", (moment / body.mass).sqrt(), (label, MERIAM.at("App. B/1")))
@@ -188,7 +194,18 @@ impl MassProperties {
                 sheet.found(symbol, "m", 0.0, (label, MERIAM.at("App. B/1")))
             };
             sheet.answer(name, label, radius);
-        }
+            radius
+        });
+        let radii: Vec<W::Num> = radii.collect();
+        sheet.verify(|| {
+            let squares = W::Num::sum(radii.into_iter().map(|radius| radius.powi(2)));
+            let trace = body.properties.inertia.trace();
+            sheet.check(
+                "the radii of gyration from the trace of the tensor",
+                body.mass * squares,
+                trace.into(),
+            );
+        });
     }
 
     fn drawn(&self, body: &rigid::MassProperties, principal: &Principal) -> Exhibit {
@@ -253,6 +270,12 @@ impl Line {
             sheet.check_sum(
                 "the moment about the line from the tensor about a point of it, λ · I λ",
                 about,
+                second.into(),
+                size,
+            );
+            sheet.check_sum(
+                "the radius of gyration about the line from that tensor",
+                body.mass * radius.powi(2),
                 second.into(),
                 size,
             );

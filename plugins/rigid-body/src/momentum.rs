@@ -70,8 +70,9 @@ impl Analysis for Momentum {
         let size =
             sheet.step("H_m", "kg*m^2/s", about_g.magnitude(), "Magnitude of the angular momentum about G");
         sheet.answer("momentum_g_size", "Magnitude of the angular momentum about G", size);
+        let mut angle = None;
         if omega.value() != Vector3::zeros() {
-            let angle = sheet.step(
+            let found = sheet.step(
                 "γ",
                 "deg",
                 omega.cross(about_g).magnitude().atan2(omega.dot(about_g)),
@@ -80,8 +81,9 @@ impl Analysis for Momentum {
             sheet.answer(
                 "momentum_angle",
                 "Angle between the angular momentum and the angular velocity",
-                angle,
+                found,
             );
+            angle = Some(found);
         }
 
         let arm = sheet.step_vector("d_A", "m", body.centre - given.point, "From A to G");
@@ -115,6 +117,14 @@ impl Analysis for Momentum {
             ("Kinetic energy of the rotation about G", BEER.at("§18.1C")),
         );
         let total = sheet.step("T", "J", translation + rotation, "Kinetic energy");
+        if let Some(angle) = angle {
+            sheet.check_sum(
+                "twice the kinetic energy of rotation is |ω| |H| cos γ",
+                omega.magnitude() * about_g.magnitude() * angle.cos(),
+                rotation * 2.0,
+                omega.value().norm() * about_g.value().norm(),
+            );
+        }
         sheet.answer("translation_energy", "Kinetic energy of the motion of the mass centre", translation);
         sheet.answer("rotation_energy", "Kinetic energy of the rotation about the mass centre", rotation);
         sheet.answer("kinetic_energy", "Kinetic energy", total);
@@ -180,6 +190,19 @@ fn line_momentum<W: Worksheet>(
         ("Angular momentum about the line", MERIAM.at("§7/7")),
     );
     sheet.answer("line_momentum", "Angular momentum about the line", component);
+    sheet.verify(|| {
+        // Of the moment of the linear momentum only the arm across the line counts, whatever point of it is taken.
+        let (way, speed) = (given.direction.value().normalize(), linear.value());
+        let arm = body.centre.value() - given.through.value();
+        let moment = (arm - way * way.dot(arm)).cross(speed).dot(way);
+        let second = moment + about_g.value().dot(way);
+        sheet.check_sum(
+            "the angular momentum about the line from the arm across it",
+            component,
+            second.into(),
+            about_g.value().norm() + arm.norm() * speed.norm(),
+        );
+    });
     if about.value() != Vector3::zeros() {
         let angle = sheet.step(
             "γ_B",
@@ -187,6 +210,11 @@ fn line_momentum<W: Worksheet>(
             along.cross(about).magnitude().atan2(component),
             "Angle between this angular momentum and the line",
         );
+        sheet.verify(|| {
+            let size = about.value().norm();
+            let projected = about.magnitude() * angle.cos();
+            sheet.check_sum("the angle to the line from its cosine", projected, component, size);
+        });
         sheet.answer(
             "line_angle",
             "Angle between the angular momentum about a point of the line and the line",
@@ -233,6 +261,12 @@ impl Momentum {
             rate,
         );
         sheet.answer("energy_lost", "Share of the kinetic energy of rotation lost by then", lost);
+        sheet.check_sum(
+            "the kinetic energy that is left is half of H ω",
+            about_g.magnitude() * rate / 2.0,
+            rotation - rotation * lost,
+            rotation.value(),
+        );
         sheet.verify(|| {
             // H² = Σ (I ω)², 2T = Σ I ω² in principal axes.
             let omega = principal.angular_velocity(about_g.value()).unwrap_or_else(|_| Vector3::zeros());

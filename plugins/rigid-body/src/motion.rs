@@ -7,14 +7,14 @@ use std::{array, f64::consts::PI};
 
 use dalembert_core::{About, Analysis, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
-    Vector,
+    Real, Vector,
     ode::OdeError,
     rigid::{
         self,
         simulate::{self as follow, Body, Loads, Run, Sample, SimulateError, Turning, Watched},
     },
 };
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 pub use self::inputs::{
     Attitude, BodyAxis, Carrier, Course, Ends, Instant, Moments, Motion, Pivot, Place, TorqueRow, Velocity,
@@ -263,9 +263,9 @@ impl Motion {
         let parts =
             vector("q", "1", clean(quaternion.imag(), 1.0), "The other three parts of that quaternion");
         sheet.answer_vector("quaternion", "Attitude at the end, unit quaternion, the other parts", parts);
-        let axis = last.turning.attitude * self.axis.vector();
+        let followed = last.turning.attitude * self.axis.vector();
         let axis =
-            vector("a", "1", clean(axis, 1.0), "Direction of the followed axis of the body at the end");
+            vector("a", "1", clean(followed, 1.0), "Direction of the followed axis of the body at the end");
         sheet.answer_vector("axis", "Direction of the axis at the end", axis);
         if let Some(tilts) = moved.angles {
             let why = "Least angle of the axis to the vertical Z on the way";
@@ -287,6 +287,35 @@ impl Motion {
         }
         let kinetic = sheet.found("T", "J", last.kinetic, "Kinetic energy of the turning at the end");
         sheet.answer("kinetic_energy", "Kinetic energy at the end", kinetic);
+        sheet.verify(|| {
+            let parts = parts.value();
+            let attitude = Quaternion::new(scalar.value(), parts.x, parts.y, parts.z);
+            sheet.check("the quaternion has norm one", W::Num::from(attitude.norm()), W::Num::from(1.0));
+            let attitude = UnitQuaternion::new_normalize(attitude);
+            let (turns, spin) = (in_space.value(), in_body.value());
+            sheet.check_zero(
+                "the angular velocity, turned from the axes of the body",
+                (attitude * spin - turns).norm().into(),
+                fastest,
+            );
+            let held = momentum.value();
+            sheet.check_zero(
+                "the angular momentum is R J Rᵀ ω",
+                (attitude * (body.inertia * (attitude.inverse() * turns)) - held).norm().into(),
+                most(|sample| sample.momentum),
+            );
+            sheet.check_sum(
+                "the kinetic energy is half of ω · H",
+                kinetic,
+                (turns.dot(held) / 2.0).into(),
+                turns.norm() * held.norm(),
+            );
+            sheet.check_zero(
+                "the followed axis, turned from the axes of the body",
+                (attitude * self.axis.vector() - axis.value()).norm().into(),
+                1.0,
+            );
+        });
         self.drift(sheet, body, moved);
     }
 

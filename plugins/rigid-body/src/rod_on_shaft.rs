@@ -194,6 +194,11 @@ impl Analysis for RodOnShaft {
                 axial - inertia * across_shaft.powi(2) * given.speed,
                 axial.value(),
             );
+            sheet.check(
+                "the kinetic energy from the inertia about the shaft",
+                energy,
+                inertia * (across_shaft * given.speed).powi(2) / 2.0,
+            );
             self.check_by_rotation(sheet, fixed_momentum, fixed_couple);
         });
         sheet.show(|| Exhibit::Drawing(self.rod_and_shaft()));

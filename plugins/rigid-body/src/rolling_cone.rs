@@ -241,6 +241,11 @@ impl Analysis for RollingCone {
                 );
             }
             sheet.check("the couple from its share of φ̇²", couple.abs(), momentum_part * precession.powi(2));
+            sheet.check(
+                "at the speed of tipping the couple brings the normal force to the edge",
+                couple.abs() * (tipping / precession).powi(2),
+                normal * (slant - lever),
+            );
             let (a, t) = (axial.value(), transverse.value());
             self.check_by_rotation(sheet, [a, t], precession.value(), rate.value());
         });

@@ -173,6 +173,19 @@ impl Analysis for SpinningDiscOnArm {
         );
         sheet.answer_vector("fixed_couple", "Couple on the disc, fixed axes", fixed_couple);
         sheet.answer("rotational_energy", "Kinetic energy of rotation", rotation_energy);
+        sheet.verify(|| {
+            sheet.check_sum(
+                "the gyroscopic couple is the component of the couple along x",
+                gyroscopic,
+                couple.components()[0],
+                couple.value().norm(),
+            );
+            sheet.check(
+                "the kinetic energy of rotation from the squares of both speeds",
+                rotation_energy,
+                (diametral * given.arm_speed.powi(2) + axial * given.spin.powi(2)) / 2.0,
+            );
+        });
         if let Some(distance) = given.centre_distance {
             let speed = sheet.step(
                 "v_A",
@@ -188,6 +201,13 @@ impl Analysis for SpinningDiscOnArm {
             );
             sheet.answer("centre_speed", "Speed of the centre", speed);
             sheet.answer("kinetic_energy", "Kinetic energy", energy);
+            // About the axis of the arm everything but the spin turns as one body.
+            let about_arm = diametral + given.mass * distance.powi(2);
+            sheet.check(
+                "the kinetic energy from the moment of inertia about the axis of the arm",
+                energy,
+                (about_arm * given.arm_speed.powi(2) + axial * given.spin.powi(2)) / 2.0,
+            );
         }
         sheet.verify(|| {
             sheet.check_vector(

@@ -275,6 +275,31 @@ impl Analysis for SteadyRolling {
                 rates[0].into(),
                 scale,
             );
+            sheet.check_sum(
+                "the length rolled over on the floor is that on the rim",
+                floor * precession,
+                -(radius * spin),
+                (radius * spin).value().abs() + (centre * precession).value().abs(),
+            );
+            sheet.check(
+                "the friction bends the path of the centre, F a = m v²",
+                force * centre,
+                mass * speed.powi(2),
+            );
+            let [second_slope, third_slope] = slopes.map(Real::value);
+            let tilted = |by: f64| {
+                let omega = [0.0, second.value() + second_slope * by, third.value() + third_slope * by];
+                disc.accelerations(inclination.value() + by, omega)[0]
+            };
+            let step = 1e-3 * inclination.value().sin();
+            let slope = (8.0 * (tilted(step) - tilted(-step)) - (tilted(2.0 * step) - tilted(-2.0 * step)))
+                / (12.0 * step);
+            sheet.check_sum(
+                "the stiffness from differences of the equations of the rolling disc",
+                stiffness,
+                (-slope).into(),
+                scale / inclination.value().sin().powi(2),
+            );
             let (other, [_, across]) = disc.contact_forces(inclination.value(), omega);
             sheet.check_sum("the normal force from m a_G", normal, other.into(), normal.value());
             sheet.check_sum(

@@ -63,6 +63,9 @@ pub enum TopSpin {
     },
 }
 
+/// Sine of an angle to the vertical below which the precession has few digits.
+const NEAR_VERTICAL: f64 = 1e-3;
+
 register!(TopNutation);
 
 impl Analysis for TopNutation {
@@ -150,7 +153,7 @@ impl Analysis for TopNutation {
         let [rate_high, rate_low] = motion.precession_at_limits();
         // Beside the vertical the quotient has few digits; the kernel keeps them.
         let rate_at = |symbol, angle: W::Num, by_kernel: f64, why: &'static str| {
-            if angle.value().sin() > 1e-3 {
+            if angle.value().sin() > NEAR_VERTICAL {
                 let rate = (vertical - own * angle.cos()) / (transverse * angle.sin().powi(2));
                 sheet.step(symbol, "rad/s", rate, why)
             } else {
@@ -220,7 +223,22 @@ impl Analysis for TopNutation {
         sheet.answer("axial_angular_momentum", "Angular momentum about the axis", own);
         sheet.answer("vertical_angular_momentum", "Angular momentum about the vertical", vertical);
         sheet.answer("energy", "Energy without that of the spin", energy);
-        self.check(&motion, body, [own, vertical, energy].map(Real::value), sheet);
+        let shown = [high, low, third, advance].map(Real::value);
+        self.check(&motion, body, [own, vertical, energy].map(Real::value), shown, sheet);
+        for (limit, rate) in [(high, rate_high), (low, rate_low)] {
+            let sin = limit.value().sin();
+            // Through the vertical the axis goes on.
+            if sin <= NEAR_VERTICAL {
+                continue;
+            }
+            let largest = (own.value().powi(2) + vertical.value().powi(2)) / (2.0 * body.transverse);
+            sheet.check_sum(
+                "the energy at a limit, where all of it is in the precession and the height",
+                transverse * (rate * limit.sin()).powi(2) / 2.0 + couple * limit.cos(),
+                energy,
+                body.couple + largest / sin.powi(2),
+            );
+        }
         if let Some(t) = self.instant {
             at_instant(&motion, t, body, [own, vertical, energy].map(Real::value), sheet);
         }
@@ -235,11 +253,16 @@ impl Analysis for TopNutation {
 }
 
 impl TopNutation {
-    fn check<W: Worksheet>(&self, motion: &Nutation, body: Top, invariants: [f64; 3], sheet: W) {
-        let [own, vertical, energy] = invariants;
+    fn check<W: Worksheet>(
+        &self,
+        motion: &Nutation,
+        body: Top,
+        [own, vertical, energy]: [f64; 3],
+        [high, low, third, shown_advance]: [f64; 4],
+        sheet: W,
+    ) {
         sheet.verify(|| {
             let scale = energy.abs().max(body.couple);
-            let [high, low] = motion.limits();
             for limit in [high, low] {
                 let (sin, cos) = limit.sin_cos();
                 let across = vertical - own * cos;
@@ -251,7 +274,7 @@ impl TopNutation {
                 );
             }
             // The zeros of the cubic sum up to its second coefficient.
-            let sum = high.cos() + low.cos() + motion.third_zero();
+            let sum = high.cos() + low.cos() + third;
             let expected = energy / body.couple + own * own / (2.0 * body.transverse * body.couple);
             sheet.check_zero(
                 "the sum of the three zeros, E/K + H₃²/(2 I_t K)",
@@ -267,7 +290,7 @@ impl TopNutation {
             if let Some([advance, error]) = by_equal_weights(motion, body, own, vertical) {
                 sheet.check_residual(
                     "the precession in one nutation by equal weights",
-                    (advance - motion.advance()).into(),
+                    (advance - shown_advance).into(),
                     advance.abs().max(motion.period() * motion.precession_at_limits()[1].abs()),
                     error,
                 );

@@ -210,7 +210,23 @@ impl Analysis for TwoBladedRotor {
         sheet.answer_vector("reaction", "Reaction on the carrier (spin, precession, normal)", reaction);
         let (along, across_blades) = (along_blades.value(), (along_blades + difference).value());
         let (inertia, rate) = ([axial_inertia.value(), along, across_blades], rate.value());
-        sheet.verify(|| self.check_by_rotation(inertia, rate, couple, sheet));
+        sheet.verify(|| {
+            let twice = mean * swing * (angle * 2.0).cos() * 2.0;
+            let size = mean.value().powi(2) + swing.value().powi(2);
+            sheet.check_sum(
+                "the resultant from its mean and its pulsating part by the law of cosines",
+                across.powi(2),
+                mean.powi(2) + swing.powi(2) + twice,
+                size,
+            );
+            sheet.check_sum(
+                "the product of the largest and the least resultant",
+                largest * least,
+                (mean.powi(2) - swing.powi(2)).abs(),
+                size,
+            );
+            self.check_by_rotation(inertia, rate, couple, sheet);
+        });
         sheet.show(|| Exhibit::Plot(self.couple_over_a_turn(inertia, rate, across.value())));
         sheet.show(|| film(self.spin));
         Ok(())

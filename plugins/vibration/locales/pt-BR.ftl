@@ -3157,7 +3157,6 @@ shear-coefficient-given = Coeficiente de cisalhamento dado
 shear-coefficient-of-the-section = Coeficiente de cisalhamento da seção
 shear-modulus-given = Módulo de cisalhamento dado
 shear-modulus-of-an-isotropic-material = Módulo de cisalhamento de um material isotrópico
-shape-n-its-strain-energy-over-its-kinetic-energy-gives-the-root-back = modo { $n }: a energia de deformação sobre a energia cinética devolve a raiz
 shapes-n-and-m-are-orthogonal = os modos { $n } e { $m } são ortogonais
 weight-of-each-length = Peso por unidade de comprimento
 weight-of-each-length-given = Peso por unidade de comprimento dado
@@ -5420,3 +5419,5 @@ j-j-j-k-j-j-j-k-j-j-j-k-k-j-j-j-0-for-a-problem-of-r-s-khurmi = J₁J₂J₃ω�
 the-amplitudes-are-1-1-j-k-and-k-k-j-of-it-the-nodes-divide-each-shaft-as-they-do = As amplitudes são 1, 1 − J₁ω²/k₁ e k₂/(k₂ − J₃ω²) dela; os nós dividem cada eixo como elas.
 disc-off-the-middle-of-a-clamped-shaft-with-hysteretic-damping = Disco fora do meio de um eixo biengastado com amortecimento histerético
 four-roots-s-of-det-m-s-i-g-s-c-k-0-of-the-disc-c-1-i-1-by-zorzi-and-nelson-k-of-the-clamped-parts = quatro raízes s de det (M s² − i Ω G s + c K) = 0 do disco, c = (1 + η − iη)/√(1 + η²) por Zorzi e Nelson, K das partes engastadas
+shape-n-its-strain-energy-over-its-kinetic-energy-is = modo { $n }: sua energia de deformação sobre sua energia cinética é ω²
+the-modes-are-orthogonal-by-way-of-the-stiffness-k-k-r-r-0 = os modos são ortogonais em relação à rigidez, K₁₁ + K₂₂ r₁ r₂ = 0

@@ -218,10 +218,9 @@ impl Analysis for BeamVibration {
                     );
                 }
                 sheet.check(
-                    Text::new("shape {n}: its strain energy over its kinetic energy gives the root back")
-                        .with("n", n),
-                    W::Num::from(shape.rayleigh_quotient()),
-                    beta.powi(4),
+                    Text::new("shape {n}: its strain energy over its kinetic energy is ω²").with("n", n),
+                    bending / (line * length.powi(4)) * shape.rayleigh_quotient(),
+                    omega.powi(2),
                 );
                 if let Some(other) = shapes.get(n) {
                     let size = (shape.inertia_product(shape) * other.inertia_product(other)).sqrt();

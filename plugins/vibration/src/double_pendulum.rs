@@ -182,6 +182,7 @@ impl Analysis for DoublePendulum {
             "The smaller root: the product of the two is K₁₁K₂₂/Δ",
         );
         let mut shapes = Vec::with_capacity(2);
+        let mut ratios = Vec::new();
         for (n, square) in [(1, lower), (2, upper)] {
             let omega = sheet.step(("ω", n), "rad/s", square.sqrt(), ("Natural frequency", RAO.at("§5.3")));
             let frequency = sheet.step(("f", n), "Hz", omega, "In cycles for each second");
@@ -214,15 +215,21 @@ impl Analysis for DoublePendulum {
                 sheet.check(
                     Text::new("mode {n}: its energy of position over that of motion").with("n", n),
                     (k11 + k22 * ratio.powi(2)) / (m11 + m12 * ratio * 2.0 + m22 * ratio.powi(2)),
-                    square,
+                    omega.powi(2),
                 );
             });
             shapes.push(ratio.value());
+            ratios.push(ratio);
         }
         let [mass, stiffness] = [[m11, m12, m22], [k11, W::Num::from(0.0), k22]]
             .map(|[a, b, d]| DMatrix::from_row_slice(2, 2, &[a.value(), b.value(), b.value(), d.value()]));
         let modes = natural_modes(&mass, &stiffness).map_err(refusal)?;
         sheet.verify(|| {
+            sheet.check(
+                "the modes are orthogonal by way of the stiffness, K₁₁ + K₂₂ r₁ r₂ = 0",
+                k22 * ratios[0] * ratios[1],
+                -k11,
+            );
             for (n, square) in [(1, lower), (2, upper)] {
                 sheet.check(
                     Text::new("frequency {n} by the numerical eigenvalues of K and M").with("n", n),

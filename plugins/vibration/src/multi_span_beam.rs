@@ -141,10 +141,9 @@ impl Analysis for MultiSpanBeam {
             let frequency = sheet.step(("f", n), "Hz", omega, "In cycles for each second");
             sheet.verify(|| {
                 sheet.check(
-                    Text::new("shape {n}: its strain energy over its kinetic energy gives the root back")
-                        .with("n", n),
-                    W::Num::from(shape.rayleigh_quotient()),
-                    beta.powi(4),
+                    Text::new("shape {n}: its strain energy over its kinetic energy is ω²").with("n", n),
+                    bending / (line * length.powi(4)) * shape.rayleigh_quotient(),
+                    omega.powi(2),
                 );
                 if let Some(left_over) = equal_spans(&beam, *root) {
                     sheet.check_zero(

@@ -287,10 +287,9 @@ impl Analysis for StringRodShaft {
             let frequency = sheet.step(("f", n), "Hz", omega, "In cycles for each second");
             sheet.verify(|| {
                 sheet.check(
-                    Text::new("shape {n}: its strain energy over its kinetic energy gives the root back")
-                        .with("n", n),
-                    W::Num::from(shape.rayleigh_quotient(ends)),
-                    beta.powi(2),
+                    Text::new("shape {n}: its strain energy over its kinetic energy is ω²").with("n", n),
+                    (body.speed / given.length).powi(2) * shape.rayleigh_quotient(ends),
+                    omega.powi(2),
                 );
                 if let Some(other) = shapes.get(n) {
                     let size = shape.inertia_product(shape, ends) * other.inertia_product(other, ends);

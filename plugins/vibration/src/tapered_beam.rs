@@ -142,8 +142,9 @@ impl Analysis for TaperedBeam {
                 sheet.check(
                     Text::new("shape {n}: the moments of its inertia forces store the same energy")
                         .with("n", n),
-                    W::Num::from(beam.moment_quotient(shape).unwrap_or(f64::NAN)),
-                    number.powi(2),
+                    given.young * second_moment / (given.density * area * given.length.powi(4))
+                        * beam.moment_quotient(shape).unwrap_or(f64::NAN),
+                    omega.powi(2),
                 );
             });
             sheet.answer(("frequency", n), "Natural frequency", frequency);

@@ -213,30 +213,32 @@ pub(super) fn equivalent<W: Worksheet>(
                 (x, y): (W::Num, W::Num)| {
         let size = sheet.step(size_symbol, "kg*mm", balance::magnitude(x, y), (size_label, ISO_TERMS.at("")));
         sheet.answer(size_key, size_label, size);
-        if size.value() > 1e-12 * scale {
-            let angle = sheet.step(angle_symbol, "deg", balance::marked_direction(x, y), angle_label);
-            sheet.answer(angle_key, angle_label, angle);
+        if size.value() <= 1e-12 * scale {
+            return [x, y];
         }
+        let angle = sheet.step(angle_symbol, "deg", balance::marked_direction(x, y), angle_label);
+        sheet.answer(angle_key, angle_label, angle);
+        [size * angle.cos(), size * angle.sin()]
     };
-    told(
+    let one = told(
         ("U_1", "θ_1"),
         ("equivalent_first", "equivalent_first_angle"),
         (in_first, "Angle of the equivalent unbalance in the first plane"),
         (x.0, y.0),
     );
-    told(
+    let other = told(
         ("U_2", "θ_2"),
         ("equivalent_second", "equivalent_second_angle"),
         (in_second, "Angle of the equivalent unbalance in the second plane"),
         (x.1, y.1),
     );
-    told(
+    let fixed = told(
         ("U_s", "θ_s"),
         ("static_part", "static_angle"),
         ("Static part, equal in both planes", "Angle of the static part"),
         (balance::static_part(x.0, x.1), balance::static_part(y.0, y.1)),
     );
-    told(
+    let couple = told(
         ("U_k", "θ_k"),
         ("couple_part", "couple_angle"),
         (
@@ -245,6 +247,38 @@ pub(super) fn equivalent<W: Worksheet>(
         ),
         (balance::couple_part(x.0, x.1), balance::couple_part(y.0, y.1)),
     );
+    sheet.verify(|| {
+        for (axis, of) in [along(masses, |u| u.x), along(masses, |u| u.y)].into_iter().enumerate() {
+            let sum = balance::resultant(of.iter().map(|(u, _)| *u));
+            let size = one[axis].value().abs() + other[axis].value().abs();
+            sheet.check_sum(
+                "the unbalances in both planes add up",
+                one[axis] + other[axis],
+                sum,
+                scale + size,
+            );
+            let moment = balance::moment(of.iter().copied(), first);
+            let reach = of.iter().map(|(_, z)| (z.value() - first.value()).abs()).fold(0.0, f64::max);
+            sheet.check_sum(
+                "the unbalance in the second plane has the moment of all about the first",
+                other[axis] * (second - first),
+                moment,
+                scale * reach,
+            );
+            sheet.check_sum(
+                "static and couple part in the first plane",
+                fixed[axis] + couple[axis],
+                one[axis],
+                size,
+            );
+            sheet.check_sum(
+                "static and couple part in the second plane",
+                fixed[axis] - couple[axis],
+                other[axis],
+                size,
+            );
+        }
+    });
     Ok(())
 }
 

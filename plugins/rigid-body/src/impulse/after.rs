@@ -108,13 +108,14 @@ impl Impulse {
         if let Some(couple) = after.couple {
             sheet.answer_vector("reaction_couple", "Impulsive couple of what holds the axis", couple);
         }
-        self.energies(given, &body, after_body, [omega, velocity], &after, sheet);
+        let change = self.energies(given, &body, after_body, [omega, velocity], &after, sheet);
         free::axis(after_body, &after, sheet);
         if matches!(self.hold, Hold::Nothing | Hold::Surface { .. }) {
             free::precession(after_body, &after, sheet)?;
         }
         self.wanted_mass(given, &body, momentum.value(), &after, sheet)?;
-        self.check(&body, after_body, [omega.value(), velocity.value()], &gifts, &after, sheet);
+        let before = [omega.value(), velocity.value()];
+        self.check(&body, after_body, before, &gifts, &after, change.value(), sheet);
         let (turns, goes) = (after.omega.value(), after.velocity.value());
         sheet.show(|| self.drawn(after_body, &gifts, turns, goes));
         Ok(())
@@ -373,7 +374,7 @@ impl Impulse {
         [omega, velocity]: [W::Vec; 2],
         after: &After<W>,
         sheet: W,
-    ) {
+    ) -> W::Num {
         let energy = |body: &Worked<W>, omega: W::Vec, velocity: W::Vec| {
             (body.mass * velocity.dot(velocity) + omega.dot(body.momentum(omega))) / 2.0
         };
@@ -392,6 +393,7 @@ impl Impulse {
         sheet.answer("energy_before", "Kinetic energy before", first);
         sheet.answer("energy_after", "Kinetic energy after", second);
         sheet.answer("energy_change", "Change of the kinetic energy", change);
+        change
     }
 
     /// With which mass the body would turn as fast as is wanted.
@@ -421,6 +423,10 @@ impl Impulse {
     }
 
     /// Momenta about the origin, the constraint, and the work of the impulses.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "a blow is the body before and after, what is given, and the change"
+    )]
     fn check<W: Worksheet>(
         &self,
         body: &Worked<W>,
@@ -428,6 +434,7 @@ impl Impulse {
         [omega, velocity]: [Vector3<f64>; 2],
         gifts: &[Given<W>],
         after: &After<W>,
+        change: f64,
         sheet: W,
     ) {
         sheet.verify(|| {
@@ -481,9 +488,10 @@ impl Impulse {
                 let energy = |body: &MassProperties, omega: Vector3<f64>, velocity: Vector3<f64>| {
                     body.mass * velocity.norm_squared() / 2.0 + omega.dot(body.inertia * omega) / 2.0
                 };
-                terms.push(energy(first, omega, velocity));
-                terms.push(-energy(second, turns, goes));
-                let size = terms.iter().map(|term| term.abs()).sum::<f64>();
+                terms.push(-change);
+                let size = terms.iter().map(|term| term.abs()).sum::<f64>()
+                    + energy(first, omega, velocity)
+                    + energy(second, turns, goes);
                 sheet.check_zero(
                     "the change of the kinetic energy from the work of the impulses, J · (v + v′)/2",
                     terms.iter().sum::<f64>().into(),

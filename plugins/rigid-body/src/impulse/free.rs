@@ -32,6 +32,15 @@ pub(super) fn axis<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet: W) {
     let sliding =
         sheet.step("v_s", "m/s", along.dot(velocity), "Velocity of sliding along the instantaneous axis");
     sheet.answer("sliding", "Velocity along the instantaneous axis", sliding);
+    sheet.verify(|| {
+        let (omega, velocity) = (omega.value(), velocity.value());
+        let there = velocity + omega.cross(point.value() - body.centre.value());
+        sheet.check_zero(
+            "the point on the instantaneous axis only slides along it",
+            (there - along.value() * sliding.value()).norm().into(),
+            velocity.norm() + omega.norm() * body.centre.value().norm(),
+        );
+    });
 }
 
 /// The free motion of a body of revolution afterwards.

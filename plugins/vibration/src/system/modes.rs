@@ -73,7 +73,7 @@ pub(crate) fn find<W: Worksheet>(system: &Assembled<W::Num>, sheet: W) -> Result
             })
             .collect(),
     };
-    sheet.verify(|| checks(system, &modes, sheet));
+    sheet.verify(|| checks(system, &modes, &frequencies, sheet));
     let same = (1..modes.squares.len()).find(|&mode| {
         let (a, b) = (modes.squares[mode - 1], modes.squares[mode]);
         b > 0.0 && (b - a) <= COINCIDING * b
@@ -127,7 +127,7 @@ pub(crate) fn agreement<W: Worksheet>(two: &TwoModes<W::Num>, modes: &NaturalMod
 }
 
 /// Orthogonality in M and in K, and the energy of each mode.
-fn checks<W: Worksheet>(system: &Assembled<W::Num>, modes: &NaturalModes, sheet: W) {
+fn checks<W: Worksheet>(system: &Assembled<W::Num>, modes: &NaturalModes, frequencies: &[W::Num], sheet: W) {
     let n = modes.squares.len();
     let off_diagonal = |a: &DMatrix<f64>| {
         (0..n).flat_map(|j| (0..j).map(move |i| (i, j))).map(|at| a[at].abs()).fold(0.0, f64::max)
@@ -144,13 +144,14 @@ fn checks<W: Worksheet>(system: &Assembled<W::Num>, modes: &NaturalModes, sheet:
             largest,
         );
     }
-    for (mode, square) in modes.squares.iter().enumerate().take(SHOWN) {
-        if *square > 1e-6 * largest {
+    for (mode, frequency) in frequencies.iter().enumerate().take(SHOWN) {
+        let square = frequency.value().powi(2);
+        if square > 1e-6 * largest {
             sheet.check(
                 Text::new("mode {mode}: largest potential energy φᵀKφ/2 = largest kinetic energy ω²φᵀMφ/2")
                     .with("mode", mode + 1),
                 stiffness[(mode, mode)].into(),
-                (square * mass[(mode, mode)]).into(),
+                frequency.powi(2) * mass[(mode, mode)],
             );
         }
     }
