@@ -500,10 +500,8 @@ fn span(motion: &FreeMotion, asked: Option<f64>) -> f64 {
 fn history(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
     let span = span(motion, asked);
     let times = (0..=400u16).map(|n| span * f64::from(n) / 400.0);
-    let mut series = vec![
-        Series::line(units.symbol, times.clone().map(|t| (t, motion.state(t)[0])).collect())
-            .of("displacement"),
-    ];
+    let points = times.clone().map(|t| (t, motion.state(t)[0])).collect();
+    let mut series = vec![Series::line(units.symbol, points).of("displacement")];
     let (w, z) = (motion.natural_frequency, motion.damping_ratio);
     if z != 0.0 && z.abs() < 1.0 {
         let side = (motion.velocity + z * w * motion.displacement) / motion.damped_frequency();
