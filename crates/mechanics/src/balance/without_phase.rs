@@ -3,7 +3,7 @@
 //! With the trial weight at the angle `θ` a sensor reads `S = |V| |1 + z e^{iθ}|`, `z` being the effect of the weight
 //! at angle 0 over the vibration without it. Three angles tell `z`, and more than three how well it is known.
 
-use nalgebra::{Complex, DMatrix, DVector, Matrix2, Vector2};
+use nalgebra::{Complex, DMatrix, DVector, Matrix2};
 
 use crate::linalg::{self, LinalgError};
 
@@ -65,9 +65,14 @@ pub fn effect(runs: &[(f64, f64)]) -> Result<Effect, LinalgError> {
     let mut z = linear;
     for _ in 0..200 {
         let (squares, rest) = (left(z).norm_squared(), gradient(z));
-        let step = match hessian(z).cholesky() {
-            Some(factors) => -factors.solve(&Vector2::new(rest[0], rest[1])),
-            None => linalg::least_squares(&jacobian(z), &-&left(z))?.x.fixed_rows::<2>(0).into(),
+        let curved = hessian(z);
+        let [along, across, both] = [curved[(0, 0)], curved[(1, 1)], curved[(0, 1)]];
+        let determinant = along * across - both * both;
+        let step = if along > 0.0 && determinant > f64::EPSILON * along * across {
+            [both * rest[1] - across * rest[0], both * rest[0] - along * rest[1]].map(|x| x / determinant)
+        } else {
+            let solved = linalg::least_squares(&jacobian(z), &-&left(z))?.x;
+            [solved[0], solved[1]]
         };
         let falls = |next: &Complex<f64>| {
             let there = left(*next).norm_squared();
