@@ -272,7 +272,7 @@ impl Case<'_> {
         met.named.insert(key);
         assert_eq!(values.len(), film.frames.len(), "{}: {}", self.entry.about.id, film.title.english());
         for n in spread(values.len()) {
-            let changed = vary::changed(self.record, input, values[n]).unwrap();
+            let changed = vary::changed(self.record, input, values[n]).expect("the path is that of an input");
             let solution = self.entry.solve(&changed, &Stop::new());
             let direct =
                 solution.iter().flat_map(|solution| &solution.exhibits).find_map(|other| match other {
@@ -351,7 +351,7 @@ fn held((name, least): (&str, usize)) {
     for entry in registry().iter().filter(|entry| entry.family() == name) {
         // One solve of a rotor takes as long as all of other analyses; one case in seven has all its plots.
         let step = if entry.about.id == "vibration/rotor-dynamics" { 7 } else { 1 };
-        for case in cases::cases(entry).unwrap().into_iter().step_by(step) {
+        for case in cases::cases(entry).expect("its cases can be read").into_iter().step_by(step) {
             let Ok(record) = case.record(entry) else { continue };
             let Ok(solution) = entry.solve(&record, &Stop::new()) else { continue };
             let title = case.title().english();

@@ -6,9 +6,13 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{Real, sdof, vibration::free::FreeMotion};
 
+mod damping;
 mod form;
 
-use self::form::{Form, Units};
+use self::{
+    damping::{coefficient_of, critical_damping, ratio_of},
+    form::{Form, Units},
+};
 use crate::{
     oscillator::{Mass, mass},
     sources::RAO,
@@ -301,44 +305,6 @@ fn natural_frequency<W: Worksheet>(stiffness: W::Num, mass: W::Num, sheet: W) ->
         sdof::natural_frequency(stiffness, mass),
         ("Natural frequency without damping", RAO.at("§2.2")),
     )
-}
-
-fn critical_damping<W: Worksheet>(stiffness: W::Num, mass: W::Num, units: Units, sheet: W) -> W::Num {
-    let critical = sheet.step(
-        "c_c",
-        units.damping,
-        sdof::critical_damping(stiffness, mass),
-        ("Critical damping: the least with which the motion does not oscillate", RAO.at("§2.6")),
-    );
-    sheet.answer("critical_damping", "Critical damping", critical);
-    critical
-}
-
-fn ratio_of<W: Worksheet>(
-    coefficient: W::Num,
-    critical: W::Num,
-    stiffness: W::Num,
-    mass: W::Num,
-    sheet: W,
-) -> W::Num {
-    let zeta = sheet.step(
-        "ζ",
-        "1",
-        coefficient / critical,
-        ("Damping ratio: damping over critical damping", RAO.at("§2.6")),
-    );
-    sheet.check(
-        "the square of the damping is 4 ζ² k m",
-        coefficient.powi(2),
-        stiffness * mass * zeta.powi(2) * 4.0,
-    );
-    zeta
-}
-
-fn coefficient_of<W: Worksheet>(zeta: W::Num, critical: W::Num, units: Units, sheet: W) {
-    let symbol = if units == Units::ROTATION { "cₜ" } else { "c" };
-    let damping = sheet.step(symbol, units.damping, zeta * critical, ("Damping coefficient", RAO.at("§2.6")));
-    sheet.answer("damping", "Damping coefficient", damping);
 }
 
 /// First passage through rest, first turning point, largest displacement; the last is the result.

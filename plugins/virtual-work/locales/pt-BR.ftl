@@ -2398,7 +2398,7 @@ straight-between-the-rows = Reta entre as linhas.
 between-the-rows-a-cubic-spline-that-closes-after-the-turn = Entre as linhas, uma spline cúbica que se fecha após a volta.
 the-way-of-the-ram-from-the-lengths-along-the-line-of-thrust = o curso do êmbolo pelos comprimentos ao longo da linha de empuxo
 way-of-the-ram-until-the-links-are-in-line-l-1-cos-l-1-cos-with-1-cos-x-2-sin-x-2 = Curso do êmbolo até o alinhamento das barras, L₁ (1 − cos α) + L₂ (1 − cos β) com 1 − cos x = 2 sen²(x/2)
-with-these-angles-it-can-be-assembled-on-another-side-as-well-give-the-place-of-names-or-look-at-the = com estes ângulos a montagem também é possível do outro lado: escreva a posição de {$names}, ou veja no desenho se este é o lado desejado
+with-these-angles-it-can-be-assembled-on-another-side-as-well-give-the-place-of-names-or-look-at-the = com estes ângulos a montagem também é possível do outro lado: escreva a posição de { $names }, ou veja no desenho se este é o lado desejado
 a-disc-accelerates-as-one-and-a-half-times-its-mass = Um disco acelera como uma vez e meia a sua massa
 i-m-r-2-t-3-2-m-a-u-at-90-with-l-2-r-u-r-a-r-friction-m-a-2 = I = m R²/2: T = 3/2 m a u a 90° com l = √2 r, u = −r, a = r ω²; atrito −m a/2
 two-geared-links-a-couple-on-the-second = Duas barras engrenadas, um conjugado na segunda

@@ -180,7 +180,7 @@ impl System {
         }
         elsewhere.sort_unstable();
         elsewhere.dedup();
-        Ok(Placed { unplaced, elsewhere, drawn })
+        Ok(Placed { drawn, unplaced, elsewhere })
     }
 
     /// The size of the mechanism, m: its longest arm, rod or reach.
