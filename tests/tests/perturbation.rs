@@ -44,8 +44,11 @@ struct Met {
 
 #[test]
 fn numbers_near_those_of_a_case_are_answered_or_refused_with_reason() {
-    let draws = number("DALEMBERT_DRAWS").unwrap_or(DRAWS);
-    let seed = number("PROPTEST_RNG_SEED").unwrap_or(0);
+    let asked = number("DALEMBERT_DRAWS");
+    let draws = asked.unwrap_or(DRAWS);
+    // The same draws every day: a sentence that comes once in ten thousand is met by who asks for more, not by who happens
+    // to commit something else.
+    let seed = asked.and_then(|_| number("PROPTEST_RNG_SEED")).unwrap_or(0);
     let only = std::env::var("DALEMBERT_ONLY").ok();
     let jobs: Vec<(&'static Entry, String, Record)> = registry()
         .iter()
