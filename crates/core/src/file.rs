@@ -32,7 +32,7 @@ pub struct Problem {
     pub title: String,
     /// What is typed in its inputs.
     pub draft: Draft,
-    /// How answers are shown: `(answer, unit and digits)`, see [`Display`](crate::Display).
+    /// How answers are shown: `(answer, unit and digits)`, see [`Display`].
     pub show: Vec<(String, String)>,
     /// What an older format left unsaid and was filled in as that format has it.
     pub notes: Vec<Text>,

@@ -42,7 +42,7 @@ impl<'a> Sheet<'a> {
         Self { solution: RefCell::default(), stop, perturbed: None }
     }
 
-    /// An empty sheet on which the result of one step comes out wrong by [`PERTURBATION`]: everything after it, what
+    /// An empty sheet on which the result of one step comes out wrong by [`PERTURBATION`](crate::trace::PERTURBATION): everything after it, what
     /// numerical methods make of it included, goes on with the wrong number.
     pub fn perturbed(stop: &'a Stop, step: usize) -> Self {
         Self { perturbed: Some(step), ..Self::new(stop) }
