@@ -2,3 +2,11 @@
 
 pub mod person;
 pub mod pty;
+
+/// How many times more than every day the nets over the registry look: `DALEMBERT_TIMES`, as `cargo xtask soak nets` sets
+/// it.
+#[must_use]
+pub fn times() -> usize {
+    let times = std::env::var("DALEMBERT_TIMES").ok();
+    times.map_or(1, |text| text.parse().unwrap_or_else(|_| panic!("DALEMBERT_TIMES is a number: {text}")))
+}

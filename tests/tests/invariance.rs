@@ -16,6 +16,7 @@ use dalembert_core::{
     AnswerValue, Entry, Field, Number, Record, Shape, Solution, SolveError, Stop, Value, cases, registry,
 };
 use dalembert_plugins as _;
+use dalembert_tests::times;
 use dalembert_units::{self as units, Dim};
 
 const LENGTH: f64 = 1.7;
@@ -25,10 +26,11 @@ const TIME: f64 = 2.3;
 /// Nature has no preferred units: a problem written in other base units has the same answers.
 #[test]
 fn every_answer_scales_with_its_dimension() {
-    for_every_problem(|name, entry, record, here| {
+    for_each(&problems(), |_, Problem { name, entry, record, solution: here }| {
         let there =
             entry.solve(&scaled(record), &Stop::new()).unwrap_or_else(|err| panic!("{name} scaled: {err}"));
         assert_eq!(names(here), names(&there), "{name}");
+        verified(&format!("{name} scaled"), &there);
         for (a, b) in here.answers.iter().zip_eq(&there.answers) {
             let (want, got) = (numbers(&a.value), numbers(&b.value));
             assert_eq!(want.len(), got.len(), "{name}: {}", a.name);
@@ -48,7 +50,7 @@ fn every_answer_scales_with_its_dimension() {
 /// The unit that an input is typed in changes how it is shown, never what is found.
 #[test]
 fn the_unit_of_an_input_does_not_change_the_answers() {
-    for_every_form(|name, entry, record, here| {
+    for_each(&forms(), |_, Problem { name, entry, record, solution: here }| {
         for Varied { path, field, si, .. } in varied(record) {
             let Some(measure) = measure(&field.shape) else { continue };
             for unit in measure.units() {
@@ -62,6 +64,7 @@ fn the_unit_of_an_input_does_not_change_the_answers() {
                 let there =
                     entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {text}: {err}"));
                 assert_eq!(names(here), names(&there), "{name}: other answers with {path} = {text}");
+                verified(&format!("{name}, {path} = {text}"), &there);
                 for (a, b) in here.answers.iter().zip_eq(&there.answers) {
                     let (want, got) = (numbers(&a.value), numbers(&b.value));
                     let size = want.iter().fold(0.0f64, |size, x| size.max(x.abs()));
@@ -83,7 +86,7 @@ fn the_unit_of_an_input_does_not_change_the_answers() {
 /// The plain reading gives the numbers of the worked solution, bit for bit.
 #[test]
 fn the_plain_reading_is_the_worked_reading() {
-    for_every_problem(|name, entry, record, worked| {
+    for_each(&problems(), |_, Problem { name, entry, record, solution: worked }| {
         let numbers = worked.answers.iter().filter(|answer| answer.si().is_some());
         let wanted: Vec<String> = numbers.map(|answer| answer.name.to_string()).collect();
         let wanted: Vec<&str> = wanted.iter().map(String::as_str).collect();
@@ -101,14 +104,13 @@ fn the_plain_reading_is_the_worked_reading() {
 /// that takes long ends when it is told to stop.
 #[test]
 fn extreme_values_are_answered_or_refused() {
-    let mut forms = Vec::new();
-    for_every_form(|name, entry, record, _| forms.push((name.to_owned(), entry, record.clone())));
-    // Two of the values for each input, others for its neighbour and for the next form.
-    let look = |form: usize, (name, entry, record): &(String, &'static Entry, Record)| {
+    // Two of the values for each input, others for its neighbour and for the next form; all where more is asked for.
+    let apart = (4 / times()).max(1);
+    for_each(&forms(), |form, Problem { name, entry, record, .. }| {
         let varied = varied(record);
         for (at, extreme) in [0.0, 1e-300, 1e-12, 1e12, 1e150, 1e300, -1.0, -1e12].into_iter().enumerate() {
             for Varied { place, path, .. } in
-                varied.iter().filter(|varied| (varied.place + form + at).is_multiple_of(4))
+                varied.iter().filter(|varied| (varied.place + form + at).is_multiple_of(apart))
             {
                 let mut wild = record.clone();
                 let mut seen = 0;
@@ -121,20 +123,13 @@ fn extreme_values_are_answered_or_refused() {
                 check_finite(&format!("{name}: {path} is {extreme:e}"), &stopped_after_a_while(entry, &wild));
             }
         }
-    };
-    let next = AtomicUsize::new(0);
-    let workers = thread::available_parallelism().map_or(1, NonZero::get);
-    thread::scope(|scope| {
-        for _ in 0..workers {
-            scope.spawn(|| {
-                loop {
-                    let at = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(form) = forms.get(at) else { break };
-                    look(at, form);
-                }
-            });
-        }
     });
+}
+
+fn verified(name: &str, solution: &Solution) {
+    if let Some(check) = solution.checks.iter().find(|check| !check.passed) {
+        panic!("{name}: {}: {:e}, at most {:e}", check.what.english(), check.residual, check.limit);
+    }
 }
 
 /// What a solve finds that is told to stop when it has taken so long.
@@ -287,21 +282,28 @@ fn form(record: &Record) -> BTreeSet<String> {
     form
 }
 
+/// A problem of the catalogue, and what comes of it.
+struct Problem {
+    name: String,
+    entry: &'static Entry,
+    record: Record,
+    solution: Solution,
+}
+
 /// Every form of every problem, once: cases of the same analysis that fill in the same inputs with other numbers
 /// would vary the same things once more.
-fn for_every_form(mut look: impl FnMut(&str, &'static Entry, &Record, &Solution)) {
+fn forms() -> Vec<Problem> {
     let mut seen = BTreeSet::new();
-    for_every_problem(|name, entry, record, solution| {
-        if seen.insert((entry.about.id, form(record))) {
-            look(name, entry, record, solution);
-        }
-    });
+    let mut all = problems();
+    all.retain(|problem| seen.insert((problem.entry.about.id, form(&problem.record))));
+    all
 }
 
 /// Every case of every analysis, or of the one that `DALEMBERT_ONLY` names.
-fn for_every_problem(mut look: impl FnMut(&str, &'static Entry, &Record, &Solution)) {
+fn problems() -> Vec<Problem> {
     let only = std::env::var("DALEMBERT_ONLY").ok();
     assert!(only.as_deref().is_none_or(|id| dalembert_core::find(id).is_some()), "no analysis is {only:?}");
+    let mut all = Vec::new();
     for entry in registry().iter().filter(|entry| only.as_deref().is_none_or(|id| id == entry.about.id)) {
         for case in cases::cases(entry).unwrap_or_else(|err| panic!("{}: {err}", entry.about.id)) {
             if case.refused.is_some() {
@@ -310,7 +312,26 @@ fn for_every_problem(mut look: impl FnMut(&str, &'static Entry, &Record, &Soluti
             let name = format!("{}, {}", entry.about.id, case.name);
             let record = case.record(entry).unwrap_or_else(|err| panic!("{name}: {err}"));
             let solution = entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {err}"));
-            look(&name, entry, &record, &solution);
+            all.push(Problem { name, entry: *entry, record, solution });
         }
     }
+    all
+}
+
+/// Looks at each of them, on all cores.
+fn for_each(problems: &[Problem], look: impl Fn(usize, &Problem) + Sync) {
+    assert!(!problems.is_empty(), "there is no problem to be looked at");
+    let next = AtomicUsize::new(0);
+    let workers = thread::available_parallelism().map_or(1, NonZero::get);
+    thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(|| {
+                loop {
+                    let at = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(problem) = problems.get(at) else { break };
+                    look(at, problem);
+                }
+            });
+        }
+    });
 }

@@ -14,9 +14,12 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     match words {
         ["mutants"] => mutants::soak(root),
         ["perturb", "--draws", draws] => perturb::soak(root, draws),
+        ["nets", "--times", times] => nets(root, times),
         ["rotors"] => ignored(root, "vibration", "two_thousand_random_rotors"),
         ["chains"] => ignored(root, "virtual-work", "chains_of_up_to_a_hundred_four_bars"),
-        _ => bail!("write `mutants`, `perturb --draws N`, `rotors` or `chains` behind `cargo xtask soak`"),
+        _ => bail!(
+            "write `mutants`, `perturb --draws N`, `nets --times N`, `rotors` or `chains` behind `cargo xtask soak`"
+        ),
     }
 }
 
@@ -24,4 +27,16 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
 fn ignored(root: &Path, family: &str, test: &str) -> Result<()> {
     let folder = root.join("plugins").join(family);
     run_command(cargo(&folder).args(["test", "--release", test, "--", "--ignored", "--nocapture"]))
+}
+
+/// The nets over the registry that take samples, with so many times as many, optimised. (Coverage is exhaustive every day.)
+fn nets(root: &Path, times: &str) -> Result<()> {
+    let tests = ["--test", "path_independence", "--test", "invariance"];
+    run_command(
+        cargo(root)
+            .args(["test", "--release", "--package", "dalembert-tests", "--no-fail-fast"])
+            .args(tests)
+            .args(["--", "--nocapture"])
+            .env("DALEMBERT_TIMES", times),
+    )
 }

@@ -2392,6 +2392,7 @@ the-mechanism-is-drawn-with-this-value-and-moves-from-there-left-out-it-is-drawn
 about-where-the-origin-of-its-axes-lies = Onde fica, aproximadamente, a origem dos seus eixos
 needed-where-joints-and-drivers-leave-it-open-as-for-a-weight-at-the-end-of-a-cord-and-to-choose-on = Necessário quando juntas e acionamentos não a determinam, como um peso na ponta de um cabo, e para escolher o lado em que um cursor é montado.
 joints-and-drivers-leave-open-where-it-lies-give-the-place-of-names-any-is-assumed = as juntas e os acionamentos não determinam onde fica: informe o lugar de { $names }; foi adotado um qualquer
+joints-and-drivers-leave-open-where-names-lies-give-its-place = as juntas e os acionamentos não determinam onde fica { $names }: informe o seu lugar
 the-plots-end-at-end-why = os gráficos terminam em { $end }: { $why }
 in-this-position-the-joints-let-the-mechanism-move-in-more-ways-than-it-has-drivers-although-their = nesta posição as juntas permitem mais movimentos do que há acionamentos, embora o número deles confira: é uma posição singular; desenhe o mecanismo em outra
 straight-between-the-rows = Reta entre as linhas.

@@ -36,6 +36,8 @@ pub struct Placed {
     pub drawn: Vec<[f64; 3]>,
     /// The bodies whose origin was not given and does not follow from the joints and drivers.
     pub unplaced: Vec<usize>,
+    /// The same, but a joint takes what is left from the drawn position: a weight on a cord, whose length nobody gives.
+    pub assumed: Vec<usize>,
     /// The bodies whose origin was not given, and which the joints let lie at another place as well with the same angles:
     /// a slider at the end of a rod.
     pub elsewhere: Vec<usize>,
@@ -164,7 +166,12 @@ impl System {
             |body: usize| left.iter().any(|motion| motion[2 * body..][..2].iter().any(|x| x.abs() > FREE));
         let unplaced =
             (0..angles.len()).filter(|&body| is_free(body) && origins.get(body).is_none_or(Option::is_none));
-        let unplaced: Vec<usize> = unplaced.collect();
+        let is_held = |body: &usize| {
+            let mut open =
+                mechanism.joints.iter().flat_map(super::Joint::equations).filter(|of| of.sum.is_none());
+            open.any(|of| of.terms.iter().any(|term| term.measure.bodies().contains(&Some(*body))))
+        };
+        let (assumed, unplaced): (Vec<usize>, Vec<usize>) = unplaced.partition(is_held);
         // The same from far away, on either side.
         let mut elsewhere = Vec::new();
         for far in [1.0, -1.0] {
@@ -174,13 +181,14 @@ impl System {
                 let ([x, y, _], [u, v, _]) = (drawn[*body], other[*body]);
                 (x - u).hypot(y - v) > 1e-3 * system.length
                     && !unplaced.contains(body)
+                    && !assumed.contains(body)
                     && origins.get(*body).is_none_or(Option::is_none)
             };
             elsewhere.extend((0..angles.len()).filter(|body| is_another && lies_apart(body)));
         }
         elsewhere.sort_unstable();
         elsewhere.dedup();
-        Ok(Placed { drawn, unplaced, elsewhere })
+        Ok(Placed { drawn, unplaced, assumed, elsewhere })
     }
 
     /// The size of the mechanism, m: its longest arm, rod or reach.

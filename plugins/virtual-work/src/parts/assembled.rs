@@ -197,17 +197,23 @@ impl Parts<'_> {
             Some([at.x + cos * centre.x - sin * centre.y, at.y + sin * centre.x + cos * centre.y])
         };
         let origins: Vec<Option<[f64; 2]>> = self.bodies.iter().zip(&angles).map(origin).collect();
-        let Placed { drawn, unplaced, elsewhere } =
+        let Placed { drawn, unplaced, assumed, elsewhere } =
             System::place(&mechanism, &angles, &origins).map_err(refuse)?;
         let names = |bodies: &[usize]| -> String {
             bodies.iter().map(|body| self.bodies[*body].name.as_str()).collect::<Vec<_>>().join(", ")
         };
         if !unplaced.is_empty() {
+            return Err(Refusal::because(
+                Text::new("joints and drivers leave open where {names} lies: give its place")
+                    .with("names", names(&unplaced)),
+            ));
+        }
+        if !assumed.is_empty() {
             sheet.warn(|| {
                 Text::new(
                     "joints and drivers leave open where it lies: give the place of {names}; any is assumed",
                 )
-                .with("names", names(&unplaced))
+                .with("names", names(&assumed))
             });
         }
         if !elsewhere.is_empty() {

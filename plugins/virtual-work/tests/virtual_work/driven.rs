@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use crate::solved::solve;
 use dalembert_core::{
     AnswerValue, Draft, Exhibit, Number, Record, Solution, SolveError, Stop, cases, file, find, vary,
 };
@@ -307,6 +308,30 @@ fn a_place_that_does_not_follow_is_asked_for() {
     let solution = at(&placed, 20f64.to_radians());
     assert!(!asks(&solution));
     close(point(&solution)[1], 0.1, 1e-12);
+}
+
+/// A block on a spring moves as it does because of where it was let go: without its place there is no motion.
+#[test]
+fn a_block_that_nothing_places_is_refused() {
+    let block = r#"format = 2
+analysis = "virtual-work/motion"
+[inputs]
+bodies = [ { name = "block", mass = "1 kg" } ]
+points = [
+ { name = "wall", on = "ground", at = "(0; 0) mm" },
+ { name = "hook", on.body.body = "block", at = "(0; 0) mm" },
+]
+joints = [ { name = "guide", joint.slider = { guide = "wall", direction = "0 deg", slides = "hook", angle = "0 deg" } } ]
+loads = [ { name = "spring", load.spring = { from = "wall", to = "hook", stiffness = "100 N/m", free = "100 mm" } } ]
+watched = [ { point = "hook" } ]
+duration = "1 s"
+"#;
+    let why = solve(block).unwrap_err().to_string();
+    assert!(why.contains("leave open where block lies"), "{why}");
+    let placed = block.replace("mass = \"1 kg\"", "mass = \"1 kg\", place = \"(150; 0) mm\"");
+    // At 10 rad/s from 50 mm beyond the free length.
+    let solution = solve(&placed).unwrap();
+    close(point(&solution)[0], 0.1 + 0.05 * 10f64.cos(), 1e-9);
 }
 
 /// A range that the mechanism cannot reach is reported with the position where it ends.
