@@ -108,9 +108,10 @@ fn a_wide_screen_has_room_for_the_names_of_materials() {
     let mut seen = 0;
     for entry in registry().iter().filter(|entry| entry.about.cases.contains("young")) {
         let cases = dalembert_core::cases::cases(entry).expect("the cases of an analysis can be read");
+        let mut person = Person::at(160, 50).opens(entry.about.id);
+        person.types("[<tab>");
         for (at, case) in cases.iter().enumerate() {
-            let mut person = Person::at(160, 50).opens(entry.about.id);
-            person.types("[<tab>").types(&"<down>".repeat(at)).types("<enter><tab>");
+            person.types(if at == 0 { "<enter><tab>" } else { "<tab><down><enter><tab>" });
             let form = &person.model.bench.as_ref().expect("a problem is open").form;
             let lines = form.lines();
             let fit = lines.iter().take(FIT);
