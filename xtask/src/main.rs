@@ -17,6 +17,7 @@ usage: cargo xtask COMMAND
   soak rotors                2000 random rotors: each answered, every check holds?
   soak chains                chains of 1 to 100 four-bars through singular positions
   soak perturb --draws N     every case N times with its numbers changed at random: answered or refused with reason?
+  soak nets --times N        N times the points of each plot, every extreme value: path independence and invariance
   bench [PART]...            measure; parts: plain units solve keys tui
 ";
 

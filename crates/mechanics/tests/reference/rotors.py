@@ -10,7 +10,7 @@ import numpy
 from mpmath import mp, mpc, mpf
 
 mp.dps = 40
-ROTORS, MODES = 51, 4
+ROTORS, MODES = 200, 4
 
 
 def element(young, shear, density, diameter, length, timoshenko):
@@ -171,7 +171,7 @@ def draw(random, kind):
 
 
 random = random.Random(20)
-print("# Written by rotors.py (mpmath 1.4.1 at 40 digits): 51 rotors, two lines each. First the elements; length, diameter,")
+print(f"# Written by rotors.py (mpmath 1.4.1 at 40 digits): {ROTORS} rotors, two lines each. First the elements; length, diameter,")
 print("# E, G, density of the shaft; 1 for Timoshenko; node, mass, diametral and polar inertia of the disc; for either bearing")
 print("# node, kxx, kxy, kyx, kyy, cxx = cyy; the speed. Then real and imaginary parts of the lowest four eigenvalues.")
 for number in range(ROTORS):
