@@ -5,11 +5,13 @@
 # Run as: python rotors.py > rotors.txt   (mpmath 1.4.1, NumPy 2.4.6)
 import random
 
+import gmpy2
 import mpmath
 import numpy
 from mpmath import mp, mpc, mpf
 
 mp.dps = 40
+gmpy2.get_context().precision = mp.prec
 ROTORS, MODES = 200, 4
 
 
@@ -95,8 +97,12 @@ def guesses(matrices):
     return numpy.linalg.eigvals(state)
 
 
+def exact(number):
+    return gmpy2.mpc(gmpy2.mpfr(mpmath.nstr(number.real, 45)), gmpy2.mpfr(mpmath.nstr(number.imag, 45)))
+
+
 def times(matrix, x):
-    return [mpmath.fsum(value * x[j] for j, value in row.items()) for row in matrix]
+    return [sum((value * x[j] for j, value in row.items()), gmpy2.mpc(0)) for row in matrix]
 
 
 def solve(rows, right):
@@ -110,10 +116,10 @@ def solve(rows, right):
                 factor = a[i].pop(p) / a[p][p]
                 for j, value in a[p].items():
                     if j > p:
-                        a[i][j] = a[i].get(j, mpf(0)) - factor * value
+                        a[i][j] = a[i].get(j, 0) - factor * value
                 x[i] -= factor * x[p]
     for p in reversed(range(size)):
-        x[p] = (x[p] - mpmath.fsum(value * x[j] for j, value in a[p].items() if j > p)) / a[p][p]
+        x[p] = (x[p] - sum(value * x[j] for j, value in a[p].items() if j > p)) / a[p][p]
     return x
 
 
@@ -133,21 +139,21 @@ def transposed(matrix):
 
 
 def refined(matrices, guess):
-    value, size = mpc(guess), len(matrices[0])
-    right = [mpf(1 + (7 * i) % 5) for i in range(size)]
-    left = [mpf(1 + (3 * i) % 7) for i in range(size)]
+    value, size = gmpy2.mpc(complex(guess)), len(matrices[0])
+    right = [gmpy2.mpc(1 + (7 * i) % 5) for i in range(size)]
+    left = [gmpy2.mpc(1 + (3 * i) % 7) for i in range(size)]
     slope = lambda v: [2 * value * a + b for a, b in zip(times(matrices[0], v), times(matrices[1], v))]
     for step in range(40):
-        near = dynamic(matrices, value * (1 + mpf(10) ** -12 if step < 3 else 1 + mpf(10) ** -25))
+        near = dynamic(matrices, value * (1 + gmpy2.mpfr(10) ** (-12 if step < 3 else -25)))
         right, left = solve(near, slope(right)), solve(transposed(near), left)
         for v in (right, left):
             largest = max(v, key=abs)
             v[:] = [x / largest for x in v]
-        dot = lambda a, b: mpmath.fsum(x * y for x, y in zip(a, b))
+        dot = lambda a, b: sum(x * y for x, y in zip(a, b))
         change = dot(left, times(dynamic(matrices, value), right)) / dot(left, slope(right))
         value -= change
-        if step > 3 and abs(change) < mpf(10) ** -30 * abs(value):
-            return value
+        if step > 3 and abs(change) < gmpy2.mpfr(10) ** -30 * abs(value):
+            return mpc(mpf(str(value.real)), mpf(str(value.imag)))
     raise ArithmeticError("no eigenvalue")
 
 
@@ -182,7 +188,8 @@ for number in range(ROTORS):
     found = []
     for part in parts:
         swings = sorted((v for v in guesses(part) if v.imag > 0.3 * abs(v)), key=lambda v: v.imag)[:MODES]
-        values = [refined(part, v) for v in swings]
+        numbers = tuple([{j: exact(value) for j, value in row.items()} for row in matrix] for matrix in part)
+        values = [refined(numbers, v) for v in swings]
         assert all(abs(a - b) > mpf(10) ** -15 * abs(a) for i, a in enumerate(values) for b in values[:i]), number
         found += values
     found.sort(key=lambda v: v.imag)
