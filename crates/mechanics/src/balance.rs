@@ -26,12 +26,6 @@ pub use planes::{Kind, balance_planes, equivalent_in_first, equivalent_in_second
 pub use two_plane::{BalanceError, PlaneUnbalance, TwoPlaneBalance, balance_two_planes};
 pub use unknowns::{Known, PartlyKnown, UnknownsError, Vanishing, balance_unknowns};
 
-/// Unbalance of a mass at a radius, `U = m r`, kg·m.
-#[inline]
-pub fn unbalance<S: Real>(mass: S, radius: S) -> S {
-    mass * radius
-}
-
 /// Component of an unbalance along x, `m r cos θ`, kg·m.
 #[inline]
 pub fn component_x<S: Real>(mass: S, radius: S, angle: S) -> S {
@@ -87,12 +81,6 @@ pub fn marked_angle_found(angle: f64) -> f64 {
 #[inline]
 pub fn correction_mass<S: Real>(x: S, y: S, radius: S) -> S {
     magnitude(x, y) / radius
-}
-
-/// Radius of a correction from its components and the mass at hand, `r = √(U_x² + U_y²)/m`, m.
-#[inline]
-pub fn correction_radius<S: Real>(x: S, y: S, mass: S) -> S {
-    magnitude(x, y) / mass
 }
 
 /// Static balancing in one plane, one component: `U_e = −Σ Uᵢ`. Eqs. 9–11.

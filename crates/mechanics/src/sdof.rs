@@ -17,8 +17,8 @@ pub use decay::{
 pub use peak::{
     damping_from_resonant_receptance, damping_ratio_from_bandwidth, damping_ratio_from_half_power,
     damping_ratio_from_peak, extraneous_damping_ratio_from_peak, lower_half_power_ratio,
-    magnification_peak_ratio, natural_frequency_from_force_peak, natural_frequency_from_unbalance_peak,
-    peak_magnification, quality_factor, unbalance_peak_ratio, upper_half_power_ratio,
+    magnification_peak_ratio, natural_frequency_from_force_peak, peak_magnification, quality_factor,
+    unbalance_peak_ratio, upper_half_power_ratio,
 };
 
 /// Undamped natural frequency `ω_n = √(k/m)`, rad/s. Rao, *Mechanical Vibrations*, 5th ed., §2.2.

@@ -13,7 +13,7 @@ pub use permitted::{
     Limit, LimitedBy, PermittedStiffness, WhirlError, permitted_stiffness, permitted_stiffness_at_damping,
     worst_speed,
 };
-pub use speeds::{PermittedSpeeds, largest_eccentricity, permitted_speeds};
+pub use speeds::{PermittedSpeeds, permitted_speeds};
 
 /// Whirl amplitude `A = e r²/√((1 − r²)² + (2ζr)²)`, m, of a rotor whose mass centre is `e` off the shaft, at
 /// `r = ω/ω_n`. Rao, 5th ed., §9.5.

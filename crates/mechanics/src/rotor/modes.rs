@@ -73,11 +73,6 @@ impl Mode {
         self.lambda.im
     }
 
-    /// `ζ = −Re λ/|λ|`; negative where the mode grows.
-    pub fn damping_ratio(&self) -> f64 {
-        -self.lambda.re / self.lambda.norm()
-    }
-
     /// Logarithmic decrement `δ = −2π Re λ/Im λ`.
     pub fn log_decrement(&self) -> f64 {
         -TAU * self.lambda.re / self.lambda.im

@@ -30,12 +30,6 @@ pub fn natural_frequency_from_force_peak<S: Real>(peak_frequency: S, damping_rat
     peak_frequency / (S::from(1.0) - damping_ratio.powi(2) * 2.0).sqrt()
 }
 
-/// Natural frequency from the speed of the peak under an unbalance: `ω_n = ω_p √(1 − 2ζ²)`, rad/s.
-#[inline]
-pub fn natural_frequency_from_unbalance_peak<S: Real>(peak_speed: S, damping_ratio: S) -> S {
-    peak_speed * (S::from(1.0) - damping_ratio.powi(2) * 2.0).sqrt()
-}
-
 /// Damping ratio of a peak `Λ`, the root of `4Λ²ζ²(1 − ζ²) = 1` below `1/√2`:
 /// `ζ = 1/√(2Λ(Λ + √((Λ − 1)(Λ + 1))))`. `None` where there is no peak, `Λ ≤ 1`.
 ///

@@ -171,14 +171,4 @@ impl ComplexMode {
     pub fn natural(&self) -> f64 {
         self.root.norm()
     }
-
-    /// The frequency of the damped oscillation; zero without one.
-    pub fn damped(&self) -> f64 {
-        self.root.im
-    }
-
-    /// The damping ratio −Re λ/|λ|; 1 for a root without oscillation.
-    pub fn ratio(&self) -> f64 {
-        if self.natural() > 0.0 { -self.root.re / self.natural() } else { 0.0 }
-    }
 }

@@ -41,12 +41,3 @@ pub fn permitted_speeds(
     let forbidden = IntervalSet::interval(Excluded(below), above.map_or(Unbounded, Excluded));
     Ok(PermittedSpeeds { set: forbidden.complement().intersection(&all), below: Some(below), above })
 }
-
-/// The largest eccentricity with which the whirl stays within a limit at every speed of a range:
-/// `e = R √((1 − r²)² + (2ζr)²)/r²` at the worst speed of the range (see [`super::worst_speed`]), m. Zero for an
-/// undamped rotor with its critical speed within the range; infinite for a rotor that stands still.
-#[must_use]
-pub fn largest_eccentricity(limit: f64, frequency_ratio: f64, damping_ratio: f64) -> f64 {
-    let s = frequency_ratio.powi(2);
-    limit * (1.0 - s).hypot(2.0 * damping_ratio * frequency_ratio) / s
-}

@@ -41,7 +41,6 @@ fn rotor_of_example_2() {
         printed(balance::correction_mass(in_b[0], in_b[1], 0.020), mass_b, 3);
         printed(degrees(in_a), at_a, 2);
         printed(degrees(in_b), at_b, 2);
-        close(balance::correction_radius(in_b[0], in_b[1], mass_b), 0.020, 3e-4);
 
         let solved = found(balance_two_planes(&rotor, [0.0, 0.090]));
         all_close(solved.in_a, in_a, ROUNDING);
@@ -75,7 +74,6 @@ fn one_plane() {
     let sum = |axis: usize| balance::single_plane_correction(rotor.iter().map(|u| u.components[axis]));
     close(balance::magnitude(sum(0), sum(1)), 0.2 * 2f64.sqrt(), ROUNDING);
     close(degrees([sum(0), sum(1)]), 225.0, ROUNDING);
-    close(balance::unbalance(2.0, 0.1), 0.2, ROUNDING);
     // A 1 kg mass at 0.2 m and 100 rad/s pulls with 2 kN.
     close(balance::centrifugal_force(0.2, 100.0), 2000.0, ROUNDING);
 }

@@ -70,7 +70,6 @@ fn one_degree_of_freedom() {
     );
     scales(|[x, k, c, w]| sdof::transmitted_force(x, k, c, w), values, [LENGTH, k, c, w], FORCE);
     scales(|[w, z]| sdof::natural_frequency_from_force_peak(w, z), [9.0, 0.5], [w, NUMBER], w);
-    scales(|[w, z]| sdof::natural_frequency_from_unbalance_peak(w, z), [9.0, 0.5], [w, NUMBER], w);
     scales(|[h, w]| sdof::damping_from_resonant_receptance(h, w), [9.0, 0.5], [RECEPTANCE, w], c);
     scales(|[p, q]| sdof::damping_ratio_from_half_power(p, q), [8.0, 9.0], [w, w], NUMBER);
     scales(|[p, q, w]| sdof::damping_ratio_from_bandwidth(p, q, w), [8.0, 9.0, 8.4], [w, w, w], NUMBER);
@@ -124,7 +123,6 @@ fn beams_springs_and_sections() {
 fn balancing_and_whirling() {
     let rotor = [UNBALANCE, LENGTH, UNBALANCE, LENGTH, LENGTH, LENGTH];
     let values = [2.0, 0.3, -5.0, 0.8, 0.1, 0.9];
-    scales(|[m, r]| balance::unbalance(m, r), [2.0, 3.0], [MASS, LENGTH], UNBALANCE);
     scales(|[m, r]| balance::component_x(m, r, 0.3), [2.0, 3.0], [MASS, LENGTH], UNBALANCE);
     scales(|[m, r]| balance::component_y(m, r, 0.3), [2.0, 3.0], [MASS, LENGTH], UNBALANCE);
     scales(|[u, v, p, q, a, b]| balance::correction_in_b([(u, v), (p, q)], a, b), values, rotor, UNBALANCE);
@@ -137,12 +135,6 @@ fn balancing_and_whirling() {
     scales(|[u, v, p, q, a, _]| balance::moment([(u, v), (p, q)], a), values, rotor, MOMENT);
     let plane = [UNBALANCE, UNBALANCE, LENGTH];
     scales(|[x, y, r]| balance::correction_mass(x, y, r), [2.0, 3.0, 0.1], plane, MASS);
-    scales(
-        |[x, y, m]| balance::correction_radius(x, y, m),
-        [2.0, 3.0, 0.1],
-        [UNBALANCE, UNBALANCE, MASS],
-        LENGTH,
-    );
     scales(|[x, y]| balance::direction(x, y), [2.0, 3.0], [UNBALANCE; 2], NUMBER);
     scales(|[u, w]| balance::centrifugal_force(u, w), [2.0, 3.0], [UNBALANCE, RATE], FORCE);
 
