@@ -13,7 +13,7 @@ use std::{
     thread,
 };
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use proc_macro2::{LineColumn, Span};
 use syn::{
     Attribute, Block, Generics, ImplItemFn, ItemFn, ItemImpl, ItemMod, Path as SynPath, ReturnType,
@@ -42,10 +42,15 @@ pub fn mutated(id: u32) -> bool {
 }
 ";
 
+/// Functions whose result changes no answer when it is 1 % larger, and why: `file | function | why`.
+const EQUIVALENT: &str = include_str!("equivalent.txt");
+
 /// A function that returns one number.
 struct Mutant {
     name: String,
-    place: String,
+    /// Below the sources of mechanics.
+    file: String,
+    line: usize,
 }
 
 /// Builds the mutated program, judges each mutant, and prints the survivors.
@@ -66,16 +71,62 @@ pub(super) fn soak(root: &Path) -> Result<()> {
         .env("RUSTFLAGS", "-Awarnings"))?;
     let program = built.join("release").join(format!("dalembert{}", std::env::consts::EXE_SUFFIX));
     ensure!(passes(&program, 0)?, "the catalogue does not pass without a mutant");
-    let survivors = judged(&program, mutants.len())?;
-    let noticed = mutants.len() - survivors.len();
-    for id in &survivors {
-        let Mutant { name, place } = &mutants[id - 1];
-        println!("not noticed: {name}  {place}");
-    }
-    let share = noticed as f64 / mutants.len() as f64;
-    println!("{noticed} of {} mutants noticed ({:.1} %)", mutants.len(), 100.0 * share);
-    ensure!(share >= WANTED, "at least {} % are wanted", 100.0 * WANTED);
+    let judged = judged(&program, mutants.len())?;
+    let told = told(&mutants, &judged, EQUIVALENT)?;
+    print!("{}", told.text);
+    ensure!(told.share >= WANTED, "at least {} % are wanted", 100.0 * WANTED);
+    ensure!(
+        told.stale.is_empty(),
+        "listed as equivalent, but noticed or not there: {}",
+        told.stale.join(", ")
+    );
     Ok(())
+}
+
+/// What came of the judgement.
+struct Told {
+    text: String,
+    /// Of the mutants that are not equivalent, those that were noticed.
+    share: f64,
+    /// Rows of the list of equivalent mutants that are none.
+    stale: Vec<String>,
+}
+
+/// Weighs the survivors, given by their numbers from 1, against the list of equivalent mutants.
+fn told(mutants: &[Mutant], survivors: &[usize], equivalent: &str) -> Result<Told> {
+    let rows = equivalent.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let mut listed: Vec<([&str; 2], &str, usize)> = Vec::new();
+    for row in rows {
+        let parts: Vec<&str> = row.split(" | ").collect();
+        let [file, name, why] = parts[..] else { bail!("`{row}` is not `file | function | why`") };
+        listed.push(([file, name], why, 0));
+    }
+    let mut text = String::new();
+    let (mut missed, mut spared) = (0, 0);
+    for id in survivors {
+        let Mutant { name, file, line } = &mutants[id - 1];
+        let place = format!("{name}  crates/mechanics/src/{file}:{line}");
+        if let Some((_, why, met)) = listed.iter_mut().find(|(of, ..)| *of == [file, name]) {
+            *met += 1;
+            spared += 1;
+            writeln!(text, "equivalent ({why}): {place}")?;
+        } else {
+            missed += 1;
+            writeln!(text, "not noticed: {place}")?;
+        }
+    }
+    let counted = mutants.len() - spared;
+    let share = (counted - missed) as f64 / counted as f64;
+    let all = mutants.len();
+    let noticed = counted - missed;
+    writeln!(
+        text,
+        "{all} mutants, {spared} equivalent; {noticed} of {counted} noticed ({:.1} %)",
+        100.0 * share
+    )?;
+    let stale = listed.iter().filter(|(.., met)| *met == 0);
+    let stale = stale.map(|([file, name], ..)| format!("{file} {name}")).collect();
+    Ok(Told { text, share, stale })
 }
 
 /// The numbers, from 1, of the mutants that the catalogue lets pass.
@@ -156,8 +207,11 @@ fn mutate(sources: &Path) -> Result<Vec<Mutant>> {
         found.visit_file(&parsed);
         let rewritten = rewrite(&text, &found.found, mutants.len() + 1);
         for function in &found.found {
-            let place = format!("crates/mechanics/src/{name}:{}", function.open.line);
-            mutants.push(Mutant { name: function.name.clone(), place });
+            mutants.push(Mutant {
+                name: function.name.clone(),
+                file: name.clone(),
+                line: function.open.line,
+            });
         }
         fs::write(&file, rewritten)?;
     }
@@ -298,6 +352,18 @@ fn reals(generics: &Generics) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn equivalent_mutants_do_not_count_and_are_survivors() {
+        let mutant = |name: &str| Mutant { name: name.to_owned(), file: "a.rs".to_owned(), line: 1 };
+        let mutants = ["force", "size", "mass", "root"].map(mutant);
+        let list = "# file | function | why\na.rs | size | size\n";
+        let some = told(&mutants, &[2, 3], list).unwrap();
+        assert!((some.share - 2.0 / 3.0).abs() < 1e-15 && some.stale.is_empty(), "{}", some.text);
+        assert!(some.text.contains("not noticed: mass  crates/mechanics/src/a.rs:1"), "{}", some.text);
+        assert_eq!(told(&mutants, &[3], list).unwrap().stale, ["a.rs size"]);
+        assert!(told(&mutants, &[], "a.rs size").is_err());
+    }
 
     #[test]
     fn functions_that_return_one_number_are_mutated() {
