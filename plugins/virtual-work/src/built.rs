@@ -199,6 +199,21 @@ impl Solved {
         })
     }
 
+    /// Holds the size of the force in a pin to its virtual power with the pin released.
+    pub(crate) fn check_pin<W: Worksheet>(&self, joint: usize, point: &'static str, force: W::Num, sheet: W) {
+        check_pin((&self.system, &self.state, &self.dynamics), (joint, point), force, sheet);
+    }
+
+    /// Holds the force across a guide or slot, to the left of its line on what slides, to its virtual power with the
+    /// joint let go.
+    pub(crate) fn check_across<W: Worksheet>(&self, joint: usize, force: W::Num, sheet: W) {
+        let Some((efforts, size)) = let_go(&self.system, &self.state, &self.dynamics, joint, 1) else {
+            return;
+        };
+        let what = "force across the line of the joint by virtual power, with the joint released";
+        sheet.check_sum(what, force, efforts[0].into(), size.max(efforts[0].abs()));
+    }
+
     /// The largest virtual work of a load for a unit of a driver's measure.
     pub(crate) fn size(&self, driver: usize) -> f64 {
         self.dynamics.powers.iter().fold(0.0, |most, load| f64::max(most, load.generalised[driver].abs()))
@@ -214,6 +229,45 @@ impl Solved {
             size,
         );
     }
+}
+
+/// What a joint exerts along its first measures by virtual power, with the joint released and driven in its place, and
+/// the size of what that is made of. None where its equations are not measures of their own.
+fn let_go(
+    system: &System,
+    state: &State,
+    dynamics: &Dynamics,
+    joint: usize,
+    measures: usize,
+) -> Option<(Vec<f64>, f64)> {
+    let mut mechanism = system.mechanism().clone();
+    let (first, positions) = (mechanism.drivers.len(), &state.positions);
+    for equation in mechanism.joints.remove(joint).equations() {
+        let [term] = &equation.terms[..] else { return None };
+        let (measure, value) = (term.measure, system.value(&term.measure, positions));
+        mechanism.drivers.push(Driver { measure, value, velocity: 0.0, acceleration: 0.0 });
+    }
+    let (_, driven) = System::new(&mechanism, positions).ok()?.solved(positions).ok()?;
+    let wanted = first..first + measures;
+    let forces = system.equations().iter().zip(&dynamics.multipliers);
+    let forces = forces.filter(|(equation, _)| !equation.terms[0].measure.is_angle()).map(|(_, force)| force);
+    let works = driven.powers.iter().flat_map(|load| &load.generalised[wanted.clone()]);
+    let size = forces.chain(works).fold(0.0, |most: f64, effort| most.max(effort.abs()));
+    Some((driven.efforts[wanted].to_vec(), size))
+}
+
+/// Holds the size of the force in a pin to its virtual power with the pin released.
+pub(crate) fn check_pin<W: Worksheet>(
+    (system, state, dynamics): (&System, &State, &Dynamics),
+    (joint, point): (usize, &str),
+    force: W::Num,
+    sheet: W,
+) {
+    let Some((efforts, size)) = let_go(system, state, dynamics, joint, 2) else { return };
+    let what =
+        Text::new("force in the pin {point} by virtual power, with the pin released").with("point", point);
+    let by_power = efforts[0].hypot(efforts[1]);
+    sheet.check_sum(what, force, by_power.into(), size.max(by_power));
 }
 
 /// Why a mechanism has no answer, in words for a person.

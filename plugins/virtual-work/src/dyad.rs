@@ -104,6 +104,9 @@ pub(crate) fn two_bars<W: Worksheet>(
     sheet.verify(|| {
         let what = Text::new("link {n} has its length").with("n", second.link);
         sheet.check(what, other.magnitude(), c);
+        let what = Text::new("the loop closes at the common pin of links {one} and {two}");
+        let what = what.with("one", first.link).with("two", second.link);
+        sheet.check_vector(what, p.at + direction::<W>(one) * b, q.at + direction::<W>(two) * c);
     });
     let sine = Vector::cross(reach.value(), other.value()).z / (b.value() * c.value());
     if sine.is_nan() || sine.abs() < DEAD {
@@ -168,6 +171,12 @@ impl<W: Worksheet> Bars<W> {
             sheet.step(symbol("ω", link), "rad/s", ratios[n] * rate, why)
         };
         let (w1, w2) = (speed(0), speed(1));
+        let ends = [p, q].map(|support| support.moving.map(|moving| moving.shift * rate));
+        let turning = [0, 1].map(|n| across::<W>(self.reach[n]) * [w1, w2][n]);
+        sheet.verify(|| {
+            let what = "links {one} and {two} give their common pin the same velocity";
+            self.check_common(what, ends, turning);
+        });
         let accelerations = self.accelerations([p, q], [w1, w2]);
         [(0, w1), (1, w2)].map(|(n, speed)| Turning { speed, acceleration: accelerations[n], ..still(n) })
     }
@@ -191,7 +200,21 @@ impl<W: Worksheet> Bars<W> {
         let turn = self.sheet.step(symbol("α", first.link), "rad/s^2", turn, of(first));
         let other = -(apart.dot(one)) / across::<W>(two).dot(one);
         let other = self.sheet.step(symbol("α", second.link), "rad/s^2", other, of(second));
+        self.sheet.verify(|| {
+            let bars = [(one, turn, w1), (two, other, w2)];
+            let against = bars.map(|(reach, turn, speed)| across::<W>(reach) * turn - reach * speed.powi(2));
+            let ends = [p, q].map(|support| support.moving.map(|moving| moving.acceleration));
+            let what = "links {one} and {two} give their common pin the same acceleration";
+            self.check_common(what, ends, against);
+        });
         [turn, other]
+    }
+
+    /// Holds a rate of the common pin by the first bar to that by the second: of their supports, and against them.
+    fn check_common(&self, what: &'static str, ends: [Option<W::Vec>; 2], against: [W::Vec; 2]) {
+        let [one, two] = [0, 1].map(|n| ends[n].map_or(against[n], |end| end + against[n]));
+        let [first, second] = self.numbers.map(|number| number.link);
+        self.sheet.check_vector(Text::new(what).with("one", first).with("two", second), one, two);
     }
 }
 
@@ -250,6 +273,11 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
     }
     let position = (support.at + reach - line.through).dot(line.along);
     let position = sheet.step(symbol("x", of), "mm", position, "Position of the slider along its line");
+    sheet.verify(|| {
+        let what = Text::new("link {n} ends where the slider is on its line").with("n", number.link);
+        let end = support.at + direction::<W>(angle) * length;
+        sheet.check_vector(what, end, line.through + line.along * position);
+    });
     let why =
         Text::new("Virtual turn of link {n}: the slider does not leave its line").with("n", number.link);
     let ratio = -(moving.shift.dot(line.left)) / turned.dot(line.left);
@@ -265,6 +293,12 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
     let why = Text::new("Angular velocity of link {n}").with("n", number.link);
     let speed = sheet.step(symbol("ω", number.link), "rad/s", ratio * rate, why);
     let velocity = sheet.step(symbol("v", of), "m/s", shift * rate, "Velocity of the slider");
+    sheet.verify(|| {
+        let what = Text::new("both ends of link {n} have the same velocity along it").with("n", number.link);
+        let (end, start) = (line.along * velocity, moving.shift * rate);
+        let size = length.value() * end.value().norm().max(start.value().norm());
+        sheet.check_sum(what, end.dot(reach), start.dot(reach), size);
+    });
     let inward = moving.acceleration - reach * speed.powi(2);
     let why = Text::new("Angular acceleration of link {n}").with("n", number.link);
     let turning = -(inward.dot(line.left)) / turned.dot(line.left);

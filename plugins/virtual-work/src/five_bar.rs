@@ -165,13 +165,13 @@ impl Analysis for FiveBar {
         works::reaction(
             ["O", "Ox", "Oy"],
             ("first_bearing_force", "Force in the fixed pin of the first crank"),
-            forces[0],
+            (&solved, joints[0]),
             sheet,
         );
         works::reaction(
             ["C", "Cx", "Cy"],
             ("second_bearing_force", "Force in the fixed pin of the second crank"),
-            forces[1],
+            (&solved, joints[1]),
             sheet,
         );
         sheet.verify(|| {

@@ -145,6 +145,7 @@ impl Analysis for FourBar {
         let why = ("Transmission angle: the acute angle between coupler and rocker", NORTON.at("ch. 3"));
         let between = sheet.step("μ", "deg", between, why);
         sheet.answer("transmission_angle", "Transmission angle", between);
+        sheet.verify(|| self.check_transmission(given, between, sheet));
         if between.value() < 40f64.to_radians() {
             sheet.warn(|| {
                 Text::new("the transmission angle is {angle}: below 40° a linkage runs hard and joints take large forces")
@@ -177,24 +178,28 @@ impl Analysis for FourBar {
         self.limits(given, sheet);
         let [coupler, rocker] = found.angles.map(Real::value);
         let (solved, [o, a, b, c]) = self.built([coupler, rocker], &found).map_err(built::refusal)?;
-        let forces = [o, a, b, c].map(|joint| solved.reaction(joint));
         works::reaction(
             ["O", "Ox", "Oy"],
             ("crank_bearing_force", "Force in the fixed pin of the crank"),
-            forces[0],
+            (&solved, o),
             sheet,
         );
-        works::reaction(["A", "Ax", "Ay"], ("crank_pin_force", "Force in the crank pin"), forces[1], sheet);
+        works::reaction(
+            ["A", "Ax", "Ay"],
+            ("crank_pin_force", "Force in the crank pin"),
+            (&solved, a),
+            sheet,
+        );
         works::reaction(
             ["B", "Bx", "By"],
             ("rocker_pin_force", "Force in the pin of coupler and rocker"),
-            forces[2],
+            (&solved, b),
             sheet,
         );
         works::reaction(
             ["C", "Cx", "Cy"],
             ("rocker_bearing_force", "Force in the fixed pin of the rocker"),
-            forces[3],
+            (&solved, c),
             sheet,
         );
         sheet.verify(|| {
@@ -204,7 +209,7 @@ impl Analysis for FourBar {
             };
             solved.check_effort(0, effort, sheet);
             let force = self.point.as_ref().map_or([0.0; 2], |point| [point.force.x, point.force.y]);
-            works::check_balance(&[forces[0], forces[3], force], solved.demanded(), sheet);
+            works::check_balance(&[solved.reaction(o), solved.reaction(c), force], solved.demanded(), sheet);
             let lengths = kernel::FourBar {
                 frame: self.frame,
                 crank: self.crank,
@@ -329,6 +334,16 @@ impl FourBar {
         self.speed != 0.0 || self.acceleration != 0.0
     }
 
+    /// The transmission angle by the law of cosines, in the triangle of coupler, rocker and the diagonal.
+    fn check_transmission<W: Worksheet>(&self, given: &FourBarGiven<W>, between: W::Num, sheet: W) {
+        let (a, b, c, d) = (given.crank, given.coupler, given.rocker, given.frame);
+        let diagonal = a.powi(2) + d.powi(2) - a * d * given.angle.cos() * 2.0;
+        let wide = (b.powi(2) + c.powi(2) - diagonal).abs();
+        let scale = (self.crank + self.frame).powi(2) + (self.coupler + self.rocker).powi(2);
+        let what = "transmission angle by the law of cosines, from the diagonal of the linkage";
+        sheet.check_sum(what, b * c * between.cos() * 2.0, wide, scale);
+    }
+
     /// Where the lines of the links meet: the velocity ratios once more, and what a person draws.
     fn instant_centres<W: Worksheet>(&self, given: &FourBarGiven<W>, found: &Found<W::Num>, sheet: W) {
         let [coupler, rocker] = found.ratios;
@@ -361,6 +376,14 @@ impl FourBar {
             let why = "Distance of the crank pin from instant centre 13: a ω_2 = |I13 A| ω_3";
             let distance = sheet.step(symbol("ρ", "I13"), "mm", distance, (why, SHIGLEY.at("ch. 3")));
             sheet.answer("instant_centre_13", "Distance of the crank pin from instant centre 13", distance);
+            sheet.verify(|| {
+                // The lines of crank and rocker meet there: both sides are the distance of the crank pin from the rocker's.
+                let (two, four) = (given.angle, found.angles[1]);
+                let left = distance * (four - two).sin().abs();
+                let right = (given.frame * four.sin() - given.crank * (four - two).sin()).abs();
+                let what = "instant centre 13 is on the lines of crank and rocker";
+                sheet.check_sum(what, left, right, self.frame + self.crank);
+            });
         }
     }
 
@@ -372,6 +395,12 @@ impl FourBar {
             let why = ("Largest angle of the crank: coupler and rocker stretched out", NORTON.at("ch. 4"));
             let limit = sheet.step(symbol("θ", "max"), "deg", cosine(b + c).acos(), why);
             sheet.answer("largest_angle", "Largest angle of the crank, from the frame", limit);
+            sheet.verify(|| {
+                let reach = (a * limit.sin()).powi(2) + (a * limit.cos() - d).powi(2);
+                let what =
+                    "coupler and rocker in one line span the way from the crank pin at its largest angle";
+                sheet.check_sum(what, reach, (b + c).powi(2), (self.crank + self.frame).powi(2));
+            });
         }
         if (self.crank - self.frame).abs() < (self.coupler - self.rocker).abs() {
             let why = ("Least angle of the crank: coupler and rocker folded", NORTON.at("ch. 4"));

@@ -168,16 +168,22 @@ impl Analysis for OscillatingCylinder {
             let advantage = found.shift.abs() / given.crank;
             let advantage = sheet.step("MA", "1", advantage, (why, SHIGLEY.at("ch. 3")));
             sheet.answer("mechanical_advantage", "Mechanical advantage", advantage);
+            sheet.verify(|| {
+                let sine = (given.angle - found.tilt).sin().abs();
+                let what = "mechanical advantage as the sine of the angle between crank and cylinder";
+                sheet.check_sum(what, advantage, sine, 1.0);
+            });
         }
+        sheet.verify(|| self.check_triangle(given, &found, sheet));
         let plain = self.plain().expect("the same problem has just been solved");
         let (solved, joints) = self.built(&plain).map_err(built::refusal)?;
         let forces = joints.map(|joint| solved.reaction(joint));
         let label = "Force in the bearing of the crank";
-        works::reaction(["O", "Ox", "Oy"], ("bearing_force", label), forces[0], sheet);
+        works::reaction(["O", "Ox", "Oy"], ("bearing_force", label), (&solved, joints[0]), sheet);
         let label = "Force in the fixed pin of the cylinder";
-        works::reaction(["C", "Cx", "Cy"], ("pivot_force", label), forces[1], sheet);
+        works::reaction(["C", "Cx", "Cy"], ("pivot_force", label), (&solved, joints[1]), sheet);
         let label = "Force in the crank pin";
-        works::reaction(["A", "Ax", "Ay"], ("crank_pin_force", label), forces[2], sheet);
+        works::reaction(["A", "Ax", "Ay"], ("crank_pin_force", label), (&solved, joints[2]), sheet);
         sheet.verify(|| {
             // Known torque and known force: with the one as a load, the other must come out as the effort.
             let effort = if let Unknown::Force { .. } = self.unknown { found.force } else { found.torque };
@@ -295,6 +301,37 @@ impl Template for OscillatingCylinder {
 impl OscillatingCylinder {
     fn moves(&self) -> bool {
         self.speed != 0.0 || self.acceleration != 0.0
+    }
+
+    /// Angle and motion of the cylinder from the triangle of the pins, `s² = r² + c² − 2 r · c`, and its derivatives.
+    fn check_triangle<W: Worksheet>(
+        &self,
+        given: &OscillatingCylinderGiven<W>,
+        found: &Found<W::Num>,
+        sheet: W,
+    ) {
+        let (r, two, tilt) = (given.crank, given.angle, found.tilt);
+        let [x, y, _] = given.pivot.components();
+        let size = self.crank + self.pivot.norm();
+        let left = r * (two - tilt).sin();
+        let what = "crank pin and fixed pin are at the same distance from a line through the bearing along the cylinder";
+        sheet.check_sum(what, left, y * tilt.cos() - x * tilt.sin(), size);
+        if !self.moves() {
+            return;
+        }
+        // The products of the crank and of its quarter turn with the way to the fixed pin.
+        let (along, across) = (r * (x * two.cos() + y * two.sin()), r * (y * two.cos() - x * two.sin()));
+        let (speed, alpha) = (given.speed, given.acceleration);
+        let fast = self.crank * self.speed.abs();
+        let what = "velocity of the piston from the derivative of the triangle of the pins";
+        sheet.check_sum(what, found.length * found.rate, -(across * speed), size * fast);
+        let what = "angular velocity of the cylinder from the area that its line sweeps";
+        let swept = (r.powi(2) - along) * speed;
+        sheet.check_sum(what, found.length.powi(2) * found.speed, swept, size * fast);
+        let what = "acceleration of the piston from the second derivative of the triangle of the pins";
+        let bent = along * speed.powi(2) - across * alpha;
+        let scale = size * self.crank * (self.speed.powi(2) + self.acceleration.abs());
+        sheet.check_sum(what, found.length * found.lengthening + found.rate.powi(2), bent, scale);
     }
 
     /// The same mechanism put together, and its pins O, C, A.

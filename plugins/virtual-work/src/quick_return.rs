@@ -163,6 +163,11 @@ impl Analysis for QuickReturn {
                 "Velocity of the point of the lever that is under the crank pin",
             );
             sheet.answer("lever_point_velocity", "Velocity of the lever under the crank pin", across);
+            sheet.verify(|| {
+                let (both, pin) = (across.powi(2) + found.slip.powi(2), given.crank * given.speed);
+                let what = "velocities along and across the lever make up that of the crank pin";
+                sheet.check(what, both, pin.powi(2));
+            });
             sheet.answer("slip_velocity", "Velocity of the crank pin along the lever", found.slip);
             sheet.answer("lever_acceleration", "Angular acceleration of the lever", found.lever.acceleration);
             if found.link.is_some() {
@@ -183,13 +188,13 @@ impl Analysis for QuickReturn {
         works::reaction(
             ["O", "Ox", "Oy"],
             ("crank_bearing_force", "Force in the bearing of the crank"),
-            forces[0],
+            (&solved, joints[0]),
             sheet,
         );
         works::reaction(
             ["C", "Cx", "Cy"],
             ("lever_pivot_force", "Force in the pivot of the lever"),
-            forces[1],
+            (&solved, joints[1]),
             sheet,
         );
         let why = "Force of the lever on the crank pin, across the lever, by the same equations";
@@ -201,6 +206,7 @@ impl Analysis for QuickReturn {
                 _ => found.torque,
             };
             solved.check_effort(0, effort, sheet);
+            solved.check_across(joints[2], across, sheet);
             let force = found.force.value();
             let outside = match self.output {
                 Output::Lever => built::turned([0.0, force], found.lever.angle.value()),
@@ -369,9 +375,32 @@ impl QuickReturn {
         let why = "Time forward over time back, at a steady speed: the crank angles between the ends";
         let ratio = sheet.step("Q", "1", ratio, (why, NORTON.at("ch. 3")));
         sheet.answer("time_ratio", "Time ratio, forward over back", ratio);
+        sheet.verify(|| {
+            // The crank angle of the way forward, less the half turn, is twice that of the ends from the level.
+            let past = (ratio / (ratio + 1.0) - 0.5) * PI;
+            let (reach, height) = if swings {
+                (given.crank, given.frame * past.sin())
+            } else {
+                (given.frame, given.crank * past.sin())
+            };
+            let what = if swings {
+                "crank and lever are at right angles at the ends of the forward stroke"
+            } else {
+                "the crank pin is level with the pivot of the lever at the ends of the forward stroke"
+            };
+            sheet.check_sum(what, height, reach, self.crank.max(self.frame));
+        });
         if swings {
             let swing = sheet.step("Δθ_4", "deg", half * 2.0, "Swing of the lever");
             sheet.answer("swing", "Swing of the lever", swing);
+            sheet.verify(|| {
+                let (r, d) = (self.crank, self.frame);
+                // The lever at the crank angle −ψ, where it turns back; on the other side it is the mirror image.
+                let height = d - r * r / d;
+                let end = height.atan2(r * (height / d).max(0.0).sqrt());
+                let what = "swing of the lever between the two positions in which it touches the circle of the crank pin";
+                sheet.check_sum(what, swing, (PI - 2.0 * end).into(), PI);
+            });
         }
     }
 

@@ -153,7 +153,7 @@ impl Analysis for RollingDisc {
         let [bearing, floor, rack] = joints;
         let forces = solved.reaction(bearing);
         let label = "Force in the bearing of the crank";
-        works::reaction(["O", "Ox", "Oy"], ("bearing_force", label), forces, sheet);
+        works::reaction(["O", "Ox", "Oy"], ("bearing_force", label), (&solved, bearing), sheet);
         let why = "Normal force of the floor, upwards, by the same equations";
         let normal = sheet.found("N", "N", solved.reaction(floor)[0], (why, SHIGLEY.at("ch. 11")));
         sheet.answer("normal_force", "Normal force of the floor", normal);
@@ -161,6 +161,13 @@ impl Analysis for RollingDisc {
             let needed = friction.abs() / normal;
             let needed = sheet.step("μ", "1", needed, "Least coefficient of friction without slip");
             sheet.answer("needed_friction", "Least coefficient of friction without slip", needed);
+            sheet.verify(|| {
+                let grip = solved.reaction(rack)[0].abs();
+                let size = grip.max(self.mass * found.acceleration.value().abs());
+                let what =
+                    "friction at the least coefficient is the effort that keeps the disc from slipping";
+                sheet.check_sum(what, needed * normal, grip.into(), size);
+            });
         } else if self.gravity > 0.0 {
             sheet.warn(|| Text::new("the rod lifts the disc off the floor: it cannot roll here"));
         }

@@ -106,7 +106,7 @@ impl Analysis for ScotchYoke {
         let (solved, [bearing, slot, guide]) = self.built(&found).map_err(built::refusal)?;
         let forces = solved.reaction(bearing);
         let label = "Force in the bearing of the crank";
-        works::reaction(["O", "Ox", "Oy"], ("bearing_force", label), forces, sheet);
+        works::reaction(["O", "Ox", "Oy"], ("bearing_force", label), (&solved, bearing), sheet);
         let why = "Force of the yoke on the crank pin, along x, by the same equations";
         let pin = sheet.found("N", "N", -solved.reaction(slot)[0], (why, SHIGLEY.at("ch. 11")));
         sheet.answer("pin_force", "Force of the yoke on the crank pin, along x", pin);
@@ -117,6 +117,12 @@ impl Analysis for ScotchYoke {
                 Unknown::Force { .. } => found.force,
             };
             solved.check_effort(0, effort, sheet);
+            solved.check_across(slot, -pin, sheet);
+            if self.moves() {
+                let both = found.velocity.powi(2) + (given.speed * found.position).powi(2);
+                let what = "position and velocity of the yoke are on the circle of the harmonic motion";
+                sheet.check(what, both, (given.crank * given.speed).powi(2));
+            }
             let across = solved.reaction(guide)[0];
             works::check_balance(&[forces, [found.force.value(), across]], solved.demanded(), sheet);
         });
@@ -195,6 +201,23 @@ impl ScotchYoke {
         let largest = (W::Num::from(1.0) - cosine.powi(2)).sqrt() * (load + inertia * cosine);
         let largest = sheet.step(symbol("T", "max"), "N*m", largest, "Largest torque of a turn, in size");
         sheet.answer("largest_torque", "Largest torque of a turn, in size", largest);
+        sheet.verify(|| {
+            let torque =
+                |angle: f64| Self { angle, ..self.clone() }.plain().map_or(0.0, |found| found.torque.abs());
+            let turn = cosine.value().clamp(-1.0, 1.0).acos();
+            let there = torque(turn).max(torque(std::f64::consts::PI - turn));
+            let size = load.value() + inertia.value();
+            sheet.check_sum(
+                "the virtual works at the angle of the largest torque",
+                largest,
+                there.into(),
+                size,
+            );
+            const ANGLES: u32 = 180;
+            let all = (0..ANGLES).map(|k| torque(f64::from(k) * std::f64::consts::TAU / f64::from(ANGLES)));
+            let over = (all.fold(0.0, f64::max) - largest.value()).max(0.0);
+            sheet.check_zero("no torque of the turn is larger", over.into(), size);
+        });
     }
 
     /// The same mechanism put together, and its joints: bearing, slot, guide.

@@ -244,25 +244,25 @@ impl Analysis for SixBar {
             }
             _ => sheet.answer("torque", "Torque on the crank", found.torque),
         }
-        let plain = self.plain().expect("the same problem has just been solved");
+        let plain = found.values();
         let (solved, joints) = self.built(&plain).map_err(built::refusal)?;
         let forces = joints.map(|joint| solved.reaction(joint));
         works::reaction(
             ["O", "Ox", "Oy"],
             ("crank_bearing_force", "Force in the fixed pin of the crank"),
-            forces[0],
+            (&solved, joints[0]),
             sheet,
         );
         works::reaction(
             ["C", "Cx", "Cy"],
             ("rocker_bearing_force", "Force in the fixed pin of the rocker"),
-            forces[1],
+            (&solved, joints[1]),
             sheet,
         );
         works::reaction(
             ["D", "Dx", "Dy"],
             ("driving_pin_force", "Force in the pin that the second pair hangs on"),
-            forces[2],
+            (&solved, joints[2]),
             sheet,
         );
         sheet.verify(|| {
@@ -422,6 +422,20 @@ impl Template for SixBar {
             load,
             pins: [[place.x, place.y], [end.x, end.y]],
         })
+    }
+}
+
+impl<N: Real> Found<N> {
+    /// The same as plain numbers.
+    fn values(&self) -> Found<f64> {
+        Found {
+            angles: self.angles.map(Real::value),
+            ratios: self.ratios.map(Real::value),
+            output: self.output.map(Real::value),
+            torque: self.torque.value(),
+            load: self.load.value(),
+            pins: self.pins,
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use dalembert_mechanics::{
     slider_crank as loops,
 };
 use nalgebra::Vector3;
+use std::f64::consts::FRAC_PI_2;
 
 use crate::{
     built::{self, Built, Cycle, Range, Solved, Template},
@@ -134,6 +135,12 @@ impl Analysis for SliderCrank {
             let advantage = given.crank / found.shift.abs();
             let advantage = sheet.step("MA", "1", advantage, (why, SHIGLEY.at("ch. 3")));
             sheet.answer("mechanical_advantage", "Mechanical advantage", advantage);
+            sheet.verify(|| {
+                let (two, three) = (given.angle, found.rod_angle);
+                let arm = given.crank * (two.sin() - two.cos() * three.tan());
+                let what = "mechanical advantage by instant centre 24: the crank over the arm that the line of the rod cuts off at the bearing";
+                sheet.check(what, advantage * arm.abs(), given.crank);
+            });
         }
         let plain = Found {
             rod_angle: found.rod_angle.value(),
@@ -148,18 +155,19 @@ impl Analysis for SliderCrank {
             force: found.force.value(),
         };
         let (solved, joints) = self.built(&plain).map_err(built::refusal)?;
-        let [bearing, crank_pin, slider_pin, guide] = joints.map(|joint| solved.reaction(joint));
+        let [bearing, guide] = [joints[0], joints[3]].map(|joint| solved.reaction(joint));
         works::reaction(
             ["O", "Ox", "Oy"],
             ("bearing_force", "Force in the bearing of the crank"),
-            bearing,
+            (&solved, joints[0]),
             sheet,
         );
-        works::reaction(["A", "Ax", "Ay"], ("crank_pin_force", "Force in the crank pin"), crank_pin, sheet);
+        let label = "Force in the crank pin";
+        works::reaction(["A", "Ax", "Ay"], ("crank_pin_force", label), (&solved, joints[1]), sheet);
         works::reaction(
             ["B", "Bx", "By"],
             ("slider_pin_force", "Force in the pin of the slider"),
-            slider_pin,
+            (&solved, joints[2]),
             sheet,
         );
         let why = "Force of the guide on the slider, across its line, by the same equations";
@@ -171,6 +179,7 @@ impl Analysis for SliderCrank {
                 Unknown::Force { .. } => found.force,
             };
             solved.check_effort(0, effort, sheet);
+            solved.check_across(joints[3], across, sheet);
             let outside = [bearing, [plain.force, guide[0]], [self.pin_force.x, self.pin_force.y]];
             works::check_balance(&outside, solved.demanded(), sheet);
             if self.moves() {
@@ -325,11 +334,23 @@ impl SliderCrank {
         let why = "Transmission angle: the acute angle between the rod and the normal of the slider's line, 90° − |θ_3|";
         let angle = sheet.step("μ", "deg", rod_angle.sin().abs().acos(), (why, NORTON.at("ch. 3")));
         sheet.answer("transmission_angle", "Transmission angle", angle);
+        let (r, l, e) = (given.crank, given.rod, given.offset);
+        sheet.verify(|| {
+            let bridged = (r * given.angle.sin() - e).abs();
+            let what = "the rod at the transmission angle reaches from the crank pin to the slider's line";
+            sheet.check_sum(what, l * angle.cos(), bridged, self.crank + self.offset.abs());
+        });
         if self.crank + self.offset.abs() <= self.rod {
             let why = "Least transmission angle of a turn: the crank across the slider's line, its pin farthest from it";
             let cosine = (given.crank + given.offset.abs()) / given.rod;
             let least = sheet.step(symbol("μ", "min"), "deg", cosine.acos(), (why, NORTON.at("ch. 3")));
             sheet.answer("least_transmission_angle", "Least transmission angle of a turn", least);
+            sheet.verify(|| {
+                let at = |crank: f64| loops::rod_angle(self.crank, self.rod, self.offset, crank).abs();
+                let widest = at(FRAC_PI_2).max(at(-FRAC_PI_2));
+                let what = "least transmission angle from the largest inclination of the rod, with the crank across the slider's line";
+                sheet.check_sum(what, least.cos(), widest.sin().into(), 1.0);
+            });
         }
     }
 

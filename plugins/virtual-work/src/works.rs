@@ -8,7 +8,7 @@ use dalembert_mechanics::{Real, Vector};
 use nalgebra::Vector3;
 
 use crate::{
-    built,
+    built::{self, Solved},
     sources::{RIUL, SHIGLEY},
 };
 
@@ -271,19 +271,21 @@ impl<W: Worksheet> Works<W> {
     }
 }
 
-/// What a joint carries, by the equations of Newton and Euler: components and size. `of` is the joint, and with x and
+/// What a pin carries, by the equations of Newton and Euler: components and size. `of` is the pin, and with x and
 /// y behind it.
 pub(crate) fn reaction<W: Worksheet>(
     of: [&'static str; 3],
     (name, label): (&'static str, &'static str),
-    [x, y]: [f64; 2],
+    (solved, joint): (&Solved, usize),
     sheet: W,
 ) {
+    let [x, y] = solved.reaction(joint);
     let why = "By the equations of Newton and Euler of every link, solved together";
     let x = sheet.found(symbol("R", of[1]), "N", x, (why, SHIGLEY.at("ch. 11")));
     let y = sheet.found(symbol("R", of[2]), "N", y, (why, SHIGLEY.at("ch. 11")));
     let size = sheet.step(symbol("R", of[0]), "N", (x.powi(2) + y.powi(2)).sqrt(), "Force in the joint");
     sheet.answer(name, label, size);
+    sheet.verify(|| solved.check_pin(joint, of[0], size, sheet));
 }
 
 /// Holds the reactions of the frame and the forces from outside to what the masses demand.
