@@ -129,11 +129,12 @@ impl Analysis for AFrame {
         };
         let floor = sheet.step("N", "N", *weight + *load / 2.0, "Force of the floor on each foot");
         sheet.answer("floor_force", "Force of the floor on each foot", floor);
-        if matches!(self.held, Held::Feet) {
+        let friction = matches!(self.held, Held::Feet).then(|| {
             let friction =
                 sheet.step("μ", "1", force / floor, "Coefficient of friction that would hold the feet");
             sheet.answer("friction", "Coefficient of friction that would hold the feet", friction);
-        }
+            friction
+        });
         sheet.verify(|| {
             let arm = match held {
                 HeldGiven::Feet {} => *length * angle.cos(),
@@ -147,6 +148,11 @@ impl Analysis for AFrame {
                 sheet.check("the force by Newton and Euler for every body", found, force);
                 let floor_by_them = W::Num::from(effort.multipliers[3]);
                 sheet.check("the force of the floor by Newton and Euler", floor_by_them, floor);
+                if let Some(friction) = friction {
+                    let leaning = W::Num::from(-effort.newton_euler[0] / effort.multipliers[3]);
+                    let what = "the coefficient of friction from the direction of the force on a foot, by Newton and Euler";
+                    sheet.check(what, leaning, friction);
+                }
             }
         });
         if angle.value() > 80f64.to_radians() {

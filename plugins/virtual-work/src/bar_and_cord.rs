@@ -9,6 +9,7 @@ use dalembert_mechanics::{
 };
 
 pub use crate::one_freedom::Position;
+use crate::one_freedom::PositionGiven;
 use crate::{
     equilibria::{arrow, down, film, telling},
     one_freedom::{Machine, Part, Shapes},
@@ -83,6 +84,16 @@ impl Analysis for BarAndCord {
         if let Some(weight) = balanced.load {
             let mass = sheet.step("m", "kg", weight / given.gravity, "Hanging mass");
             sheet.answer("mass", "Hanging mass for equilibrium", mass);
+            sheet.verify(|| {
+                // The cord pulls along its line, whose arm about the pin is b h cos θ/s.
+                let PositionGiven::Given { angle } = &given.position else { return };
+                let (arm, height) =
+                    (given.attachment * angle.cos(), given.pulley - given.attachment * angle.sin());
+                let line = (arm.powi(2) + height.powi(2)).sqrt();
+                let pull = mass * given.gravity * given.pulley * arm / line;
+                let what = "the moment of the cord about the pin of the bar is that of its weight";
+                sheet.check(what, pull, bar * given.length * angle.cos() / 2.0);
+            });
             if mass.value() < 0.0 {
                 sheet.warn(|| "the mass is negative: at this angle the cord would have to push".into());
             }

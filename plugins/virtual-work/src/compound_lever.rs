@@ -188,6 +188,7 @@ impl Analysis for CompoundLever {
                 (couple, way)
             }
         };
+        let mut advantage = None;
         if let (SoughtGiven::Force { .. }, [only]) = (&given.sought, &given.loads[..])
             && let KindGiven::Force { force, .. } = &only.kind
             && force.value() != 0.0
@@ -199,6 +200,7 @@ impl Analysis for CompoundLever {
                 "Mechanical advantage: one force over the other",
             );
             sheet.answer("mechanical_advantage", "Mechanical advantage", ratio);
+            advantage = Some((ratio, force.value()));
         }
         sheet.verify(|| {
             if let Some(effort) = self.built().and_then(|(mechanism, drawn)| solved(&mechanism, &drawn)) {
@@ -207,6 +209,10 @@ impl Analysis for CompoundLever {
                     W::Num::from((effort.newton_euler[0] - value.value()) * way.value()),
                     size,
                 );
+                if let Some((ratio, force)) = advantage {
+                    let by_them = W::Num::from((effort.newton_euler[0] / force).abs());
+                    sheet.check("the mechanical advantage by Newton and Euler", ratio, by_them);
+                }
             }
         });
         let plain: Vec<f64> = works.iter().map(|work| work.value()).collect();

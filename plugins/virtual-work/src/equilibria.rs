@@ -67,13 +67,13 @@ impl Stability {
 
 /// Finds and answers every equilibrium at an angle θ in a range. `terms` and `numbers` both give the potential
 /// energy and its first two derivatives, as numbers of the worksheet (for the equilibrium of that number, counted
-/// from 1) and as plain ones.
+/// from 1) and as plain ones. With the equilibria come their curvatures.
 pub(crate) fn answer_equilibria<W: Worksheet>(
     sheet: W,
     [from, to]: [f64; 2],
     terms: impl Fn(usize, W::Num) -> [W::Num; 3],
     numbers: impl Fn(f64) -> [f64; 3],
-) -> Result<Vec<Equilibrium>, Refusal> {
+) -> Result<(Vec<Equilibrium>, Vec<W::Num>), Refusal> {
     if from >= to {
         return Err(Refusal::because(
             "the range of angles ends where it begins or before: write the smaller angle first",
@@ -119,7 +119,7 @@ pub(crate) fn answer_equilibria<W: Worksheet>(
         return Err(Refusal::NoAnswer(why.with("number", zeros.len())));
     }
     let mut counts = [0; 3];
-    let mut list = Vec::new();
+    let (mut list, mut bends) = (Vec::new(), Vec::new());
     for (row, at) in zeros.into_iter().enumerate() {
         let n = row + 1;
         let at = polished(at, &numbers);
@@ -163,11 +163,12 @@ pub(crate) fn answer_equilibria<W: Worksheet>(
         sheet.answer((angle_key, *count), angle_label, angle);
         sheet.answer((curvature_key, *count), curvature_label, bend);
         list.push(Equilibrium { at, energy, curvature: second, stability });
+        bends.push(bend);
     }
     let shown = list.clone();
     sheet.show(|| Exhibit::Plot(potential(&shown, [from, to], &numbers)));
     sheet.show(|| Exhibit::Table(table(&shown)));
-    Ok(list)
+    Ok((list, bends))
 }
 
 /// A zero of `V′` to the last digit, by Newton's method.
@@ -193,6 +194,28 @@ pub(crate) fn check_held<W: Worksheet>(
                 scale,
             );
         }
+    }
+}
+
+/// Holds the curvature of the potential energy to the growth of the couple that holds the bodies, from their virtual
+/// motion and the accelerations that go with it.
+pub(crate) fn check_curvature<W: Worksheet>(
+    sheet: W,
+    curvature: W::Num,
+    scale: f64,
+    (mechanism, drawn): &(Mechanism, Vec<[f64; 3]>),
+) {
+    let stiffness = || {
+        let system = System::new(mechanism, drawn).ok()?;
+        system.stiffness(&system.assemble(drawn).ok()?).ok()
+    };
+    if let Some(stiffness) = stiffness() {
+        sheet.check_sum(
+            "the curvature of the potential energy as the rate of the virtual power of all loads",
+            curvature,
+            stiffness[(0, 0)].into(),
+            scale,
+        );
     }
 }
 

@@ -138,6 +138,13 @@ impl Analysis for HangingChain {
                     BEER.at("§10.2D"),
                 ),
             ));
+            sheet.verify(|| {
+                let tension = (pull.powi(2) + force.powi(2)).sqrt();
+                let what = Text::new(
+                    "curvature for bar {bar} as that of a pendulum, its length times the pull on it",
+                );
+                sheet.check(what.with("bar", n), bends[row], bar.length * tension);
+            });
             across.push(bar.length * angle.sin());
             depth.push(bar.length * angle.cos());
             angles.push(angle);
@@ -162,10 +169,16 @@ impl Analysis for HangingChain {
         sheet.answer("end_across", "Distance of the free end from the vertical through the pin", x);
         sheet.answer("end_depth", "Depth of the free end below the pin", y);
         sheet.answer("pin_vertical", "Upward reaction of the pin", pin);
+        sheet.verify(|| self.check_moments(given, force, &angles, [x, y], sheet));
         let plain: Vec<f64> = angles.iter().map(|angle| angle.value()).collect();
         let (force, weight) = (force.value(), pin.value());
         sheet.verify(|| {
-            let (mechanism, drawn) = self.built(force, &plain);
+            // A bar whose angle was given is held at that.
+            let mut held = plain.clone();
+            if let Sought::Force { bar, angle } = self.sought {
+                held[bar as usize - 1] = angle;
+            }
+            let (mechanism, drawn) = self.built(force, &held);
             let names: Vec<Text> =
                 (1..=plain.len()).map(|bar| Text::new("Upper end of bar {bar}").with("bar", bar)).collect();
             if let Some(table) = reactions(&mechanism, &drawn, &names) {
@@ -193,6 +206,29 @@ impl Analysis for HangingChain {
 }
 
 impl HangingChain {
+    /// Holds the moments of all weights and forces about the pin to zero, with the places counted from the free end.
+    fn check_moments<W: Worksheet>(
+        &self,
+        given: &HangingChainGiven<W>,
+        force: W::Num,
+        angles: &[W::Num],
+        [x, y]: [W::Num; 2],
+        sheet: W,
+    ) {
+        let mut lower = x;
+        let mut moments = vec![given.vertical * x];
+        for (bar, angle) in given.bars.iter().zip(angles).rev() {
+            let half = bar.length * angle.sin() / 2.0;
+            moments.push(bar.weight * (lower - half));
+            lower = lower - half * 2.0;
+        }
+        let length: f64 = self.bars.iter().map(|bar| bar.length).sum();
+        let loads = self.vertical.abs() + self.bars.iter().map(|bar| bar.weight).sum::<f64>();
+        let what = "moments of the weights and of the forces on the whole chain about its pin";
+        let size = length * (force.value().abs() + loads);
+        sheet.check_sum(what, force * y, W::Num::sum(moments), size);
+    }
+
     /// The bars from their upper ends, every one held at its angle.
     fn built(&self, force: f64, angles: &[f64]) -> (Mechanism, Vec<[f64; 3]>) {
         let on = |body: usize, s: f64| Point::body(body, [s, 0.0]);

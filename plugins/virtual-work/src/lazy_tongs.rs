@@ -162,6 +162,12 @@ impl Analysis for LazyTongs {
                     effort.newton_euler[1].into(),
                     size * (1.0 + 1.0 / self.angle.tan()),
                 );
+                sheet.check_sum(
+                    "the reaction of A upwards by Newton and Euler, on both bars that end there",
+                    other,
+                    (effort.multipliers[1] + effort.multipliers[3]).into(),
+                    size * (1.0 + 1.0 / self.angle.tan()),
+                );
             }
         });
         if self.angle < 5f64.to_radians() {

@@ -5,7 +5,10 @@ use dalembert_core::{Axis, Exhibit, Inputs, Plot, Refusal, Series, Text, Workshe
 use dalembert_mechanics::{Real, planar::Mechanism};
 
 use crate::{
-    equilibria::{Equilibrium, Stability, answer_equilibria, check_held, reactions, solved, spread, telling},
+    equilibria::{
+        Equilibrium, Stability, answer_equilibria, check_curvature, check_held, reactions, solved, spread,
+        telling,
+    },
     sources::{BEER, RIUL},
 };
 
@@ -118,16 +121,18 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
     ) -> Result<Balanced<N>, Refusal> {
         let lengths: Vec<f64> = self.lengths.iter().map(|length| length.value()).collect();
         let plain: Vec<f64> = loads.iter().map(|load| load.value()).collect();
-        let list = answer_equilibria(
+        let (list, bends) = answer_equilibria(
             sheet,
             range,
             |n, angle| total(loads, &self.shapes.written(self.lengths, angle, n, sheet)),
             |angle| total(&plain, &self.shapes.shapes(&lengths, angle)),
         )?;
         sheet.verify(|| {
-            for one in &list {
-                let scale = size(&plain, &self.shapes.shapes(&lengths, one.at));
+            for (one, bend) in list.iter().zip(&bends) {
+                let shapes = self.shapes.shapes(&lengths, one.at);
+                let scale = size(&plain, &shapes);
                 check_held(sheet, std::slice::from_ref(one), scale, |at| Some(built(&plain, at)));
+                check_curvature(sheet, *bend, scale + bent(&plain, &shapes), &built(&plain, one.at));
             }
             self.show_joints(&built(&plain, telling(&list)), sheet);
         });
@@ -189,13 +194,16 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
         );
         sheet.answer(part.answer[0], part.answer[1], load);
         let loads: Vec<N> = self.parts.iter().map(|part| part.load.unwrap_or(load)).collect();
-        let here = here(&loads, &shapes, angle, sheet);
+        let (here, bend) = here(&loads, &shapes, angle, sheet);
         let lengths: Vec<f64> = self.lengths.iter().map(|length| length.value()).collect();
         let plain: Vec<f64> = loads.iter().map(|load| load.value()).collect();
         sheet.verify(|| {
-            let scale = size(&plain, &self.shapes.shapes(&lengths, angle.value()));
+            let shapes = self.shapes.shapes(&lengths, angle.value());
+            let scale = size(&plain, &shapes);
             check_held(sheet, std::slice::from_ref(&here), scale, |at| Some(built(&plain, at)));
-            self.show_joints(&built(&plain, angle.value()), sheet);
+            let machine = built(&plain, angle.value());
+            check_curvature(sheet, bend, scale + bent(&plain, &shapes), &machine);
+            self.show_joints(&machine, sheet);
         });
         let range = around(angle.value());
         sheet.show(|| Exhibit::Plot(self.load_over_angle(sought, &plain, &lengths, angle.value(), range)));
@@ -223,14 +231,16 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
         );
         sheet.answer("holding_couple", "Couple that holds the machine", couple);
         let loads: Vec<N> = self.parts.iter().filter_map(|part| part.load).collect();
-        let here = here(&loads, &shapes, angle, sheet);
+        let (here, bend) = here(&loads, &shapes, angle, sheet);
         let lengths: Vec<f64> = self.lengths.iter().map(|length| length.value()).collect();
         let plain: Vec<f64> = loads.iter().map(|load| load.value()).collect();
         sheet.verify(|| {
             let machine = built(&plain, angle.value());
             self.show_joints(&machine, sheet);
+            let shapes = self.shapes.shapes(&lengths, angle.value());
+            let scale = size(&plain, &shapes);
+            check_curvature(sheet, bend, scale + bent(&plain, &shapes), &machine);
             if let Some(effort) = solved(&machine.0, &machine.1) {
-                let scale = size(&plain, &self.shapes.shapes(&lengths, angle.value()));
                 sheet.check_sum(
                     "the holding couple by Newton and Euler for every body",
                     couple,
@@ -278,18 +288,24 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
 }
 
 /// This position, with its curvature answered.
-fn here<W: Worksheet>(loads: &[W::Num], shapes: &[[W::Num; 3]], angle: W::Num, sheet: W) -> Equilibrium {
+fn here<W: Worksheet>(
+    loads: &[W::Num],
+    shapes: &[[W::Num; 3]],
+    angle: W::Num,
+    sheet: W,
+) -> (Equilibrium, W::Num) {
     let [energy, _, bend] = total(loads, shapes);
     let words =
         ("Curvature of the potential energy: positive where the equilibrium is stable", BEER.at("§10.2D"));
     let bend = sheet.step("V″", "N*m/rad", bend, words);
     sheet.answer("curvature", "Curvature of the potential energy", bend);
-    Equilibrium {
+    let here = Equilibrium {
         at: angle.value(),
         energy: energy.value(),
         curvature: bend.value(),
         stability: if bend.value() > 0.0 { Stability::Stable } else { Stability::Unstable },
-    }
+    };
+    (here, bend)
 }
 
 /// `V`, `V′` and `V″`. Loads of zero are left out.
@@ -303,6 +319,11 @@ fn total<N: Real>(loads: &[N], shapes: &[[N; 3]]) -> [N; 3] {
 /// The size of the virtual works.
 fn size(loads: &[f64], shapes: &[[f64; 3]]) -> f64 {
     loads.iter().zip(shapes).map(|(load, shape)| (load * (shape[0].abs() + shape[1].abs())).abs()).sum()
+}
+
+/// The size of what the curvature is added up from.
+fn bent(loads: &[f64], shapes: &[[f64; 3]]) -> f64 {
+    loads.iter().zip(shapes).map(|(load, shape)| (load * shape[2]).abs()).sum()
 }
 
 /// A range about an angle, within the quadrant that it stands in.

@@ -144,7 +144,11 @@ impl Analysis for RackPress {
                 let torque = W::Num::from(effort.newton_euler[0]);
                 let ideal = force * given.handle * given.efficiency;
                 sheet.check("the torque of the hand, less the losses, by Newton and Euler for handle, pinion and rack", torque, ideal);
+                let what = "the torque on the pinion by Newton and Euler, through the gears";
+                sheet.check(what, tooth, W::Num::from(effort.newton_euler[0] * self.reduction));
             }
+            let what = "the mechanical advantage from the ways of hand and ram in a turn, and the losses";
+            sheet.check(what, advantage * stroke, given.handle * given.efficiency * TAU);
         });
         sheet.show(|| film("The press", ("", 0.5), [-0.6, 1.2], |angle| self.frame(radius, angle)));
         Ok(())

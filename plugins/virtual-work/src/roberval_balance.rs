@@ -77,6 +77,7 @@ impl Analysis for RobervalBalance {
             "Virtual fall of the left pan over δφ: the pans only move, they do not turn, so the offset does not matter",
         );
         let rise = sheet.step("y′₂", "m", *right_arm * angle.cos(), "Virtual rise of the right pan over δφ");
+        let (mut held, mut weight) = (W::Num::from(0.0), None);
         let right = match given.right_mass {
             Some(mass) => {
                 let right = sheet.step("W₂", "N", mass * *gravity, "Weight on the right pan");
@@ -87,6 +88,7 @@ impl Analysis for RobervalBalance {
                     ("Couple that holds the beams, the right side up: its virtual work and those of the weights sum to zero", RIUL.at("eq. 3")),
                 );
                 sheet.answer("holding_couple", "Couple that holds the beams", couple);
+                held = couple;
                 right
             }
             None => {
@@ -104,6 +106,7 @@ impl Analysis for RobervalBalance {
                 );
                 let mass = sheet.step("m₂", "kg", right / *gravity, "Mass on the right pan");
                 sheet.answer("right_mass", "Mass that balances", mass);
+                weight = Some(mass.value() * self.gravity);
                 right
             }
         };
@@ -123,14 +126,25 @@ impl Analysis for RobervalBalance {
         sheet.answer("left_pull", "Pull of the left stem on the beams", left_force);
         sheet.answer("right_pull", "Pull of the right stem on the beams", right_force);
         sheet.verify(|| {
-            let (mechanism, drawn) = self.built(left.value(), right.value());
+            let (mechanism, drawn) = self.built(left.value(), weight.unwrap_or(right.value()));
             if let Some(effort) = solved(&mechanism, &drawn) {
-                let (up, down) = (right.value() * rise.value(), left.value() * fall.value());
-                sheet.check_zero(
+                // Rounding of the masses' moments about their stems counts, and of arms that hardly reach out.
+                let moment = |weight: W::Num, arm: f64, offset: f64| weight.value() * (arm + offset.abs());
+                let size = moment(left, self.left_arm, self.left_offset)
+                    + moment(right, self.right_arm, self.right_offset);
+                sheet.check_sum(
                     "the couple on the beams by Newton and Euler, with the masses at their offsets",
-                    W::Num::from(up - down - effort.newton_euler[0]),
-                    up.abs() + down.abs(),
+                    held,
+                    effort.newton_euler[0].into(),
+                    size,
                 );
+                for (pull, by_them, what) in [
+                    (left_force, effort.multipliers[4], "the pull of the left stem by Newton and Euler"),
+                    (right_force, -effort.multipliers[8], "the pull of the right stem by Newton and Euler"),
+                ] {
+                    let size = left.value() + right.value() + pull.value().abs();
+                    sheet.check_sum(what, pull, by_them.into(), size);
+                }
             }
         });
         let range = [self.angle.min(-0.35), self.angle.max(0.35)];

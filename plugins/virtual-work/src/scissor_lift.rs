@@ -222,9 +222,26 @@ impl Analysis for ScissorLift {
         let ratio = sheet.step("r", "1", rise / growth, "Way of the table over way of the cylinder");
         sheet.answer("height", "Height of the table", height);
         sheet.answer("speed_ratio", "Way of the table over way of the cylinder", ratio);
+        sheet.verify(|| {
+            let apart = length * theta.cos() * stages;
+            let what = "height of the table by Pythagoras, from the bars and the distance of the feet";
+            sheet.check(what, height.powi(2) + apart.powi(2), (length * stages).powi(2));
+            let weightless = Self { bar_weight: 0.0, ..self.clone() };
+            if let Some(effort) = weightless.solved(self.angle, 1.0) {
+                let what = "way of the table over way of the cylinder as the force of the cylinder for a unit load, without weights of bars";
+                sheet.check_sum(what, ratio, effort.newton_euler[0].into(), ratio.value().abs().max(1.0));
+            }
+        });
         if let Some(speed) = given.speed {
             let table = sheet.step("v_T", "m/s", speed * ratio, "Speed of the table");
             sheet.answer("table_speed", "Speed of the table", table);
+            sheet.verify(|| {
+                let weights = given.bar_weight * (stages * frames);
+                let what = "power of the cylinders and of what they lift";
+                let size = force.value().abs() * frames * speed.value().abs();
+                let lifted = (load + weights) * table;
+                sheet.check_sum(what, force * frames * speed, lifted, size.max(lifted.value().abs()));
+            });
         }
         let share = load.value() / frames;
         sheet.verify(|| {

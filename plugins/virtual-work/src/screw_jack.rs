@@ -237,6 +237,12 @@ fn force_ratio<W: Worksheet>(frame: &FrameGiven<W>, stages: f64, sheet: W) -> Op
         "Height of the load",
     );
     sheet.answer("height", "Height of the load", height);
+    sheet.verify(|| {
+        let stages = if rhombus { 2.0 } else { stages };
+        let what = "height of the load by Pythagoras, from the links and the width of the frame";
+        let wide = *link * angle.cos() * stages;
+        sheet.check(what, height.powi(2) + wide.powi(2), (*link * stages).powi(2));
+    });
     let ratio = sheet.step(
         "i",
         "1",
@@ -367,6 +373,15 @@ impl ScrewJack {
             };
             let all = thread * nuts + screw.collar_friction * screw.collar_diameter / 2.0;
             sheet.check("the raising torque from T d/2 (ℓ + π μ′ d)/(π d − μ′ ℓ)", all * force, raise);
+            let round = screw.diameter * PI;
+            let thread =
+                screw.diameter / 2.0 * (friction * round - screw.lead) / (round + friction * screw.lead);
+            let all = thread * nuts + screw.collar_friction * screw.collar_diameter / 2.0;
+            let what = "the lowering torque from T d/2 (π μ′ d − ℓ)/(π d + μ′ ℓ)";
+            let scale = force.value() * (screw.diameter.value() * nuts + screw.collar_diameter.value());
+            sheet.check_sum(what, all * force, lower, scale);
+            let what = "efficiency as the work done on the load in a turn over that of the torque";
+            sheet.check(what, efficiency * raise * TAU, force * screw.lead * nuts);
         });
     }
 

@@ -9,7 +9,7 @@ use dalembert_mechanics::Real;
 pub use crate::one_freedom::Position;
 use crate::one_freedom::PositionGiven;
 use crate::{
-    equilibria::{Equilibrium, Stability, check_held, reactions, solved, telling},
+    equilibria::{Equilibrium, Stability, check_curvature, check_held, reactions, solved, telling},
     sources::{BEER, HIBBELER, RIUL},
 };
 use law::{Geometry, Height, Law};
@@ -198,12 +198,17 @@ impl Analysis for SpringLever {
                     ));
                 };
                 let range = [from.value(), to.value()];
-                let list = law.equilibria(k, moment, range, sheet)?;
+                let (list, bends) = law.equilibria(k, moment, range, sheet)?;
                 self.critical(given, k, moment, &law, sheet);
                 sheet.verify(|| {
                     check_held(sheet, &list, moment.value().abs(), |at| {
                         Some(self.built(&numbers, k.value(), moment.value(), at))
                     });
+                    for (one, bend) in list.iter().zip(&bends) {
+                        let machine = self.built(&numbers, k.value(), moment.value(), one.at);
+                        let size = numbers.size(k.value(), moment.value(), one.at);
+                        check_curvature(sheet, *bend, size, &machine);
+                    }
                     let (mechanism, drawn) = self.built(&numbers, k.value(), moment.value(), telling(&list));
                     if let Some(table) = reactions(&mechanism, &drawn, &["Pivot".into()]) {
                         sheet.show(|| table);
@@ -285,6 +290,7 @@ impl SpringLever {
             "Stretch of the spring times its virtual change over δθ: the couple of the spring is k u′",
         );
         let (down, drop) = law.height.slope(angle);
+        let (mut held, mut hung) = (W::Num::from(0.0), None);
         let (k, moment) = match (stiffness, moment) {
             (None, None) => {
                 return Err(Refusal::because(
@@ -299,6 +305,7 @@ impl SpringLever {
                     ("Couple that holds the arm, in the sense of θ: T δθ and the works of spring and load sum to zero", RIUL.at("eq. 3")),
                 );
                 sheet.answer("holding_couple", "Couple that holds the arm", couple);
+                held = couple;
                 (k, moment)
             }
             (Some(k), None) => {
@@ -315,6 +322,7 @@ impl SpringLever {
                         let weight = sheet.step("W", "N", moment / *arm, words);
                         let mass = sheet.step("m", "kg", weight / *gravity, "Mass of that weight");
                         sheet.answer("mass", "Mass for equilibrium at this angle", mass);
+                        hung = Some(mass.value() * gravity.value() * arm.value());
                         weight * *arm
                     }
                     LoadGiven::Force { arm, .. } => {
@@ -370,19 +378,18 @@ impl SpringLever {
         sheet.answer("curvature", "Curvature of the potential energy", bend);
         let (k, moment) = (k.value(), moment.value());
         sheet.verify(|| {
-            let (mechanism, drawn) = self.built(&law.value(), k, moment, angle.value());
+            let hung = hung.unwrap_or(moment);
+            let (mechanism, drawn) = self.built(&law.value(), k, hung, angle.value());
             if let Some(table) = reactions(&mechanism, &drawn, &["Pivot".into()]) {
                 sheet.show(|| table);
             }
             if let Some(effort) = solved(&mechanism, &drawn) {
-                let [_, first, _] = law.value().potential(k, moment, angle.value());
                 let size = moment.abs().max((k * unit.value()).abs());
-                sheet.check_zero(
-                    "the holding couple by Newton and Euler",
-                    W::Num::from(effort.newton_euler[0] + first),
-                    size,
-                );
+                let by_them = W::Num::from(-effort.newton_euler[0]);
+                sheet.check_sum("the holding couple by Newton and Euler", held, by_them, size);
             }
+            let size = law.value().size(k, moment, angle.value());
+            check_curvature(sheet, bend, size, &(mechanism, drawn));
         });
         Ok((k, moment))
     }
@@ -420,14 +427,24 @@ impl SpringLever {
         sheet.answer("critical_stiffness", "Critical stiffness of the upright position", critical);
         let words = "Load at which d²V/dθ² = 0 at θ = 0: a smaller one lets the arm stand upright";
         let held = if torsion { k } else { k * bend };
+        // The load at which the restoring couple of the spring grows no faster than that of the load.
+        let limit = |load: W::Num| {
+            sheet.verify(|| {
+                let [_, _, left] = numbers.potential(k.value(), load.value(), 0.0);
+                let what = "the curvature of the potential energy at θ = 0 with the critical load";
+                sheet.check_zero(what, left.into(), load.value());
+            });
+        };
         match &given.load {
             LoadGiven::Mass { arm, gravity, .. } => {
                 let mass = sheet.step("m_c", "kg", held / (*gravity * *arm), words);
                 sheet.answer("critical_mass", "Critical mass of the upright position", mass);
+                limit(mass * *gravity * *arm);
             }
             LoadGiven::Force { arm, .. } => {
                 let force = sheet.step("P_c", "N", held / *arm, words);
                 sheet.answer("critical_force", "Critical force of the upright position", force);
+                limit(force * *arm);
             }
             LoadGiven::Couple { .. } => {}
         }

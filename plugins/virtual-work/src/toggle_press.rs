@@ -154,6 +154,14 @@ impl Analysis for TogglePress {
                 let multipliers = &effort.multipliers;
                 let at_pin = multipliers[0].hypot(multipliers[1]);
                 sheet.check("the force on the fixed pin by Newton and Euler", W::Num::from(at_pin), first);
+                let at_knee = multipliers[2].hypot(multipliers[3]);
+                let what = "the force of the link at the ram on the knee by Newton and Euler";
+                sheet.check(what, W::Num::from(at_knee), second);
+                let what = "the force of the guide by Newton and Euler";
+                let scale = thrust.value() + knee.value();
+                sheet.check_sum(what, side, multipliers[4].abs().into(), scale);
+                let by_them = W::Num::from(-effort.newton_euler[0] / knee.value());
+                sheet.check("the mechanical advantage by Newton and Euler", by_them, ratio);
             }
         });
         if ratio.value() > 50.0 {

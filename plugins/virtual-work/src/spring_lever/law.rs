@@ -176,7 +176,7 @@ impl<N: Real> Law<N> {
         moment: N,
         range: [f64; 2],
         sheet: W,
-    ) -> Result<Vec<Equilibrium>, Refusal> {
+    ) -> Result<(Vec<Equilibrium>, Vec<N>), Refusal> {
         let numbers = self.value();
         answer_equilibria(
             sheet,
@@ -200,6 +200,12 @@ impl Law<f64> {
             _ => None,
         };
         self.spring(angle, lengths)
+    }
+
+    /// The size of what the couples and their growth are added up from.
+    pub(super) fn size(&self, k: f64, moment: f64, angle: f64) -> f64 {
+        let [_, first, second] = self.plain_spring(angle);
+        k.abs() * first.abs().max(second.abs()) + moment.abs()
     }
 
     /// `V`, `dV/dθ` and `d²V/dθ²`.
