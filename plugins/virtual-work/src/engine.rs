@@ -180,7 +180,7 @@ impl Analysis for Engine {
         let field = forces::gravity(self, given, rod.as_ref(), sheet);
         let kernel = self.kernel(&lengths, rod.as_ref(), &field);
         if let (Some(rod), Some(_)) = (&rod, moving.speed) {
-            rod::inertia_force(rod, &lengths, &moving, sheet);
+            rod::inertia_force(rod, &lengths, &moving, &kernel, sheet);
         }
         let problem =
             forces::Problem { given, lengths: &lengths, moving: &moving, rod: rod.as_ref(), field: &field };
@@ -188,7 +188,8 @@ impl Analysis for Engine {
         sheet.verify(|| witness::motion(self, &lengths, &moving, &kernel, sheet));
         if let Some(forces) = &forces {
             if let Some(output) = &given.output {
-                flywheel::acceleration(output, &moving, forces.moment, sheet)?;
+                let works = witness::moment(&moving, &kernel, forces.pressure);
+                flywheel::acceleration(output, &moving, forces.moment, works, sheet)?;
             }
             sheet.verify(|| witness::forces(&problem, &kernel, forces, sheet));
         }

@@ -215,17 +215,19 @@ impl Analysis for EpicyclicTrain {
         let arm = speed_of(Member::Arm);
         let size = first;
         let planet = sheet.found(symbol("z", "P"), "1", size, "Teeth of the planet on the sun");
-        if self.fixed == Member::Sun {
+        let against = if self.fixed == Member::Sun {
             let why = "Speed of the planet against the arm: it rolls on the fixed sun";
             let against = sheet.step(symbol("ω", "P/A"), "rpm", arm * zs / planet, why);
             sheet.answer("planet_speed", "Speed of the planet against the arm", against);
+            against
         } else {
             let sun = speed_of(Member::Sun);
             let relative = if self.fixed == Member::Arm { sun } else { sun - arm };
             let why = "Speed of the planet against the arm: it meshes with the sun";
             let against = sheet.step(symbol("ω", "P/A"), "rpm", -(relative * zs / planet), why);
             sheet.answer("planet_speed", "Speed of the planet against the arm", against);
-        }
+            against
+        };
         let (input, load) = match given.torque {
             TorqueGiven::Driving { torque } => {
                 let why =
@@ -251,7 +253,7 @@ impl Analysis for EpicyclicTrain {
         sheet.answer("holding_torque", "Torque that holds the fixed member", holding);
         let power = sheet.step("P", "W", input * given.speed, "Power of the driving shaft");
         sheet.answer("power", "Power of the driving shaft", power);
-        let (solved, links) = self.built(teeth, on_driver.value()).map_err(built::refusal)?;
+        let (solved, links, hold) = self.built(teeth, on_driver.value()).map_err(built::refusal)?;
         sheet.verify(|| {
             let size = load.value().abs().max(on_driver.value().abs());
             sheet.check_sum(
@@ -262,6 +264,20 @@ impl Analysis for EpicyclicTrain {
             );
             let turned = solved.dynamics.coefficients[0][solved_index(links[self.driver as usize])][2];
             sheet.check("ratio of the speeds from the meshes of the gears", inner, (1.0 / turned).into());
+            let driven_turns = output.value();
+            let what = "speed of the driving member from the meshes, with that of the driven one";
+            sheet.check(what, driver_speed, (driven_turns * turned).into());
+            let coefficients = &solved.dynamics.coefficients[0];
+            let (of_planet, of_arm) = (coefficients[links.len()][2], coefficients[solved_index(links[2])][2]);
+            let what = "speed of the planet from the meshes, with that of the driven member";
+            let size = driven_turns.abs() * (of_planet.abs() + of_arm.abs());
+            sheet.check_sum(what, against, (driven_turns * (of_planet - of_arm)).into(), size);
+            let what =
+                "torque that holds the fixed member by the equations of Newton and Euler of every gear";
+            let size = load.value().abs() + on_driver.value().abs();
+            sheet.check_sum(what, holding, solved.reaction(hold)[0].into(), size);
+            let what = "power of the driving shaft and of the load on the driven member";
+            sheet.check(what, power, -(load * output));
         });
         sheet.show(|| solved.works(0));
         let speeds = [Member::Sun, Member::Ring, Member::Arm].map(|member| speed_of(member).value());
@@ -309,13 +325,13 @@ impl EpicyclicTrain {
         Ok(())
     }
 
-    /// The same train put together from gears: sun, ring, arm. The fixed member is pinned and held, the driven one is
-    /// moved, and the torque on the driver is a load.
+    /// The same train put together from gears: sun, ring, arm; and the joint that holds the fixed member. That is pinned
+    /// and held, the driven one is moved, and the torque on the driver is a load.
     fn built(
         &self,
         [sun, first, second, ring]: [f64; 4],
         torque: f64,
-    ) -> Result<(Solved, [Link; 3]), PlanarError> {
+    ) -> Result<(Solved, [Link; 3], usize), PlanarError> {
         let mut it = Built::new([0.0; 2]);
         let internal = !matches!(self.gears, Gears::Suns { .. });
         let still = Mass::default();
@@ -339,13 +355,13 @@ impl EpicyclicTrain {
         it.join(Joint::Gears { a: planet.frame(), b: r.frame(), carrier, sizes: [second, ring], internal });
         let held = links[self.fixed as usize];
         let measure = |link: Link| Measure::Angle { of: link.frame(), against: None };
-        it.join(Joint::Relation { terms: vec![(1.0, measure(held))], sum: Some(0.0) });
+        let hold = it.join(Joint::Relation { terms: vec![(1.0, measure(held))], sum: Some(0.0) });
         if torque != 0.0 {
             it.couple("Torque on the driving member", links[self.driver as usize], torque);
         }
         let driven = (0..3).find(|member| *member != self.fixed as usize && *member != self.driver as usize);
         it.turn(links[driven.unwrap_or(0)], [0.0, 1.0, 0.0]);
-        Ok((it.solve()?, links))
+        Ok((it.solve()?, links, hold))
     }
 
     /// The train turning: pitch circles with a mark on each.

@@ -162,7 +162,11 @@ impl Analysis for EquivalentRod {
             });
         }
         sheet.verify(|| {
-            let own = mass * radius.powi(2);
+            check_swings(given, near, radius, sheet);
+            let own = match given.known {
+                KnownGiven::Moment { inertia, .. } => inertia,
+                _ => mass * radius.powi(2),
+            };
             sheet.check("the two masses weigh what the rod weighs", first + second, mass);
             let what = "the two masses have the centre of mass of the rod";
             sheet.check_zero(what, first * near - second * conjugate, (mass * near).value());
@@ -224,6 +228,24 @@ impl EquivalentRod {
                 Ok((distance, named((distance * (first - distance)).sqrt())))
             }
         }
+    }
+}
+
+/// Holds centre of mass and radius of gyration to the periods of the rod as a compound pendulum.
+fn check_swings<W: Worksheet>(given: &EquivalentRodGiven<W>, near: W::Num, radius: W::Num, sheet: W) {
+    let swing = |arm: W::Num, period: W::Num, gravity: W::Num, what: &'static str| {
+        let found = ((radius.powi(2) + arm.powi(2)) / (gravity * arm)).sqrt() * TAU;
+        sheet.check(what, found, period);
+    };
+    let about_gudgeon = "period of the rod as a compound pendulum about the gudgeon pin";
+    match given.known {
+        KnownGiven::Swung { period, gravity, .. } => swing(near, period, gravity, about_gudgeon),
+        KnownGiven::SwungTwice { gudgeon, crank_pin, gravity } => {
+            swing(near, gudgeon, gravity, about_gudgeon);
+            let what = "period of the rod as a compound pendulum about the crank pin";
+            swing(given.length - near, crank_pin, gravity, what);
+        }
+        KnownGiven::Gyration { .. } | KnownGiven::Moment { .. } => {}
     }
 }
 

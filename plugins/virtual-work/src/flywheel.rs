@@ -142,6 +142,7 @@ impl Analysis for Flywheel {
         sheet.answer("energy_fluctuation", "Fluctuation of energy", energy);
         let square = given.speed.powi(2);
         let cite = KHURMI.at("ch. 16");
+        let mut rim = None;
         let (inertia, fluctuation) = match &given.sought {
             SoughtGiven::Inertia { fluctuation, radius } => {
                 if energy.value() == 0.0 {
@@ -157,6 +158,7 @@ impl Analysis for Flywheel {
                 if let Some(radius) = radius {
                     let mass = sheet.step("m_F", "kg", inertia / radius.powi(2), "Mass of the flywheel");
                     sheet.answer("mass", "Mass of the flywheel", mass);
+                    rim = Some(mass * radius.powi(2));
                 }
                 (inertia, *fluctuation)
             }
@@ -193,6 +195,12 @@ impl Analysis for Flywheel {
             let scale = inertia.value() * fast.value().powi(2);
             let what = "the flywheel's kinetic energies at both speeds differ by the fluctuation";
             sheet.check_zero(what, range - energy, scale.max(energy.value()));
+            if let Some(rim) = rim {
+                let range = rim * (fast.powi(2) - slow.powi(2)) / 2.0;
+                let what =
+                    "the mass of the flywheel at its radius of gyration takes up the fluctuation of energy";
+                sheet.check(what, range, energy);
+            }
         });
         Ok(())
     }
@@ -211,7 +219,8 @@ impl Flywheel {
                 };
                 let period = period(rows)?;
                 let curved = curved(moment, period, &[]);
-                let energy = fluctuation(&curved, given.speed, *given_mean, sheet);
+                let done = curved.cycle.mean * period;
+                let energy = fluctuation(&curved, given.speed, *given_mean, done, sheet);
                 sheet.verify(|| {
                     // The work above the mean has a closed form: the integral of every harmonic.
                     let work = |angle: f64| -> f64 {
@@ -260,7 +269,7 @@ impl Flywheel {
                     let what = "mean turning moment from the trapezia between the rows";
                     sheet.check_sum(what, mean, trapezia.into(), scale);
                 });
-                Ok(fluctuation(&curved, given.speed, mean, sheet))
+                Ok(fluctuation(&curved, given.speed, mean, trapezia * period, sheet))
             }
             (
                 Moment::Areas { areas, .. },
@@ -272,8 +281,8 @@ impl Flywheel {
     }
 }
 
-/// Mean, extremes and fluctuation of a curve.
-fn fluctuation<W: Worksheet>(curved: &Curved, speed: W::Num, mean: W::Num, sheet: W) -> W::Num {
+/// Mean, extremes and fluctuation of a curve. `done` is the work of a cycle in another way.
+fn fluctuation<W: Worksheet>(curved: &Curved, speed: W::Num, mean: W::Num, done: f64, sheet: W) -> W::Num {
     let cycle = &curved.cycle;
     sheet.answer_list(
         "crossings",
@@ -298,11 +307,21 @@ fn fluctuation<W: Worksheet>(curved: &Curved, speed: W::Num, mean: W::Num, sheet
     let power = sheet.step("P", "kW", mean * speed, "Mean power");
     sheet.answer("mean_moment", "Mean turning moment over the cycle", mean);
     sheet.answer("power", "Mean power", power);
+    // The rounding of the work is that of the moments that it is added up from.
+    let size = cycle.rms * curved.period;
+    sheet.verify(|| {
+        let time = W::Num::from(curved.period) / speed;
+        sheet.check_sum("work of a cycle from its mean power and its time", power * time, done.into(), size);
+    });
     let work = mean * curved.period;
     if mean.value() != 0.0 && energy.value() != 0.0 {
         let why = ("Coefficient of fluctuation of energy: part of the work of a cycle", KHURMI.at("ch. 16"));
         let part = sheet.step("C_E", "1", energy / work.abs(), why);
         sheet.answer("energy_coefficient", "Coefficient of fluctuation of energy", part);
+        sheet.verify(|| {
+            let what = "fluctuation of energy as its part of the work of a cycle";
+            sheet.check_sum(what, part * done.abs(), cycle.fluctuation.into(), size);
+        });
     }
     let mean = mean.value();
     sheet.show(|| Exhibit::Plot(plot(curved, mean)));

@@ -11,6 +11,7 @@ use dalembert_mechanics::{
         engine::{Engine as Kernel, Forces, Model, PistonMotion},
         gas::{self, Corners, Diagram},
     },
+    vibration::gauss,
 };
 
 use super::{Engine, Gas, flywheel::FlywheelInertiaGiven, forces::Problem, gas::Cylinder};
@@ -71,10 +72,11 @@ pub(super) fn cycle<W: Worksheet>(
     sheet.answer("least_moment", "Least turning moment", least);
     sheet.answer("least_moment_angle", "Crank angle of the least turning moment", least_at);
     sheet.answer("rms_moment", "Root mean square of the turning moment", rms);
-    if gas.is_some() {
+    let power = gas.is_some().then(|| {
         let power = sheet.step("P_m", "kW", mean * speed, "Mean power at this speed");
         sheet.answer("power", "Mean power", power);
-    }
+        power
+    });
     let energy = sheet.found(
         "ΔE",
         "J",
@@ -90,6 +92,12 @@ pub(super) fn cycle<W: Worksheet>(
         let why = "Coefficient of fluctuation of speed: the range of speed over its mean, against a constant resistance";
         let fluctuation = sheet.step("C_s", "1", energy / (inertia * speed.powi(2)), why);
         sheet.answer("speed_fluctuation", "Coefficient of fluctuation of speed", fluctuation);
+        sheet.verify(|| {
+            let [fast, slow] = [1.0, -1.0].map(|sign| speed * (fluctuation * (sign / 2.0) + 1.0));
+            let range = inertia * (fast.powi(2) - slow.powi(2)) / 2.0;
+            let what = "the kinetic energies of the flywheel at its greatest and least speed differ by the fluctuation";
+            sheet.check(what, range, energy);
+        });
     }
     sheet.verify(|| {
         let force = |motion: &PistonMotion, angle: f64| {
@@ -101,9 +109,20 @@ pub(super) fn cycle<W: Worksheet>(
             kernel.moment_by_virtual_work(steady(angle), &motion, force(&motion, angle))
         };
         let what = "greatest turning moment from the virtual works at its crank angle";
-        sheet.check_sum(what, most, work_at(cycle.greatest.0).into(), size);
+        sheet.check_sum(what, most, work_at(most_at.value()).into(), size);
         let what = "least turning moment from the virtual works at its crank angle";
-        sheet.check_sum(what, least, work_at(cycle.least.0).into(), size);
+        sheet.check_sum(what, least, work_at(least_at.value()).into(), size);
+        for (found, shown, what) in [
+            (cycle.greatest.0, most_at, "the turning moment has no slope where it is greatest"),
+            (cycle.least.0, least_at, "the turning moment has no slope where it is least"),
+        ] {
+            if is_smooth_top(found, period, &corners) {
+                sheet.check_zero(what, slope(work_at, shown.value()).into(), size);
+            }
+        }
+        let [coarse, fine] = [1, 2].map(|parts| mean_square(work_at, period, &corners, 96 * parts).sqrt());
+        let what = "root mean square of the turning moment from the virtual works over the cycle";
+        sheet.check_residual(what, (rms.value() - fine).into(), size, fine - coarse);
         if kernel.model == Model::Exact {
             let reaction_at = |angle: f64| {
                 let force = force(&kernel.motion(steady(angle)), angle);
@@ -130,9 +149,46 @@ pub(super) fn cycle<W: Worksheet>(
         if let Some(done) = done {
             let what = "mean turning moment from the work of gas and friction in a cycle";
             sheet.check_sum(what, mean, ((done - friction) / period).into(), size);
+            if let Some(power) = power {
+                let rate = speed.value() / period;
+                let what = "mean power from the work of gas and friction in a cycle and its time";
+                sheet.check_sum(what, power, ((done - friction) * rate).into(), size * speed.value());
+            }
         }
     });
     Ok(Some(Turned { cycle, period }))
+}
+
+/// The slope of a moment, by differences of the eighth order.
+const STEP: f64 = 1e-3;
+fn slope(moment: impl Fn(f64) -> f64, angle: f64) -> f64 {
+    let rule = [(1.0, 672.0), (2.0, -168.0), (3.0, 32.0), (4.0, -3.0)];
+    let difference = |k: f64| moment(angle + k * STEP) - moment(angle - k * STEP);
+    rule.into_iter().map(|(k, weight)| weight * difference(k)).sum::<f64>() / (840.0 * STEP)
+}
+
+/// Whether the moment is smooth about an extreme that was found where the slope is zero, and not at one of the equal
+/// parts of the cycle.
+fn is_smooth_top(angle: f64, period: f64, corners: &[f64]) -> bool {
+    let part = angle * 96.0 / TAU;
+    let far = |corner: &f64| {
+        let apart = (angle - corner).rem_euclid(period);
+        apart.min(period - apart) > 8.0 * STEP
+    };
+    (part - part.round()).abs() > 1e-9 && corners.iter().all(far)
+}
+
+/// The mean square of a moment over the cycle, by Gauss's rule on so many parts of a turn and between the corners.
+fn mean_square(moment: impl Fn(f64) -> f64, period: f64, corners: &[f64], parts: usize) -> f64 {
+    let mut ends: Vec<f64> = corners.iter().map(|corner| corner.rem_euclid(period)).collect();
+    ends.extend([0.0, period]);
+    ends.sort_by(f64::total_cmp);
+    let of_pair = |pair: &[f64]| {
+        let width = pair[1] - pair[0];
+        let panels = (width / TAU * parts as f64).ceil() as usize;
+        width * gauss::integral(panels, |part| moment(pair[0] + part * width).powi(2))
+    };
+    ends.windows(2).map(of_pair).sum::<f64>() / period
 }
 
 /// Work of the gas in a turn, from its diagram over the stroke.

@@ -61,11 +61,13 @@ pub(super) fn inertia<W: Worksheet>(given: &FlywheelInertiaGiven<W>, sheet: W) -
     }
 }
 
-/// The angular acceleration of the flywheel at the crank angle.
+/// The angular acceleration of the flywheel at the crank angle. `works` is the turning moment by the virtual works of all
+/// loads, and the size of what it is added up from.
 pub(super) fn acceleration<W: Worksheet>(
     given: &OutputGiven<W>,
     moving: &Moving<W::Num>,
     moment: W::Num,
+    works: Option<[f64; 2]>,
     sheet: W,
 ) -> Result<(), Refusal> {
     let inertia = inertia(&given.inertia, sheet);
@@ -87,5 +89,12 @@ pub(super) fn acceleration<W: Worksheet>(
         "Angular acceleration of the flywheel: what the turning moment exceeds the resistance by",
     );
     sheet.answer("flywheel_acceleration", "Angular acceleration of the flywheel", acceleration);
+    if let Some([by_works, size]) = works {
+        sheet.verify(|| {
+            let what = "virtual works of all loads, of the resistance and of the inertia of the flywheel";
+            let size = size.max(torque.value().abs());
+            sheet.check_sum(what, inertia * acceleration + torque, by_works.into(), size);
+        });
+    }
     Ok(())
 }

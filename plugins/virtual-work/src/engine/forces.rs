@@ -37,6 +37,8 @@ pub(super) struct Forces<N> {
     pub gudgeon: N,
     pub guide: N,
     pub radial: N,
+    /// The size of the force at the crank pin.
+    pub crank_pin: N,
     pub moment: N,
     /// The part of the moment that comes from inertia.
     pub inertia_moment: Option<N>,
@@ -125,6 +127,7 @@ pub(super) fn forces<W: Worksheet>(
         gudgeon,
         guide: pins.guide,
         radial: pins.radial,
+        crank_pin: pins.size,
         moment,
         inertia_moment,
     }))
@@ -321,8 +324,8 @@ fn turning_moment<W: Worksheet>(
 /// Guide and crank pin.
 struct Pins<N> {
     guide: N,
-    tangential: N,
     radial: N,
+    size: N,
 }
 
 fn pins<W: Worksheet>(
@@ -336,7 +339,7 @@ fn pins<W: Worksheet>(
     let (angle, obliquity) = (moving.angle, moving.obliquity);
     let weight_across = mass.zip(field.across).map(|(mass, gravity)| mass * gravity);
     let cite = KHURMI.at("ch. 15");
-    let found = if let Some(rod) = rod {
+    let (guide, tangential, radial) = if let Some(rod) = rod {
         let missing = rod.missing.zip(moving.rod_acceleration);
         let across = match missing {
             Some((missing, acceleration)) => lateral(effort, obliquity, missing * acceleration, lengths.rod),
@@ -367,7 +370,7 @@ fn pins<W: Worksheet>(
         let why = "Force at the crank pin along its motion, with the loads of the rod's share there";
         let tangential = sheet.step("F_T", "N", tangential, (why, cite));
         let why = "Force at the crank pin towards the crankshaft";
-        Pins { guide, tangential, radial: sheet.step("F_R", "N", radial, (why, cite)) }
+        (guide, tangential, sheet.step("F_R", "N", radial, (why, cite)))
     } else {
         let thrust = sheet.step(
             "F_Q",
@@ -389,11 +392,11 @@ fn pins<W: Worksheet>(
         let why = ("Force at the crank pin along its motion", cite);
         let tangential = sheet.step("F_T", "N", thrust * (angle + obliquity).sin(), why);
         let why = ("Thrust on the bearings along the crank, towards the crankshaft", cite);
-        Pins { guide, tangential, radial: sheet.step("F_R", "N", thrust * (angle + obliquity).cos(), why) }
+        (guide, tangential, sheet.step("F_R", "N", thrust * (angle + obliquity).cos(), why))
     };
-    sheet.answer("tangential", "Tangential force at the crank pin", found.tangential);
-    sheet.answer("radial", "Radial force at the crank pin, towards the crankshaft", found.radial);
-    let size = (found.tangential.powi(2) + found.radial.powi(2)).sqrt();
+    sheet.answer("tangential", "Tangential force at the crank pin", tangential);
+    sheet.answer("radial", "Radial force at the crank pin, towards the crankshaft", radial);
+    let size = (tangential.powi(2) + radial.powi(2)).sqrt();
     let size = sheet.step(
         "F_A",
         "N",
@@ -403,12 +406,10 @@ fn pins<W: Worksheet>(
     sheet.answer("crank_pin", "Force at the crank pin", size);
     sheet.verify(|| {
         let what = "the turning moment is the tangential force times the crank";
-        let scale = (found.tangential.value() * lengths.crank.value())
-            .abs()
-            .max(size.value() * lengths.crank.value());
-        sheet.check_zero(what, moment - found.tangential * lengths.crank, scale);
+        let scale = size.value().max(tangential.value().abs()) * lengths.crank.value();
+        sheet.check_zero(what, moment - tangential * lengths.crank, scale);
     });
-    found
+    Pins { guide, radial, size }
 }
 
 fn guide<W: Worksheet>(across: W::Num, weight: Option<W::Num>, sheet: W) -> W::Num {

@@ -4,6 +4,7 @@ use dalembert_core::{Inputs, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real, section,
     slider_crank::gas::{self, Diagram},
+    vibration::gauss,
 };
 
 use super::motion::{Lengths, Moving};
@@ -280,7 +281,7 @@ pub(super) fn force<W: Worksheet>(
                 moving,
                 [area, crank_side.unwrap_or(0.0.into())],
                 crank_side.is_some(),
-                datum,
+                (datum, &diagram),
                 sheet,
             );
             let atmosphere = of_datum(datum);
@@ -322,7 +323,7 @@ impl<N: Real> Steam<N> {
         moving: &Moving<N>,
         [area, crank_side_area]: [N; 2],
         double: bool,
-        datum: &DatumGiven<W>,
+        (datum, diagram): (&DatumGiven<W>, &Diagram),
         sheet: W,
     ) -> N {
         let stroke = match lengths.offset {
@@ -345,7 +346,8 @@ impl<N: Real> Steam<N> {
         } else {
             (cover - atmosphere) * area
         };
-        self.work(double.then_some(crank_side_area), area, stroke, sheet);
+        let areas = if double { area + crank_side_area } else { area };
+        self.work(areas * stroke, diagram, sheet);
         of_gas(force, sheet)
     }
 
@@ -377,8 +379,8 @@ impl<N: Real> Steam<N> {
         sheet.step(symbol, "kPa", pressure, ("After the cut-off the steam expands", KHURMI.at("ch. 15")))
     }
 
-    /// Mean effective pressure and work of a turn.
-    fn work<W: Worksheet<Num = N>>(&self, crank_side: Option<N>, area: N, stroke: N, sheet: W) {
+    /// Mean effective pressure and work of a turn, in which the working sides displace a volume.
+    fn work<W: Worksheet<Num = N>>(&self, displaced: N, diagram: &Diagram, sheet: W) {
         let clearance = Some(self.clearance).filter(|clearance| clearance.value() != 0.0);
         let mean = match self.exponent {
             Some(exponent) if (exponent.value() - 1.0).abs() > 1e-6 => {
@@ -393,12 +395,24 @@ impl<N: Real> Steam<N> {
             "Mean effective pressure: work of a stroke over its volume, less the back pressure",
         );
         sheet.answer("mean_pressure", "Mean effective pressure", mean);
-        let areas = match crank_side {
-            Some(other) => area + other,
-            None => area,
-        };
-        let work = sheet.step("W_G", "J", mean * areas * stroke, "Work of the steam in a turn");
+        let work = sheet.step("W_G", "J", mean * displaced, "Work of the steam in a turn");
         sheet.answer("indicated_work", "Work of the gas in a turn", work);
+        sheet.verify(|| {
+            let (filled, clearance) = (self.cut_off.value() + self.clearance.value(), self.clearance.value());
+            // Over the logarithm of the volume an expansion is smooth, whatever its exponent.
+            let grown = ((1.0 + clearance) / filled).ln();
+            let strip = |part: f64| {
+                let volume = filled * (part * grown).exp();
+                volume * diagram.pressure(0.0, volume - clearance, true)
+            };
+            let expansion = grown * gauss::integral(24, strip);
+            let admission = self.cut_off.value() * diagram.pressure(0.0, 0.0, true);
+            let exhaust = diagram.pressure(0.0, 0.5, false);
+            let volume = displaced.value();
+            let (done, size) = (admission + expansion - exhaust, admission + expansion + exhaust);
+            let what = "work of the gas as the area of its diagram, strip by strip";
+            sheet.check_sum(what, work, (volume * done).into(), volume * size);
+        });
     }
 }
 

@@ -9,6 +9,7 @@ use dalembert_mechanics::{
         CrankMotion,
         piston::{self, harmonics, two_term},
     },
+    vibration::gauss,
 };
 
 use super::{Engine, EngineGiven, Motion, MotionGiven, RodLengthGiven, Terms, ThrowGiven, too_short};
@@ -153,6 +154,13 @@ fn displacement<W: Worksheet>(
         "Distance of the gudgeon pin from the crankshaft, along the stroke",
     );
     sheet.answer("position", "Distance of the gudgeon pin from the crankshaft", position);
+    let across = crank * angle.sin();
+    let across = offset.map_or(across, |offset| across - offset);
+    sheet.verify(|| {
+        let along = position - crank * angle.cos();
+        let what = "the rod spans from the crank pin to the gudgeon pin";
+        sheet.check(what, along.powi(2) + across.powi(2), rod.powi(2));
+    });
     let value = match (&problem.terms, offset) {
         (Terms::Exact, None) => piston::displacement(crank, ratio, angle, obliquity),
         (Terms::Exact, Some(offset)) => piston::farthest(crank, rod, offset) - position,
@@ -162,6 +170,27 @@ fn displacement<W: Worksheet>(
     let why = "Displacement of the piston from the dead centre away from the crankshaft";
     let displacement = sheet.step("s", "mm", value, (why, KHURMI.at("ch. 15")));
     sheet.answer("displacement", "Displacement of the piston", displacement);
+    sheet.verify(|| {
+        let size = crank.value() + rod.value();
+        if let Terms::Exact = problem.terms {
+            let far = (crank + rod).powi(2);
+            let far = offset.map_or(far, |offset| far - offset.powi(2)).sqrt();
+            let here = crank * angle.cos() + (rod.powi(2) - across.powi(2)).sqrt();
+            let what =
+                "displacement from the distances of the gudgeon pin with crank and rod in line and at this angle";
+            sheet.check_sum(what, displacement, far - here, size);
+            return;
+        }
+        let (r, n) = (crank.value(), ratio.value());
+        let plain: Vec<f64> = amplitudes.iter().map(|a| a.value()).collect();
+        let way = angle.value().sin().atan2(angle.value().cos());
+        let slope = |angle: f64| match problem.terms {
+            Terms::Two => two_term::velocity(r, n, angle, 1.0),
+            _ => harmonics::velocity(r, &plain, angle, 1.0),
+        };
+        let gone = way * gauss::integral(24, |part| slope(part * way));
+        sheet.check_sum("displacement as the integral of the velocity", displacement, gone.into(), size);
+    });
     displacement
 }
 

@@ -1,9 +1,15 @@
 //! The mass of the connecting rod.
 
 use dalembert_core::{Inputs, Refusal, Text, Worksheet};
-use dalembert_mechanics::{Real, slider_crank::equivalent};
+use dalembert_mechanics::{
+    Real,
+    slider_crank::{engine, equivalent},
+};
 
-use super::motion::{Lengths, Moving};
+use super::{
+    motion::{Lengths, Moving},
+    witness,
+};
 use crate::sources::{BEVAN, KHURMI};
 
 /// What is known of the connecting rod's mass.
@@ -169,6 +175,7 @@ pub(super) fn inertia_force<W: Worksheet>(
     rod: &Masses<W::Num>,
     lengths: &Lengths<W::Num>,
     moving: &Moving<W::Num>,
+    kernel: &engine::Engine,
     sheet: W,
 ) {
     let (Some(speed), Some(piston)) = (moving.speed, moving.acceleration) else { return };
@@ -194,4 +201,5 @@ pub(super) fn inertia_force<W: Worksheet>(
     let size = rod.mass * (along.powi(2) + across.powi(2)).sqrt();
     let force = sheet.step("F_C", "N", size, ("Inertia force of the rod", KHURMI.at("ch. 15")));
     sheet.answer("rod_inertia_force", "Inertia force of the rod", force);
+    sheet.verify(|| witness::rod_force(moving, kernel, force, sheet));
 }

@@ -69,6 +69,48 @@ pub(super) fn motion<W: Worksheet>(
     }
 }
 
+/// The inertia force of the rod as what its two pins exert on it, where nothing but inertia acts.
+pub(super) fn rod_force<W: Worksheet>(
+    moving: &Moving<W::Num>,
+    engine: &kernel::Engine,
+    force: W::Num,
+    sheet: W,
+) {
+    if engine.model != Model::Exact {
+        return;
+    }
+    let crank = moving.crank();
+    let inert = kernel::Engine { gravity: [0.0; 2], friction: 0.0, ..engine.clone() };
+    let Ok(reactions) = inert.reactions(crank, 0.0) else { return };
+    let [x, y] = [0, 1].map(|axis| reactions.gudgeon_pin[axis] - reactions.crank_pin[axis]);
+    let natural = engine.crank * (crank.speed.powi(2) + crank.acceleration.abs());
+    let fastest = moving.acceleration.map_or(natural, |piston| piston.value().abs().max(natural));
+    let size = (engine.rod_mass + engine.reciprocating) * fastest + reactions.gudgeon_pin[1].abs();
+    let what = "inertia force of the rod as what its pins exert on it, by Newton's and Euler's equations";
+    sheet.check_sum(what, force, x.hypot(y).into(), size);
+}
+
+/// The turning moment from the virtual works of all loads on piston and rod, and the size of what it is added up from;
+/// none of a piston with a given acceleration, whose crank does not turn.
+pub(super) fn moment<N: Real>(
+    moving: &Moving<N>,
+    engine: &kernel::Engine,
+    pressure: f64,
+) -> Option<[f64; 2]> {
+    if moving.acceleration.is_some() && moving.speed.is_none() {
+        return None;
+    }
+    let crank = moving.crank();
+    let motion = engine.motion(crank);
+    let moment = engine.moment_by_virtual_work(crank, &motion, pressure);
+    let natural = engine.crank * (crank.speed.powi(2) + crank.acceleration.abs())
+        + engine.gravity.iter().map(|g| g.abs()).sum::<f64>();
+    let masses = (engine.reciprocating + engine.rod_mass) * natural.max(motion.acceleration.abs());
+    let size = (pressure.abs() + engine.friction + masses) * (engine.crank + motion.arm.abs());
+    let couple = (engine.missing_inertia() * motion.rod_acceleration * motion.turn).abs();
+    Some([moment, size + couple])
+}
+
 /// Forces by Newton's and Euler's equations, and the inertia moment from the kinetic energy.
 pub(super) fn forces<W: Worksheet>(
     problem: &Problem<'_, W>,
@@ -107,6 +149,8 @@ pub(super) fn forces<W: Worksheet>(
             let radial = -x * crank.angle.cos() - y * crank.angle.sin();
             let what = "radial force at the crank pin from Newton's and Euler's equations";
             sheet.check_sum(what, forces.radial, radial.into(), scale);
+            let what = "force at the crank pin from Newton's and Euler's equations";
+            sheet.check_sum(what, forces.crank_pin, x.hypot(y).into(), scale);
         }
         if let (Some(moment), None) = (forces.inertia_moment, moving.turning) {
             let by_energy = engine.inertia_moment_by_energy(crank.angle, crank.speed);
