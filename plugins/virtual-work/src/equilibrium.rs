@@ -4,8 +4,11 @@ use dalembert_core::{
     About, Analysis, Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series,
     TableExhibit, Text, Worksheet, register,
 };
-use dalembert_mechanics::planar::{Equilibrium as Found, PlanarError, Sample, Stability, System};
-use nalgebra::Vector3;
+use dalembert_mechanics::{
+    Real,
+    planar::{Equilibrium as Found, PlanarError, Sample, Stability, System},
+};
+use nalgebra::{DMatrix, Vector3};
 
 use crate::{
     parts::{Connection, Drive, Driven, NamedLoad, Part, Parts, Spot, verbatim},
@@ -158,6 +161,7 @@ impl Equilibrium {
     }
 
     fn write<W: Worksheet>(&self, system: &System, here: &Found, number: usize, sheet: W) {
+        let (mut shown, mut lowest) = (Vec::new(), None);
         for (driver, drive) in self.drivers.iter().enumerate() {
             // One coordinate has many equilibria, many coordinates have one.
             let row = if self.drivers.len() > 1 { driver + 1 } else { number };
@@ -186,21 +190,27 @@ impl Equilibrium {
             );
             sheet.answer(("stiffness", row), "Second derivative of the potential energy", stiffness);
             sheet.whose(("stiffness", row), &drive.name);
+            shown.push([value.value(), stiffness.value()]);
         }
         if self.drivers.len() > 1 {
             let why = "Lowest eigenvalue of the matrix of second derivatives, scaled to a diagonal of ones: positive in a stable equilibrium";
-            let lowest = sheet.found("λ_1", "1", here.lowest, why);
-            sheet.answer("lowest_eigenvalue", "Lowest eigenvalue of the second derivatives", lowest);
+            let found = sheet.found("λ_1", "1", here.lowest, why);
+            sheet.answer("lowest_eigenvalue", "Lowest eigenvalue of the second derivatives", found);
+            lowest = Some(found);
         }
-        sheet.verify(|| self.check(system, here, sheet));
+        sheet.verify(|| self.check(system, here, &shown, sheet));
+        if let Some(lowest) = lowest {
+            sheet.verify(|| check_eigenvalue(&here.stiffness, lowest, sheet));
+        }
     }
 
-    /// The first and second differences of the potential energy itself.
-    fn check<W: Worksheet>(&self, system: &System, here: &Found, sheet: W) {
+    /// The first and second differences of the potential energy itself, about the values and for the second derivatives
+    /// that are shown.
+    fn check<W: Worksheet>(&self, system: &System, here: &Found, shown: &[[f64; 2]], sheet: W) {
         for (driver, drive) in self.drivers.iter().enumerate() {
             let step = if matches!(drive.what, Driven::Angle { .. }) { 0.02 } else { 0.02 * system.size() };
             let energy = |steps: f64| {
-                let mut values = here.values.clone();
+                let mut values: Vec<f64> = shown.iter().map(|[value, _]| *value).collect();
                 values[driver] += steps * step;
                 system.potential(&system.follow(&here.positions, &values).ok()?.positions)
             };
@@ -226,7 +236,7 @@ impl Equilibrium {
             );
             sheet.check_residual(
                 name("the differences of the potential energy have the second derivative by {name}"),
-                (bend - here.stiffness[(driver, driver)]).into(),
+                (bend - shown[driver][1]).into(),
                 slack * most / (step * step),
                 (bend - rough_bend) / 8.0,
             );
@@ -308,6 +318,30 @@ impl Equilibrium {
         }
         Drawing { title: "Positions of equilibrium".into(), shapes }
     }
+}
+
+/// Holds the lowest eigenvalue of the second derivatives, scaled to a diagonal of ones, to the law of inertia: less
+/// anything below it the matrix is positive definite, less anything above it it is not.
+fn check_eigenvalue<W: Worksheet>(stiffness: &DMatrix<f64>, eigenvalue: W::Num, sheet: W) {
+    let scale = |k: usize| match stiffness[(k, k)] {
+        0.0 => 1.0,
+        diagonal => diagonal.abs().sqrt(),
+    };
+    let (rows, columns) = stiffness.shape();
+    let scaled = DMatrix::from_fn(rows, columns, |row, column| {
+        stiffness[(row, column)] / (scale(row) * scale(column))
+    });
+    let bound = scaled.row_iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
+    let is_definite =
+        |shift: f64| (&scaled - DMatrix::from_diagonal_element(rows, columns, shift)).cholesky().is_some();
+    let (mut below, mut above) = (-2.0 * bound, 2.0 * bound);
+    for _ in 0..60 {
+        let middle = f64::midpoint(below, above);
+        *(if is_definite(middle) { &mut below } else { &mut above }) = middle;
+    }
+    let what =
+        "lowest eigenvalue by the law of inertia, where the second derivatives cease to be positive definite";
+    sheet.check_sum(what, eigenvalue, f64::midpoint(below, above).into(), bound);
 }
 
 fn named(stability: Stability) -> Text {

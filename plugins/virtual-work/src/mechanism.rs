@@ -9,11 +9,14 @@ mod virtual_power;
 use std::f64::consts::TAU;
 
 use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
-use dalembert_mechanics::planar::{Dynamics, PlanarError, State, Swept, System};
+use dalembert_mechanics::{
+    Real, Vector,
+    planar::{Dynamics, PlanarError, State, Swept, System},
+};
 use nalgebra::Vector3;
 
 use crate::{
-    parts::{Connection, Drive, Driven, NamedLoad, Part, Parts, Spot},
+    parts::{Connection, Drive, Driven, NamedLoad, Part, Parts, Spot, closure},
     sources::{HAUG, NIKRAVESH, RIUL},
 };
 
@@ -105,7 +108,7 @@ impl Analysis for Mechanism {
         let this = Solved { parts: &parts, rows: &rows, system: &system, state: &state, dynamics: &dynamics };
         let angular = self.motion(&this, sheet);
         this.efforts(given, &angular, sheet);
-        this.reactions(sheet);
+        this.reactions(mobility.redundant.is_empty(), sheet);
         if !mobility.redundant.is_empty() {
             let mut named: Vec<&str> =
                 mobility.redundant.iter().map(|joint| self.joints[rows[*joint]].name.as_str()).collect();
@@ -156,6 +159,7 @@ impl Mechanism {
     /// Where the bodies are and how they move; their angular accelerations.
     fn motion<W: Worksheet>(&self, this: &Solved<'_>, sheet: W) -> Vec<W::Num> {
         let mut angular = Vec::with_capacity(self.bodies.len());
+        let mut shown = this.state.clone();
         let State { positions, velocities, accelerations } = this.state;
         for (body, part) in self.bodies.iter().enumerate() {
             let row = body + 1;
@@ -190,8 +194,16 @@ impl Mechanism {
             );
             sheet.answer(("angular_acceleration", row), "Angular acceleration of the body", acceleration);
             sheet.whose(("angular_acceleration", row), &part.name);
+            for (of_bodies, number) in [
+                (&mut shown.positions, angle),
+                (&mut shown.velocities, speed),
+                (&mut shown.accelerations, acceleration),
+            ] {
+                of_bodies[body][2] = number.value();
+            }
             angular.push(acceleration);
         }
+        sheet.verify(|| closure::check_pins(this.system, &shown, [0.0; 3], sheet));
         for (row, watched) in (1..).zip(&self.watched) {
             let name = &self.points[watched.point.0].name;
             let [position, velocity, acceleration] =
@@ -213,6 +225,11 @@ impl Mechanism {
             );
             sheet.answer_vector(("acceleration", row), "Acceleration of the point", acceleration);
             sheet.whose(("acceleration", row), name);
+            sheet.verify(|| {
+                let shown_of_point = [at, velocity, acceleration].map(|of| [of.value().x, of.value().y]);
+                let point = (this.parts.point(watched.point), name.as_str());
+                closure::check_point(this.system, &shown, point, shown_of_point, [0.0; 3], sheet);
+            });
         }
         angular
     }

@@ -2,6 +2,7 @@
 
 mod ends;
 mod pictures;
+mod witness;
 
 use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::planar::{
@@ -12,7 +13,9 @@ use nalgebra::Vector3;
 
 pub use self::ends::{Ends, EndsGiven};
 use crate::{
-    parts::{Carrier, Connection, Drive, Driven, Load, LoadGiven, NamedLoad, Part, Parts, Spot, carried},
+    parts::{
+        Carrier, Connection, Drive, Driven, Load, LoadGiven, NamedLoad, Part, Parts, Spot, carried, closure,
+    },
     sources::{HAIRER, HAUG, NIKRAVESH, PFEIFFER, RIUL},
 };
 
@@ -280,6 +283,7 @@ impl Solved<'_> {
     /// The accelerations and the forces in the joints with which the motion begins.
     fn start<W: Worksheet>(&self, given: &MotionGiven<W>, sheet: W) {
         let State { accelerations, .. } = &self.freed.state;
+        let mut shown = self.freed.state.clone();
         let largest = accelerations.iter().fold(0.0f64, |most, a| most.max(a[2].abs()));
         for (row, part) in (1..).zip(self.parts.bodies) {
             // The method is told once.
@@ -296,7 +300,12 @@ impl Solved<'_> {
             );
             sheet.answer(("initial_acceleration", row), "Angular acceleration at the start", acceleration);
             sheet.whose(("initial_acceleration", row), &part.name);
+            shown.accelerations[row - 1][2] = acceleration.value();
         }
+        sheet.verify(|| {
+            let errors = [0.0, 0.0, self.tolerance * largest];
+            closure::check_pins(self.system, &shown, errors, sheet);
+        });
         let mut carried = vec![None; self.parts.joints.len()];
         for (row, connection) in (1..).zip(self.parts.joints) {
             let reason = if row == 1 {
@@ -381,21 +390,6 @@ impl Solved<'_> {
         });
     }
 
-    /// How a joint with friction slides at the end.
-    fn sliding<W: Worksheet>(&self, braked: &Braked, sheet: W) {
-        let row = braked.load + 1;
-        let name = &self.parts.loads[braked.load].name;
-        let (reason, sliding) = match braked.contact {
-            Contact::Slides { .. } => ("Sliding against {name} at the end", braked.sliding),
-            Contact::Holds | Contact::Follows => ("At the end {name} holds its joint at rest", 0.0),
-        };
-        let unit = if braked.pin { "rad/s" } else { "m/s" };
-        let why = Text::new(reason).with("name", name);
-        let sliding = sheet.found(("u", row), unit, sliding, why);
-        sheet.answer(("sliding", row), "Sliding against friction at the end", sliding);
-        sheet.whose(("sliding", row), name);
-    }
-
     /// Where the motion comes to.
     fn finish<W: Worksheet>(&self, problem: &Motion, sheet: W) -> Result<(), Refusal> {
         let last = self.moved.samples.last().expect("a motion has its start");
@@ -415,6 +409,7 @@ impl Solved<'_> {
             });
         }
         let State { positions, velocities, accelerations } = &last.state;
+        let mut shown = last.state.clone();
         let most = |part: fn(&Snapshot) -> &[[f64; 3]]| {
             let turns = self.moved.samples.iter().flat_map(part).map(|of_body| of_body[2].abs());
             turns.fold(0.0, f64::max)
@@ -449,12 +444,23 @@ impl Solved<'_> {
             );
             sheet.answer(("angular_acceleration", row), "Angular acceleration of the body", acceleration);
             sheet.whose(("angular_acceleration", row), &part.name);
+            for (of_bodies, number) in [
+                (&mut shown.positions, angle),
+                (&mut shown.velocities, speed),
+                (&mut shown.accelerations, acceleration),
+            ] {
+                of_bodies[body][2] = number.value();
+            }
         }
+        let errors = [turned, fastest, quickest].map(|most| self.tolerance * most);
+        sheet.verify(|| closure::check_pins(self.system, &shown, errors, sheet));
+        sheet.verify(|| self.check_time(time.value(), sheet));
         let (size, time) = (self.system.size(), problem.duration);
         for (row, followed) in (1..).zip(&problem.watched) {
             let name = &self.parts.points[followed.point.0].name;
             let [position, velocity, acceleration] =
                 self.system.point(self.parts.point(followed.point), &last.state);
+            let whole = [position, velocity, acceleration].map(|[x, y]| x.hypot(y));
             let vector = |[x, y]: [f64; 2], least: f64| {
                 let clean = |part| self.without_error(part, f64::hypot(x, y).max(least));
                 Vector3::new(clean(x), clean(y), 0.0)
@@ -480,64 +486,39 @@ impl Solved<'_> {
             );
             sheet.answer_vector(("acceleration", row), "Acceleration of the point", acceleration);
             sheet.whose(("acceleration", row), name);
+            sheet.verify(|| {
+                let least = [size, size / time, f64::max(size / (time * time), problem.gravity.norm())];
+                let of_point =
+                    [0, 1, 2].map(|n| self.tolerance * f64::max(whole[n], least[n]) + errors[n] * size);
+                let shown_of_point = [at, velocity, acceleration].map(|of| [of.value().x, of.value().y]);
+                let point = (self.parts.point(followed.point), name.as_str());
+                closure::check_point(self.system, &shown, point, shown_of_point, of_point, sheet);
+            });
         }
         let kinetic =
             sheet.found("T", "J", last.kinetic, "Kinetic energy at the end, T = Σ (m v² + I_G ω²)/2");
         sheet.answer("kinetic_energy", "Kinetic energy at the end", kinetic);
-        self.balance(sheet);
+        self.balance(kinetic, sheet);
         // A second way to the accelerations at the end: the whole of the equations instead of their plan.
         let whole = self.system.freed(positions, velocities);
         let refuse = |error: PlanarError| self.parts.refusal(&error, self.rows);
         let whole = whole.map_err(refuse)?;
         for braked in &whole.frictions {
-            self.sliding(braked, sheet);
+            self.sliding(braked, &shown, sheet);
         }
         let whole = whole.state.accelerations;
         sheet.verify(|| {
             let size = whole.iter().flatten().fold(0.0f64, |most, a| most.max(a.abs()));
-            for (ours, theirs) in accelerations.iter().zip(&whole) {
-                sheet.check_zero(
+            for (ours, theirs) in shown.accelerations.iter().zip(&whole) {
+                sheet.check_residual(
                     "the accelerations at the end by the equations of all bodies",
                     (ours[2] - theirs[2]).into(),
                     size,
+                    errors[2],
                 );
             }
         });
         Ok(())
-    }
-
-    /// The energy balance, the witness of the motion.
-    fn balance<W: Worksheet>(&self, sheet: W) {
-        let first = &self.moved.samples[0];
-        let (start, mut size) = (first.stored, first.kinetic);
-        for moment in &self.moved.samples {
-            size = size.max(moment.kinetic).max((moment.stored - start).abs()).max(moment.work.abs());
-        }
-        let last = self.moved.samples.last().unwrap_or(first);
-        let gained = sheet.found(
-            "V",
-            "J",
-            self.without_error(last.stored - start, size),
-            "Energy gained by weights, springs and constant forces since the start",
-        );
-        sheet.answer("stored_energy", "Energy stored since the start", gained);
-        let work = sheet.found(
-            "W",
-            "J",
-            last.work,
-            "Work of the drivers, dampers, friction and turning forces since the start",
-        );
-        sheet.answer("work", "Work done since the start", work);
-        let left = self.moved.imbalance();
-        if left > DOUBTFUL * size {
-            sheet.warn(|| {
-                Text::new("the energy balance is held to {left} alone, of {size}: at a dead centre or change point the motion hangs on what is lost there")
-                    .with_quantity("left", left, "J")
-                    .with_quantity("size", size, "J")
-            });
-        } else {
-            sheet.check_zero("the energy balance T + V − W over the motion", left.into(), size);
-        }
     }
 
     /// What a joint exerts on its second point at the start: along x and y, or along one line.

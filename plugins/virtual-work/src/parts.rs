@@ -1,6 +1,7 @@
 //! The parts that a mechanism is described with.
 
 mod assembled;
+pub(crate) mod closure;
 pub(crate) mod drawing;
 mod refusal;
 

@@ -8,19 +8,22 @@ use dalembert_mechanics::planar::Frame;
 
 use super::{Sample, Solved};
 use crate::{
-    built::turned,
-    parts::{Connection, Joint, carried, verbatim},
+    built::{check_pin, turned},
+    parts::{Connection, Joint, Load, carried, verbatim},
     sources::HAUG,
 };
 
 /// Multipliers below this part of the largest are rounding alone.
 const ROUNDING: f64 = 1e-13;
+/// So many pins are let go to check the forces in them.
+const MOST_CHECKED: usize = 8;
 /// So many pins have a diagram at most.
 const MOST_PINS: usize = 4;
 
 impl Solved<'_> {
-    /// What each joint carries.
-    pub(super) fn reactions<W: Worksheet>(&self, sheet: W) {
+    /// What each joint carries; `determined` where no joint holds more than it needs.
+    pub(super) fn reactions<W: Worksheet>(&self, determined: bool, sheet: W) {
+        let mut pins = Vec::new();
         for (row, connection) in self.parts.joints.iter().enumerate() {
             let size = match (self.exerted(row), self.carried(row)) {
                 (Some([x, y]), _) => x.hypot(y),
@@ -34,6 +37,18 @@ impl Solved<'_> {
             let force = sheet.found(("R", row + 1), "N", size, why);
             sheet.answer(("reaction", row + 1), "Force in the joint", force);
             sheet.whose(("reaction", row + 1), &connection.name);
+            if let Joint::Pin { .. } = connection.joint {
+                pins.extend(self.owners(row).map(|joint| (joint, connection.name.as_str(), force)));
+            }
+        }
+        // Friction goes with the force in its joint, and has none in a joint that is let go.
+        let is_smooth = !self.parts.loads.iter().any(|load| matches!(load.load, Load::Friction { .. }));
+        if determined && is_smooth {
+            sheet.verify(|| {
+                for (joint, name, force) in pins.into_iter().take(MOST_CHECKED) {
+                    check_pin((self.system, self.state, self.dynamics), (joint, name), force, sheet);
+                }
+            });
         }
     }
 

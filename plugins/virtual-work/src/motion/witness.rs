@@ -1,0 +1,122 @@
+//! The second ways to a motion: its energy balance, its last stretch once more, and how its joints slide.
+
+use dalembert_core::{Text, Worksheet};
+use dalembert_mechanics::{
+    Real,
+    planar::{self, Braked, Contact, Frame, Run, State},
+};
+
+use super::{DOUBTFUL, STEPS, Solved};
+use crate::parts::Load;
+
+impl Solved<'_> {
+    /// How a joint with friction slides at the end, where the bodies move as shown.
+    pub(super) fn sliding<W: Worksheet>(&self, braked: &Braked, shown: &State, sheet: W) {
+        let row = braked.load + 1;
+        let name = &self.parts.loads[braked.load].name;
+        let (reason, sliding) = match braked.contact {
+            Contact::Slides { .. } => ("Sliding against {name} at the end", braked.sliding),
+            Contact::Holds | Contact::Follows => ("At the end {name} holds its joint at rest", 0.0),
+        };
+        let unit = if braked.pin { "rad/s" } else { "m/s" };
+        let why = Text::new(reason).with("name", name);
+        let sliding = sheet.found(("u", row), unit, sliding, why);
+        sheet.answer(("sliding", row), "Sliding against friction at the end", sliding);
+        sheet.whose(("sliding", row), name);
+        let (Contact::Slides { .. }, Load::Friction { joint, .. }) =
+            (braked.contact, &self.parts.loads[braked.load].load)
+        else {
+            return;
+        };
+        let joints = &self.system.mechanism().joints;
+        let Some(owner) = self.rows.iter().position(|row| *row == joint.0) else { return };
+        sheet.verify(|| {
+            let turn = |part: Frame| part.map_or(0.0, |body| shown.velocities[body][2]);
+            let (again, size) = match joints[owner] {
+                planar::Joint::Pin { a, b } => (turn(b.on) - turn(a.on), turn(b.on).abs() + turn(a.on).abs()),
+                planar::Joint::Slider { guide, direction, slides: at, .. }
+                | planar::Joint::Slot { guide, direction, pin: at, .. } => {
+                    let [[start, of_start, _], [end, of_end, _]] =
+                        [guide, at].map(|point| self.system.point(point, shown));
+                    let tilt = direction + guide.on.map_or(0.0, |body| shown.positions[body][2]);
+                    let (sin, cos) = tilt.sin_cos();
+                    let [x, y] = [end[0] - start[0], end[1] - start[1]];
+                    let along = cos * (of_end[0] - of_start[0]) + sin * (of_end[1] - of_start[1]);
+                    let carried = turn(guide.on) * (cos * y - sin * x);
+                    let size = of_end[0].hypot(of_end[1]) + of_start[0].hypot(of_start[1]) + carried.abs();
+                    (along + carried, size)
+                }
+                _ => return,
+            };
+            let what = Text::new("sliding against {name} from the motions of both its bodies");
+            let error = self.tolerance * size;
+            sheet.check_residual(what.with("name", name), (sliding.value() - again).into(), size, error);
+        });
+    }
+
+    /// Follows the last stretch of the motion again, to the time of its end. Where a driver moves or a friction may stick,
+    /// a motion does not begin anew as it was going on.
+    pub(super) fn check_time<W: Worksheet>(&self, time: f64, sheet: W) {
+        let goes_on = self.parts.drivers.is_empty() && self.freed.frictions.is_empty();
+        let (samples, Some(last)) = (&self.moved.samples, self.moved.samples.last()) else { return };
+        let before = samples.iter().rev().find(|moment| moment.time < last.time * (1.0 - 1e-3));
+        let (true, Some(before)) = (goes_on, before) else { return };
+        let run = Run {
+            duration: time - before.time,
+            tolerance: self.tolerance,
+            samples: 2,
+            ends: &[],
+            most_steps: STEPS,
+            cancelled: &|| sheet.keep_going().is_err(),
+        };
+        let State { positions, velocities, .. } = &before.state;
+        let Ok(again) = self.system.simulate(positions, velocities, &run) else { return };
+        let Some(again) = again.samples.last() else { return };
+        let arm = self.system.size();
+        let far = |[x, y, turn]: [f64; 3]| x.hypot(y).max(turn.abs() * arm);
+        let pairs = again.state.positions.iter().zip(&last.state.positions);
+        let apart = |(one, other): (&[f64; 3], &[f64; 3])| far([0, 1, 2].map(|n| one[n] - other[n]));
+        let gap = pairs.map(apart).fold(0.0, f64::max);
+        let size = last.state.positions.iter().map(|at| far(*at)).fold(arm, f64::max);
+        let what = "the last stretch of the motion, followed again to the time of its end";
+        // Each step may add its error, which the motion carries on.
+        sheet.check_residual(what, gap.into(), size, 100.0 * self.tolerance * size);
+    }
+
+    /// The energy balance, the witness of the motion.
+    pub(super) fn balance<W: Worksheet>(&self, kinetic: W::Num, sheet: W) {
+        let first = &self.moved.samples[0];
+        let (start, mut size) = (first.stored, first.kinetic);
+        for moment in &self.moved.samples {
+            size = size.max(moment.kinetic).max((moment.stored - start).abs()).max(moment.work.abs());
+        }
+        let last = self.moved.samples.last().unwrap_or(first);
+        let gained = sheet.found(
+            "V",
+            "J",
+            self.without_error(last.stored - start, size),
+            "Energy gained by weights, springs and constant forces since the start",
+        );
+        sheet.answer("stored_energy", "Energy stored since the start", gained);
+        let work = sheet.found(
+            "W",
+            "J",
+            last.work,
+            "Work of the drivers, dampers, friction and turning forces since the start",
+        );
+        sheet.answer("work", "Work done since the start", work);
+        let left = self.moved.imbalance();
+        if left > DOUBTFUL * size {
+            sheet.warn(|| {
+                Text::new("the energy balance is held to {left} alone, of {size}: at a dead centre or change point the motion hangs on what is lost there")
+                    .with_quantity("left", left, "J")
+                    .with_quantity("size", size, "J")
+            });
+        } else {
+            sheet.check_zero("the energy balance T + V − W over the motion", left.into(), size);
+            let end = kinetic.value() + gained.value() - work.value();
+            let what = "T + V − W at the end is the kinetic energy of the start";
+            sheet.check_residual(what, (end - first.kinetic).into(), size, self.tolerance * size);
+        }
+    }
+}

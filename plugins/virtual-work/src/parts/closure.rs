@@ -1,0 +1,85 @@
+//! The closure of the pins by the motion of single bodies: what the equations of the joints must come to.
+
+use dalembert_core::{Text, Worksheet};
+use dalembert_mechanics::planar::{Joint, Point, State, System};
+
+/// How far the two points of a pin are apart at most, and how their velocities and accelerations differ; each with the
+/// size of what it is the difference of.
+pub(crate) fn pins(system: &System, state: &State) -> [(f64, f64); 3] {
+    let mut worst = [(0.0f64, system.size()), (0.0, 0.0), (0.0, 0.0)];
+    for joint in &system.mechanism().joints {
+        let &Joint::Pin { a, b } = joint else { continue };
+        let [one, other] = [a, b].map(|point| system.point(point, state));
+        let sizes = [a, b].map(|point| sizes(point, state));
+        for (order, (gap, size)) in worst.iter_mut().enumerate() {
+            let apart = (one[order][0] - other[order][0]).hypot(one[order][1] - other[order][1]);
+            *gap = if apart.is_nan() { apart } else { gap.max(apart) };
+            *size = size.max(sizes[0][order]).max(sizes[1][order]);
+        }
+    }
+    worst
+}
+
+/// The sizes of what place, velocity and acceleration of a point are added up from.
+fn sizes(point: Point, state: &State) -> [f64; 3] {
+    let reach = point.at[0].hypot(point.at[1]);
+    let Some(body) = point.on else { return [reach, 0.0, 0.0] };
+    let ([x, y, _], [vx, vy, w]) = (state.positions[body], state.velocities[body]);
+    let [ax, ay, turning] = state.accelerations[body];
+    [x.hypot(y) + reach, vx.hypot(vy) + w.abs() * reach, ax.hypot(ay) + (turning.abs() + w * w) * reach]
+}
+
+/// Holds angles, angular velocities and angular accelerations of the bodies to the closure of all pins. `errors` are
+/// what each of the three may be off by, as numbers of the bodies.
+pub(crate) fn check_pins<W: Worksheet>(system: &System, state: &State, errors: [f64; 3], sheet: W) {
+    let arm = system.size();
+    let whats = [
+        "the points that each pin joins coincide, with the angles of the bodies",
+        "the points that each pin joins have the same velocity, with the angular velocities of the bodies",
+        "the points that each pin joins have the same acceleration, with the angular accelerations of the bodies",
+    ];
+    for ((what, (gap, size)), error) in whats.into_iter().zip(pins(system, state)).zip(errors) {
+        sheet.check_residual(what, gap.into(), size, error * arm);
+    }
+}
+
+/// Holds place, velocity and acceleration of a point to those of the nearest body beyond a pin, and what the point does
+/// against the pin; nothing where its body has no pin. `errors` are what each may be off by.
+pub(crate) fn check_point<W: Worksheet>(
+    system: &System,
+    state: &State,
+    (point, name): (Point, &str),
+    shown: [[f64; 2]; 3],
+    errors: [f64; 3],
+    sheet: W,
+) {
+    let Some(body) = point.on else { return };
+    let own = |end: Point| end.on == point.on;
+    let beyond = system.mechanism().joints.iter().find_map(|joint| match *joint {
+        Joint::Pin { a, b } if own(a) && !own(b) => Some((a, b)),
+        Joint::Pin { a, b } if own(b) && !own(a) => Some((b, a)),
+        _ => None,
+    });
+    let Some((here, there)) = beyond else { return };
+    let (sin, cos) = state.positions[body][2].sin_cos();
+    let [x, y] = [point.at[0] - here.at[0], point.at[1] - here.at[1]];
+    let [x, y] = [cos * x - sin * y, sin * x + cos * y];
+    let (w, turning) = (state.velocities[body][2], state.accelerations[body][2]);
+    let against = [[x, y], [-w * y, w * x], [-turning * y - w * w * x, turning * x - w * w * y]];
+    let end = system.point(there, state);
+    let (reach, far) = (x.hypot(y), sizes(there, state));
+    let rates = [reach, w.abs() * reach, (turning.abs() + w * w) * reach];
+    let whats = [
+        "position of {name} from the adjacent body, through their pin",
+        "velocity of {name} from the adjacent body, through their pin",
+        "acceleration of {name} from the adjacent body, through their pin",
+    ];
+    let least = [system.size(), 0.0, 0.0];
+    let own = sizes(point, state);
+    for (order, what) in whats.into_iter().enumerate() {
+        let gap = [0, 1].map(|axis| end[order][axis] + against[order][axis] - shown[order][axis]);
+        let size = far[order].max(own[order]).max(rates[order]).max(least[order]);
+        let what = Text::new(what).with("name", name);
+        sheet.check_residual(what, gap[0].hypot(gap[1]).into(), size, errors[order]);
+    }
+}
