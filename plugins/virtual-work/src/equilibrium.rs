@@ -208,24 +208,28 @@ impl Equilibrium {
     /// that are shown.
     fn check<W: Worksheet>(&self, system: &System, here: &Found, shown: &[[f64; 2]], sheet: W) {
         for (driver, drive) in self.drivers.iter().enumerate() {
-            let step = if matches!(drive.what, Driven::Angle { .. }) { 0.02 } else { 0.02 * system.size() };
-            let energy = |steps: f64| {
-                let mut values: Vec<f64> = shown.iter().map(|[value, _]| *value).collect();
-                values[driver] += steps * step;
-                system.potential(&system.follow(&here.positions, &values).ok()?.positions)
+            let whole = if matches!(drive.what, Driven::Angle { .. }) { 0.02 } else { 0.02 * system.size() };
+            let energies = |step: f64| -> Option<Vec<f64>> {
+                let energy = |steps: f64| {
+                    let mut values: Vec<f64> = shown.iter().map(|[value, _]| *value).collect();
+                    values[driver] += steps * step;
+                    system.potential(&system.follow(&here.positions, &values).ok()?.positions)
+                };
+                [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0].into_iter().map(energy).collect()
             };
-            let energies: Option<Vec<f64>> =
-                [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0].into_iter().map(energy).collect();
-            let Some(e) = energies else { continue };
-            // Central differences of the sixth order.
-            let slope = ((e[6] - e[0]) - 9.0 * (e[5] - e[1]) + 45.0 * (e[4] - e[2])) / (60.0 * step);
-            let bend = (2.0 * (e[6] + e[0]) - 27.0 * (e[5] + e[1]) + 270.0 * (e[4] + e[2]) - 490.0 * e[3])
-                / (180.0 * step * step);
-            // What the next term changed bounds the truncation: the differences of the fourth order beside them.
-            let rough_slope = (8.0 * (e[4] - e[2]) - (e[5] - e[1])) / (12.0 * step);
-            let rough_bend = (16.0 * (e[4] + e[2]) - (e[5] + e[1]) - 30.0 * e[3]) / (12.0 * step * step);
-            let most = e.iter().fold(0.0f64, |most, one| most.max((one - e[3]).abs()).max(1e-7 * one.abs()));
-            // Differences of the sixth order are good to 10⁻⁷ of the energies, or to the next term.
+            // Near a singular position the energy bends too sharply for the first step.
+            let steps = [whole, whole / 4.0, whole / 16.0];
+            let mut tried =
+                steps.into_iter().filter_map(|step| Some(Differences::new(&energies(step)?, step)));
+            let (mut found, mut next) = (None, tried.next());
+            while let Some(differences) = next {
+                next = if differences.is_resolved() { None } else { tried.next() };
+                found = Some(differences);
+            }
+            let Some(Differences { step, slope, bend, rough_slope, rough_bend, most }) = found else {
+                continue;
+            };
+            // Differences of the sixth order are good to 10⁻⁷ of the energies, or to what the next term changed.
             let name = |what: &'static str| Text::new(what).with("name", &drive.name);
             let slack = 100.0;
             sheet.check_residual(
@@ -317,6 +321,40 @@ impl Equilibrium {
             shapes.push(DrawnShape::Pin((spot.at.x, spot.at.y)));
         }
         Drawing { title: "Positions of equilibrium".into(), shapes }
+    }
+}
+
+/// First and second differences of energies about a position.
+struct Differences {
+    step: f64,
+    /// Of the sixth order.
+    slope: f64,
+    bend: f64,
+    /// Of the fourth.
+    rough_slope: f64,
+    rough_bend: f64,
+    /// The largest difference of the energies, or what of them rounding leaves.
+    most: f64,
+}
+
+impl Differences {
+    /// Of seven energies in equal steps.
+    fn new(e: &[f64], step: f64) -> Self {
+        let (square, middle) = (step * step, e[3]);
+        let [one, two, three] = [1, 2, 3].map(|k| (e[3 + k] - e[3 - k], e[3 + k] + e[3 - k]));
+        Self {
+            step,
+            slope: (three.0 - 9.0 * two.0 + 45.0 * one.0) / (60.0 * step),
+            bend: (2.0 * three.1 - 27.0 * two.1 + 270.0 * one.1 - 490.0 * middle) / (180.0 * square),
+            rough_slope: (8.0 * one.0 - two.0) / (12.0 * step),
+            rough_bend: (16.0 * one.1 - two.1 - 30.0 * middle) / (12.0 * square),
+            most: e.iter().fold(0.0f64, |most, x| most.max((x - middle).abs()).max(1e-7 * x.abs())),
+        }
+    }
+
+    /// Whether the next order changes little.
+    fn is_resolved(&self) -> bool {
+        (self.bend - self.rough_bend).abs() <= 1e-4 * self.most / (self.step * self.step)
     }
 }
 

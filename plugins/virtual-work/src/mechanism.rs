@@ -203,7 +203,7 @@ impl Mechanism {
             }
             angular.push(acceleration);
         }
-        sheet.verify(|| closure::check_pins(this.system, &shown, [0.0; 3], sheet));
+        sheet.verify(|| closure::check_pins(this.system, &shown, ([0.0; 3], 0.0), sheet));
         for (row, watched) in (1..).zip(&self.watched) {
             let name = &self.points[watched.point.0].name;
             let [position, velocity, acceleration] =

@@ -304,7 +304,8 @@ impl Solved<'_> {
         }
         sheet.verify(|| {
             let errors = [0.0, 0.0, self.tolerance * largest];
-            closure::check_pins(self.system, &shown, errors, sheet);
+            let driving = closure::driving(self.system, &self.freed.multipliers);
+            closure::check_pins(self.system, &shown, (errors, driving), sheet);
         });
         let mut carried = vec![None; self.parts.joints.len()];
         for (row, connection) in (1..).zip(self.parts.joints) {
@@ -453,7 +454,10 @@ impl Solved<'_> {
             }
         }
         let errors = [turned, fastest, quickest].map(|most| self.tolerance * most);
-        sheet.verify(|| closure::check_pins(self.system, &shown, errors, sheet));
+        sheet.verify(|| {
+            let driving = closure::driving(self.system, &self.freed.multipliers);
+            closure::check_pins(self.system, &shown, (errors, driving), sheet);
+        });
         sheet.verify(|| self.check_time(time.value(), sheet));
         let (size, time) = (self.system.size(), problem.duration);
         for (row, followed) in (1..).zip(&problem.watched) {

@@ -30,17 +30,35 @@ fn sizes(point: Point, state: &State) -> [f64; 3] {
 }
 
 /// Holds angles, angular velocities and angular accelerations of the bodies to the closure of all pins. `errors` are
-/// what each of the three may be off by, as numbers of the bodies.
-pub(crate) fn check_pins<W: Worksheet>(system: &System, state: &State, errors: [f64; 3], sheet: W) {
+/// what each of the three may be off by, as numbers of the bodies; `driving` is the size of the accelerations that
+/// balance where nothing moves.
+pub(crate) fn check_pins<W: Worksheet>(
+    system: &System,
+    state: &State,
+    (errors, driving): ([f64; 3], f64),
+    sheet: W,
+) {
     let arm = system.size();
+    let least = [0.0, 0.0, driving];
     let whats = [
         "the points that each pin joins coincide, with the angles of the bodies",
         "the points that each pin joins have the same velocity, with the angular velocities of the bodies",
         "the points that each pin joins have the same acceleration, with the angular accelerations of the bodies",
     ];
-    for ((what, (gap, size)), error) in whats.into_iter().zip(pins(system, state)).zip(errors) {
-        sheet.check_residual(what, gap.into(), size, error * arm);
+    for (order, (what, (gap, size))) in whats.into_iter().zip(pins(system, state)).enumerate() {
+        sheet.check_residual(what, gap.into(), size.max(least[order]), errors[order] * arm);
     }
+}
+
+/// The acceleration that the weights, or the largest force in a joint, would give the mechanism by themselves.
+pub(crate) fn driving(system: &System, multipliers: &[f64]) -> f64 {
+    let mechanism = system.mechanism();
+    let [x, y] = mechanism.gravity;
+    let forces = system.equations().iter().zip(multipliers);
+    let forces = forces.filter(|(equation, _)| !equation.terms[0].measure.is_angle());
+    let largest = forces.fold(0.0f64, |most, (_, force)| most.max(force.abs()));
+    let mass: f64 = mechanism.bodies.iter().map(|body| body.mass).sum();
+    x.hypot(y) + if mass > 0.0 { largest / mass } else { 0.0 }
 }
 
 /// Holds place, velocity and acceleration of a point to those of the nearest body beyond a pin, and what the point does
