@@ -213,7 +213,7 @@ impl ScotchYoke {
                 there.into(),
                 size,
             );
-            const ANGLES: u32 = 180;
+            const ANGLES: u32 = 60;
             let all = (0..ANGLES).map(|k| torque(f64::from(k) * std::f64::consts::TAU / f64::from(ANGLES)));
             let over = (all.fold(0.0, f64::max) - largest.value()).max(0.0);
             sheet.check_zero("no torque of the turn is larger", over.into(), size);

@@ -122,7 +122,7 @@ pub(super) fn cycle<W: Worksheet>(
                 sheet.check_residual(what, slope(work_at, shown.value()).into(), size, error);
             }
         }
-        let [coarse, fine] = [1, 2].map(|parts| mean_square(work_at, period, &corners, 96 * parts).sqrt());
+        let [coarse, fine] = [1, 2].map(|parts| mean_square(work_at, period, &corners, 48 * parts).sqrt());
         let what = "root mean square of the turning moment from the virtual works over the cycle";
         sheet.check_residual(what, (rms.value() - fine).into(), size, fine - coarse);
         if kernel.model == Model::Exact {
