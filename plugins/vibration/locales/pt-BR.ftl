@@ -2098,6 +2098,7 @@ the-table-has-fewer-than-three-amplitudes-measure-more-or-write-their-ratio-as-t
 time-of-these-cycles = Tempo desses ciclos
 torsional-stiffness-of-the-shaft = Rigidez torcional do eixo
 two-amplitudes = Duas amplitudes
+two-beams-side-by-side-both-loaded-away-from-their-middles = Duas vigas lado a lado, ambas carregadas fora do meio
 with-a-damping-ratio-of-1-or-more-the-motion-does-not-oscillate-and-has-no-decrement-write-a-ratio = com razão de amortecimento 1 ou maior o movimento não oscila e não tem decremento: escreva uma razão abaixo de 1
 # spring
 area-given = Área dada
@@ -2287,6 +2288,7 @@ exact-roots-s-of-the-free-motion = Raízes exatas s da vibração livre
 the-network = A rede
 # torsional-train
 discs = Discos
+discs-between-the-bearings-and-on-the-overhang = Discos entre os mancais e no balanço
 flywheels-rotors-gears-cranks-all-is-reduced-to-the-speed-of-the-first-one = Volantes, rotores, engrenagens, manivelas. Tudo é reduzido à rotação do primeiro.
 shafts = Eixos
 without-loops-several-may-start-at-one-disc = Sem malhas fechadas; vários podem partir de um disco.
@@ -4895,9 +4897,11 @@ e-i-4-kn-m-48-4000-10-138-564-rad-s = E I = 4 kN·m²: ω = √(48·4000/10) = 1
 shaft-with-next-to-no-disc = Eixo quase sem disco
 ei-m-l-the-static-deflection-gives-rayleigh-1-00144-of-it-rao-5th-ed-8-5-8-7 = ω = π²√(EI/(m̄L⁴)); com a deflexão estática, Rayleigh dá π²√(1,00144…) disso (Rao, 5ª ed., §§8.5, 8.7)
 e-i-4-kn-m-m-4-kg-m-312-104-rad-s-rayleigh-with-the-deflection-under-its-own-weight-wy-m-y-3024-31-ei = E I = 4 kN·m², m̄ = 4 kg/m: 312,104 rad/s. Rayleigh com a deflexão sob o peso próprio: ω² = (∫wy)/(∫m̄y²) = 3024/31·EI/(m̄L⁴), 312,327 rad/s.
+e-i-y-by-singularity-functions-unit-loads-one-after-the-other-a-2-66667-a-3-33333-a-2-m-n-det-a-m-1-0 = E I y'' por funções de singularidade, uma carga unitária de cada vez: a₁₁ = 2.66667, a₂₂ = 3.33333, a₁₂ = −2 µm/N; det(A M − 1/ω²) = 0
 disc-on-an-overhang = Disco num trecho em balanço
 n-3ei-c-l-c-m-shigley-table-a-9 = ω² = 3EI/(c²(l + c)m) (Shigley, tabela A-9)
 l-0-8-m-c-0-2-m-e-i-4-kn-m-5-kg-3-4000-0-04-1-5-244-949-rad-s = l = 0,8 m, c = 0,2 m, E I = 4 kN·m², 5 kg: ω = √(3·4000/(0,04·1·5)) = 244,949 rad/s.
+l-0-8-m-c-0-2-m-e-i-4-kn-m-the-weight-of-the-one-disc-lifts-the-other-rayleigh-by-the-static-shape-is = l = 0.8 m, c = 0.2 m, E I = 4 kN·m². O peso de um disco levanta o outro: Rayleigh pela forma estática fica longe.
 cantilever-with-two-discs-and-its-own-mass = Eixo em balanço com dois discos e a sua massa própria
 dynamic-stiffness-with-strain-and-kinetic-energy-of-its-shape-as-the-second-way = Rigidez dinâmica, com as energias de deformação e cinética da sua forma como segundo método
 a-disc-beyond-the-shaft = Disco além do eixo
@@ -5257,6 +5261,7 @@ pontoon-that-heaves-in-sea-water = Flutuador que oscila na água do mar
 k-ga-by-the-potential-energy-of-the-displaced-liquid = k = ρgA, pela energia potencial do líquido deslocado
 mercury-in-a-u-tube = Mercúrio em um tubo em U
 k-2-ga-by-the-potential-energy-gaz-of-the-columns = k = 2ρgA, pela energia potencial ρgAz² das colunas
+k-3-e-i-l-a-b-3-e-i-l-a-b-with-b-l-a = k = 3 E I L/(a² b²) + 3 E I L³/(a³ b³) com b = L − a
 tapered-shaft-in-torsion = Eixo cônico em torção
 k-t-by-the-integral-of-dx-gj-of-a-shaft-that-tapers = k_t pela integral de dx/(GJ) de um eixo cônico
 k-t-ei-dn-of-the-wire = k_t = EI/(πDn) do arame
@@ -5309,6 +5314,7 @@ n-10-1-12-11-with-0-3-g-r-cowper-1966-f-g-2-l-between-fixed-ends = κ = 10(1 + �
 shear-beam-round = Viga de cisalhamento, redonda
 n-6-1-7-6-with-0-3-g-r-cowper-1966-f-g-2-l-between-fixed-ends = κ = 6(1 + ν)/(7 + 6ν) com ν = 0,3 (G. R. Cowper, 1966); f = √(κ G/ρ)/(2 L) entre extremidades fixas
 short-pinned-beam-with-cowper-s-coefficient = Viga curta sobre pinos com o coeficiente de Cowper
+short-pinned-tube-with-cowper-s-coefficient = Tubo curto apoiado com o coeficiente de Cowper
 i-g-a-i-1-e-g-k-ei-k-0-k-n-l-10-1-12-11 = ρ²I ω⁴/(κG) − (ρA + ρI(1 + E/κG)k²) ω² + EI k⁴ = 0, k = nπ/L, κ = 10(1 + ν)/(12 + 11ν), vigas curtas
 pinned-beam-with-both-springs-at-its-middle = Viga sobre pinos com as duas molas no meio
 n-1-k-l-tan-2-tanh-2-4-e-i-0-and-1-k-t-l-coth-2-cot-2-4-e-i-0 = 1 + k L³ (tan β/2 − tanh β/2)/(4 E I β³) = 0 e 1 + k_t L (coth β/2 − cot β/2)/(4 E I β) = 0

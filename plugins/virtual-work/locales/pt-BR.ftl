@@ -244,6 +244,7 @@ pressure-of-the-exhaust = Pressão de escape
 cut-off = Corte da admissão
 part-of-the-stroke-over-which-the-cylinder-is-filled = Fração do curso em que o cilindro é enchido.
 clearance = folga
+closed-form-f-p-b-a-h-p-a-s-a-k-p-a-r-s-0-62646-of-the-return-stroke = forma fechada: F = p_b A_h − p_a ((ε + κ)/(s + κ))ᵏ A_k − p₀ A_r, s = 0.62646 do curso de retorno
 volume-behind-the-piston-at-the-dead-centre-over-the-volume-of-the-stroke = Volume atrás do pistão no ponto morto, dividido pela cilindrada.
 law-of-the-expansion = Lei da expansão
 indicator-diagram-over-the-stroke = Diagrama indicador sobre o curso
@@ -613,6 +614,7 @@ joints = Juntas
 drivers = Acionamentos
 one-for-each-degree-of-freedom-what-moves-the-mechanism-or-holds-it-where-it-is = Um para cada grau de liberdade: o que move o mecanismo, ou o mantém onde está.
 points-whose-motion-is-asked-for = Pontos cujo movimento se pede
+polytropic-expansion-late-in-the-return-stroke = Expansão politrópica no fim do curso de retorno
 range-of-the-first-driver-in-the-plots = Faixa do primeiro acionamento nos gráficos
 point = Ponto
 one-turn-or-as-far-as-it-goes = Uma volta, ou até onde vai
