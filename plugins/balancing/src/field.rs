@@ -33,7 +33,11 @@ use self::{
     numbers::Numbers,
     readings::{Influence, Job},
 };
-use crate::sources::{BOYD, DARLOW, GOODMAN, RAO};
+
+use crate::{
+    rotor,
+    sources::{BOYD, DARLOW, GOODMAN, RAO},
+};
 
 /// How many jobs that might as well have been measured the ranges are read from.
 const SAMPLES: usize = 400;
@@ -174,10 +178,10 @@ impl Analysis for Field {
         };
         let weights: Vec<Complex<f64>> =
             corrections.iter().map(|w| Complex::from_polar(w.mass.value(), w.angle.value())).collect();
-        self.answers(&corrections, given.radius, sheet);
+        self.answers(&corrections, given.radius, &numbers, &factors, sheet);
         trim(&numbers, &weights, sheet);
         let left = self.predict(&numbers, &weights, job.units.reading, sheet);
-        condition(squares.condition, sheet);
+        condition(squares.condition, &numbers, &factors, sheet);
         sheet.verify(|| {
             let choice = match self.method {
                 Method::MinMax { limit } => Choice::MinMax(limit),
@@ -259,7 +263,15 @@ impl Field {
     }
 
     /// Correction and existing unbalance, each with its angle.
-    fn answers<W: Worksheet>(&self, corrections: &[Found<W::Num>], radius: Option<W::Num>, sheet: W) {
+    fn answers<W: Worksheet>(
+        &self,
+        corrections: &[Found<W::Num>],
+        radius: Option<W::Num>,
+        numbers: &Numbers,
+        factors: &[f64],
+        sheet: W,
+    ) {
+        let mut existing = Vec::new();
         let estimated = !matches!(self.method, Method::MinMax { .. });
         for (n, found) in (1..).zip(corrections) {
             sheet.answer(("correction", n), "Correction weight in plane", found.mass);
@@ -274,6 +286,7 @@ impl Field {
                     "The existing unbalance lies opposite to the correction",
                 );
                 sheet.answer(("existing_angle", n), "Angle of the existing unbalance in plane", angle);
+                existing.push(Complex::from_polar(found.mass.value(), angle.value()));
             }
             if let Some(radius) = radius {
                 let unbalance = sheet.step(
@@ -285,6 +298,28 @@ impl Field {
                 sheet.answer(("unbalance", n), "Unbalance of the correction in plane", unbalance);
             }
         }
+        if !estimated {
+            return;
+        }
+        sheet.verify(|| {
+            // What the existing unbalances do not explain of the first readings is what the corrections leave.
+            let weights: Vec<Complex<f64>> = existing.iter().map(|w| -w).collect();
+            let left = influence::residuals(&numbers.alpha, &numbers.first, &weights);
+            for plane in 0..numbers.alpha.ncols() {
+                let product: Complex<f64> = (numbers.alpha.column(plane).iter().zip(&left).zip(factors))
+                    .map(|((a, r), g)| a.conj() * r * *g)
+                    .sum();
+                let size: f64 = (numbers.alpha.column(plane).iter().enumerate().zip(factors))
+                    .map(|((row, a), g)| g * a.norm() * numbers.reach(row, &weights))
+                    .sum();
+                sheet.check_zero(
+                    Text::new("the existing unbalances explain all that plane {n} can do")
+                        .with("n", plane + 1),
+                    product.norm().into(),
+                    size,
+                );
+            }
+        });
     }
 
     /// What the sensors will read.
@@ -311,6 +346,25 @@ impl Field {
         let mean = sheet.found("r_rms", unit, mean, "Root of the mean square of all readings to expect");
         sheet.answer("largest_residual", "Largest reading to expect", largest);
         sheet.answer("rms_residual", "Root mean square of the readings to expect", mean);
+        sheet.verify(|| {
+            let (mut most, mut sum, mut reach) = (0.0f64, 0.0, 0.0f64);
+            for (row, (reading, kept)) in numbers.first.iter().zip(&left).enumerate() {
+                let mut vectors = vec![(reading.norm(), reading.arg())];
+                for (plane, weight) in weights.iter().enumerate() {
+                    let influence = numbers.alpha[(row, plane)];
+                    vectors.push((influence.norm() * weight.norm(), influence.arg() + weight.arg()));
+                }
+                let (squared, scale) = rotor::by_pairs(&vectors);
+                reach = reach.max(scale);
+                if *kept != Complex::ZERO {
+                    most = most.max(squared);
+                    sum += squared;
+                }
+            }
+            let what = "squares of the readings to expect by the law of cosines over readings and effects";
+            sheet.check_sum(what, largest.powi(2), most.into(), reach);
+            sheet.check_sum(what, mean.powi(2), (sum / left.len() as f64).into(), reach);
+        });
         sheet.answer_list("residual", "Readings to expect", unit, &sizes);
         left
     }
@@ -370,6 +424,7 @@ fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
     if !numbers.stay {
         return;
     }
+    let mut added = Vec::new();
     for (plane, weight) in weights.iter().enumerate() {
         let on: Complex<f64> =
             numbers.runs.iter().filter(|run| run.plane == plane).map(|run| run.weight).sum();
@@ -389,14 +444,33 @@ fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
         );
         sheet.answer(("trim", n), "Weight to add with the trial weights left on, plane", mass);
         sheet.answer(("trim_angle", n), "Angle of the weight to add, plane", angle);
+        added.push(Complex::from_polar(mass.value(), angle.value()));
     }
+    sheet.verify(|| {
+        let planes: Vec<usize> = numbers.runs.iter().map(|run| run.plane).collect();
+        let alone = planes.iter().enumerate().all(|(n, plane)| !planes[..n].contains(plane));
+        // Of planes with one run each the coefficients give the last readings back.
+        let Some(last) = numbers.runs.last().filter(|_| alone) else { return };
+        let left = influence::residuals(&numbers.alpha, &numbers.first, weights);
+        let again = influence::residuals(&numbers.alpha, &last.readings, &added);
+        for (row, (left, again)) in left.iter().zip(&again).enumerate() {
+            let size = last.readings[row].norm() + numbers.reach(row, weights) + numbers.reach(row, &added);
+            let what = "last readings with all trial weights on, and the weights to add";
+            sheet.check_zero(what, (left - again).norm().into(), size);
+        }
+    });
 }
 
-fn condition<W: Worksheet>(condition: f64, sheet: W) {
+fn condition<W: Worksheet>(condition: f64, numbers: &Numbers, factors: &[f64], sheet: W) {
     let how =
         "Condition number of the influence coefficients: how many times an error of the readings may grow";
     let condition = sheet.found("κ", "1", condition, how);
     sheet.answer("condition", "Condition number", condition);
+    sheet.verify(|| {
+        let Some((again, error)) = numbers.condition_by_eigenvalues(factors) else { return };
+        let what = "square root of the ratio of the eigenvalues of the normal equations";
+        sheet.check_residual(what, condition - again, again, error);
+    });
 }
 
 /// What the uncertainty of the readings does to weights and predictions. These are no numbers of the plain reading,

@@ -12,10 +12,14 @@ use dalembert_mechanics::{
         self,
         linkage::{Counterweight, Follower, Link, Linkage, Pose, Shaking},
     },
-    extremes,
+    extremes::{self, Extreme},
 };
 
 use crate::sources::{BERKOF, NORTON};
+
+mod links;
+
+use links::Felt;
 
 /// The linkage, its masses, and where counterweights may sit.
 #[derive(Clone, Debug, Inputs)]
@@ -189,10 +193,8 @@ impl Analysis for LinkageBalance {
             }
         };
         let after: Vec<Shaking> = poses.iter().map(|pose| linkage.shaking(pose, &counterweights)).collect();
-        let force_after = largest(&after, size);
         let effort: f64 = linkage_effort(&linkage, &counterweights, self.speed);
         sheet.verify(|| {
-            sheet.check_zero("no shaking force is left", force_after.into(), effort);
             let still = after[0].first_moment;
             let wander = after
                 .iter()
@@ -211,24 +213,53 @@ impl Analysis for LinkageBalance {
             let what = "the forces of the frame on crank and follower are the shaking force turned round";
             sheet.check_zero(what, gaps.into(), most.fold(effort, f64::max));
         });
-        let clean = |x: f64| if x < 1e-9 * effort { 0.0 } else { x };
         let found =
             |symbol, unit, si, why: &'static str| sheet.found(symbol, unit, si, (why, NORTON.at("ch. 12")));
         let why_force = "Largest shaking force over a turn";
-        let most_before = |of: &dyn Fn(&Shaking) -> f64| self.greatest(&linkage, &[], &before, of);
-        let most_after = |of: &dyn Fn(&Shaking) -> f64| self.greatest(&linkage, &counterweights, &after, of);
-        let first = found("F_before", "N", most_before(&size), why_force);
-        let last = found("F_after", "N", clean(force_after), why_force);
+        let weights = [&[], counterweights.as_slice()];
+        // The largest of a number before and after, and the same by the equations of all links at the crank angle of each.
+        let most = |of: &dyn Fn(&Shaking) -> f64| {
+            let greatest = |(with, all)| self.greatest(&linkage, with, all, of);
+            [(weights[0], before.as_slice()), (weights[1], after.as_slice())].map(greatest)
+        };
+        let again = |what: &'static str,
+                     found: [W::Num; 2],
+                     at: [Extreme; 2],
+                     reach: f64,
+                     of: &dyn Fn(&Felt) -> f64| {
+            sheet.verify(|| {
+                for ((found, at), with) in found.into_iter().zip(at).zip(weights) {
+                    let Some(pose) = linkage.pose(at.time, self.speed) else { continue };
+                    let Some(felt) = links::felt(&linkage, &pose, with, self.speed) else { continue };
+                    let scale = (effort * reach).max(at.value);
+                    let error = f64::EPSILON * felt.growth * scale;
+                    sheet.check_residual(what, (found.value() - of(&felt)).into(), scale, error);
+                }
+            });
+        };
+        let at = most(&size);
+        let first = found("F_before", "N", at[0].value, why_force);
+        let last = left(&linkage, &poses, &counterweights, &after, effort, sheet);
         sheet.answer("shaking_force", "Largest shaking force before", first);
         sheet.answer("shaking_force_after", "Largest shaking force after", last);
+        sheet.verify(|| sheet.check_zero("no shaking force is left", last.value().into(), effort));
+        let what = "shaking force there by Newton's and Euler's equations of all links at once";
+        again(what, [first, last], at, 1.0, &|felt| felt.force[0].hypot(felt.force[1]));
         let why_moment = "Largest shaking moment about the crank pivot over a turn";
-        let first = found("M_before", "N*m", most_before(&|s| s.moment.abs()), why_moment);
-        let last = found("M_after", "N*m", most_after(&|s| s.moment.abs()), why_moment);
+        let reach = linkage.crank + linkage.coupler;
+        let at = most(&|s| s.moment.abs());
+        let [first, last] = [("M_before", at[0]), ("M_after", at[1])]
+            .map(|(symbol, at)| found(symbol, "N*m", at.value, why_moment));
+        let what = "shaking moment there by Newton's and Euler's equations of all links at once";
+        again(what, [first, last], at, reach, &|felt| felt.moment.abs());
         sheet.answer("shaking_moment", "Largest shaking moment before", first);
         sheet.answer("shaking_moment_after", "Largest shaking moment after", last);
         let why_torque = "Largest torque on the crank over a turn";
-        let first = found("T_before", "N*m", most_before(&|s| s.torque.abs()), why_torque);
-        let last = found("T_after", "N*m", most_after(&|s| s.torque.abs()), why_torque);
+        let at = most(&|s| s.torque.abs());
+        let [first, last] = [("T_before", at[0]), ("T_after", at[1])]
+            .map(|(symbol, at)| found(symbol, "N*m", at.value, why_torque));
+        let what = "torque there by Newton's and Euler's equations of all links at once";
+        again(what, [first, last], at, reach, &|felt| felt.torque.abs());
         sheet.answer("torque", "Largest torque on the crank before", first);
         sheet.answer("torque_after", "Largest torque on the crank after", last);
         if last.value() > 1.05 * first.value() {
@@ -248,10 +279,13 @@ impl Analysis for LinkageBalance {
                     Text::new("Largest force over a turn, {when}: {joint}, from the balance of each link");
                 (why.with_text("when", when).with_text("joint", label), NORTON.at("ch. 11"))
             };
-            let first = sheet.found(("P_before", joint + 1), "N", most_before(&of), why("before"));
-            let last = sheet.found(("P_after", joint + 1), "N", most_after(&of), why("after"));
+            let at = most(&of);
+            let first = sheet.found(("P_before", joint + 1), "N", at[0].value, why("before"));
+            let last = sheet.found(("P_after", joint + 1), "N", at[1].value, why("after"));
             sheet.answer(("joint_force", joint + 1), label, first);
             sheet.answer(("joint_force_after", joint + 1), label, last);
+            let what = "force in a joint there by Newton's and Euler's equations of all links at once";
+            again(what, [first, last], at, 1.0, &|felt| felt.joints[joint][0].hypot(felt.joints[joint][1]));
         }
         sheet.show(|| Exhibit::Table(joint_forces(names, &before, &after)));
         for (title, label, unit, of) in [
@@ -458,7 +492,7 @@ impl LinkageBalance {
         counterweights: &[Counterweight],
         all: &[Shaking],
         of: impl Fn(&Shaking) -> f64,
-    ) -> f64 {
+    ) -> Extreme {
         // One place beyond the turn, so that each has two neighbours.
         let places: Vec<f64> = (0..=all.len() + 1).map(|n| TAU * n as f64 / all.len() as f64).collect();
         let values: Vec<f64> = (0..places.len()).map(|n| of(&all[n % all.len()])).collect();
@@ -466,8 +500,42 @@ impl LinkageBalance {
             let pose = linkage.pose(angle, self.speed);
             pose.map_or(0.0, |pose| of(&linkage.shaking(&pose, counterweights)))
         };
-        extremes::greatest_about(at, &places, &values).map_or(0.0, |top| top.value)
+        extremes::greatest_about(at, &places, &values).unwrap_or(Extreme { time: 0.0, value: 0.0 })
     }
+}
+
+/// What is left of the shaking force where most is: the force of the linkage itself and that of its counterweights.
+fn left<W: Worksheet>(
+    linkage: &Linkage,
+    poses: &[Pose],
+    counterweights: &[Counterweight],
+    after: &[Shaking],
+    effort: f64,
+    sheet: W,
+) -> W::Num {
+    let worst = (0..after.len()).max_by(|a, b| size(&after[*a]).total_cmp(&size(&after[*b]))).unwrap_or(0);
+    let own = linkage.shaking(&poses[worst], &[]).force;
+    let weightless = |link: Link| Link { mass: 0.0, inertia: 0.0, ..link };
+    let follower = match linkage.follower {
+        Follower::Rocker { frame, length, crossed, link } => {
+            Follower::Rocker { frame, length, crossed, link: weightless(link) }
+        }
+        Follower::Slider { offset, .. } => Follower::Slider { offset, mass: 0.0 },
+    };
+    let (crank_link, coupler_link) = (weightless(linkage.crank_link), weightless(linkage.coupler_link));
+    let bare = Linkage { crank_link, coupler_link, follower, ..*linkage };
+    let added = bare.shaking(&poses[worst], counterweights).force;
+    let names = [["F_x", "W_x"], ["F_y", "W_y"]];
+    let [x, y] = [0, 1].map(|axis| {
+        // What is rounding beside the forces that cancel is none.
+        let (one, other) = (own[axis], added[axis]);
+        let other = if (one + other).abs() < 1e-9 * effort { -one } else { other };
+        let why = "Force of the moving links on the frame, at the crank angle where most is left";
+        let one = sheet.found(names[axis][0], "N", one, why);
+        one + sheet.found(names[axis][1], "N", other, "Force of the counterweights there")
+    });
+    let why = ("Largest shaking force over a turn", NORTON.at("ch. 12"));
+    sheet.step("F_after", "N", balance::magnitude(x, y), why)
 }
 
 /// The size of the forces that cancel: all masses with their reach at the speed of the crank.

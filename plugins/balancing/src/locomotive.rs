@@ -1,6 +1,6 @@
 //! Locomotives with two cylinders: partial balance, hammer blow, tractive effort, swaying couple.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{
     About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
@@ -197,11 +197,33 @@ impl Analysis for Locomotive {
         );
         let blow = sheet.step("H_max", "N", blow, why);
         sheet.answer("hammer_blow", "Hammer blow of a wheel", blow);
+        // Moments about the other wheel of the part of the reciprocating masses that is balanced at both cranks.
+        let vertical = |at: f64| {
+            let pull = product.value() * fraction.value() / axles * speed.value().powi(2);
+            let arms = [self.wheels + self.cylinders, self.wheels - self.cylinders];
+            pull * (arms[0] * at.cos() + arms[1] * (at + self.between).cos()) / (2.0 * self.wheels)
+        };
+        sheet.verify(|| {
+            let (_, most) = reciprocating::greatest(|at| [vertical(at), 0.0]);
+            let scale = most * (1.0 + self.cylinders / self.wheels) / share.value();
+            let what = "vertical force of the balance masses at its greatest over a turn";
+            sheet.check_sum(what, blow, most.into(), scale);
+        });
         if let Some(load) = given.load {
             let most = sheet.step("R_max", "N", load + blow, "Greatest load of a wheel on the rail");
             let least = sheet.step("R_min", "N", load - blow, "Least load of a wheel on the rail");
             sheet.answer("load_max", "Greatest load of a wheel on the rail", most);
             sheet.answer("load_min", "Least load of a wheel on the rail", least);
+            sheet.verify(|| {
+                let (at, _) = reciprocating::greatest(|at| [vertical(at), 0.0]);
+                let parts = [vertical(at), vertical(at + PI)];
+                let scale =
+                    load.value() + blow.value() * (1.0 + self.cylinders / self.wheels) / share.value();
+                let above = load.value() + parts[0].max(parts[1]);
+                sheet.check_sum("load of a wheel where that force is greatest", most, above.into(), scale);
+                let below = load.value() + parts[0].min(parts[1]);
+                sheet.check_sum("load of a wheel half a turn from there", least, below.into(), scale);
+            });
             if least.value() < -1e-9 * load.value() {
                 sheet.warn(|| {
                     Text::new(
@@ -296,17 +318,20 @@ impl Locomotive {
         let why = ("Speed at which the hammer blow is as large as the dead load", KHURMI.at("ch. 22"));
         let speed = sheet.step("ω_L", "rpm", speed, why);
         sheet.answer("limit_wheel_speed", "Wheel speed at which a wheel begins to lift", speed);
-        if let Some(diameter) = given.diameter {
+        let train = given.diameter.map(|diameter| {
             let train = sheet.step("v_L", "km/h", speed * diameter / 2.0, "The wheels roll");
             sheet.answer("limit_speed", "Speed at which a wheel begins to lift", train);
-        }
+            train.value() / (diameter.value() / 2.0)
+        });
         sheet.verify(|| {
-            let blow = product.value() * fraction.value() * share.value() * speed.value().powi(2) / axles;
-            sheet.check(
-                "at that speed the hammer blow is the dead load",
-                blow.into(),
-                (load.value() / axles).into(),
-            );
+            for speed in [Some(speed.value()), train].into_iter().flatten() {
+                let blow = product.value() * fraction.value() * share.value() * speed.powi(2) / axles;
+                sheet.check(
+                    "at that speed the hammer blow is the dead load",
+                    blow.into(),
+                    (load.value() / axles).into(),
+                );
+            }
         });
         Some(speed)
     }
@@ -359,24 +384,26 @@ impl Locomotive {
                 let size =
                     sheet.step((names.size, row), "kg*m", balance::magnitude(x, y), "Mass times radius");
                 sheet.answer((names.product, row), names.labels[0], size);
-                sums[0] += x.value();
-                sums[1] += y.value();
-                let side = if wheel == 0 { -0.5 } else { 0.5 } * self.wheels;
-                sums[2] += side * x.value();
-                sums[3] += side * y.value();
                 let scale = mass.value() * crank.value() + rods.map_or(0.0, |(product, ..)| product.value());
                 if size.value() <= 1e-12 * scale {
                     continue;
                 }
-                if let Some(radius) = given.radius {
+                let placed = given.radius.map(|radius| {
                     let why = "Balance mass in this wheel";
                     let mass = sheet.step((names.mass_symbol, row), "kg", size / radius, why);
                     sheet.answer((names.mass, row), names.labels[1], mass);
-                }
+                    mass.value() * radius.value()
+                });
                 let why = "Angle from the first crank, in the sense from the first crank to the second";
                 let angle =
                     sheet.step((names.angle_symbol, row), "deg", balance::marked_direction(x, y), why);
                 sheet.answer((names.angle, row), names.labels[2], angle);
+                let placed = placed.unwrap_or(size.value());
+                let (x, y) = (placed * angle.value().cos(), placed * angle.value().sin());
+                let side = if wheel == 0 { -0.5 } else { 0.5 } * self.wheels;
+                for (sum, part) in sums.iter_mut().zip([x, y, side * x, side * y]) {
+                    *sum += part;
+                }
                 if names.driving {
                     angles[wheel] = angle.value();
                 }

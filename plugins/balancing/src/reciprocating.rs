@@ -8,6 +8,7 @@ use dalembert_mechanics::{
 
 use crate::sources::{BEVAN, DEN_HARTOG, KHURMI, NORTON};
 
+mod checks;
 mod counterweight;
 mod layout;
 mod orders;
@@ -338,13 +339,14 @@ impl Analysis for Reciprocating {
             let again = orders::greatest_again(&found, &pistons, motion);
             sheet.check_zero(
                 "the greatest force from the vectors of the orders, or from the slider-crank as a mechanism",
-                (greatest - again).into(),
+                (whole.value() - again).into(),
                 scale,
             );
         });
         let residual = counterweight::rotating(given, &cylinders, &primary, &found, about, sheet);
         if let Some(shafts) = self.shafts {
-            counterweight::shafts(shafts, given.speed, &found, residual, about, scale, sheet)?;
+            let engine = counterweight::Engine { cylinders: &cylinders, pistons: &pistons, motion };
+            counterweight::shafts(shafts, given.speed, &engine, &found, &residual, about, sheet)?;
         }
         sheet.show(|| Exhibit::Plot(pictures::forces(&pistons, motion, at)));
         if cylinders.iter().any(|c| c.position.value() != cylinders[0].position.value()) {

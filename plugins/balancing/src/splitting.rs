@@ -9,7 +9,7 @@ use dalembert_mechanics::{
 };
 use std::f64::consts::{PI, TAU};
 
-use crate::sources::RIUL;
+use crate::{rotor, sources::RIUL};
 
 /// What is to be done with a correction.
 #[derive(Clone, Debug, Inputs)]
@@ -241,7 +241,7 @@ fn choose<W: Worksheet>(
     }
     let wanted = Phasor::polar(mass.value(), angle.value());
     let at = [first.value(), second.value()];
-    let left =
+    let remains =
         |one: f64, two: f64| Phasor::polar(one, at[0]).plus(Phasor::polar(two, at[1])).minus(wanted).size();
     // Only those next to what is wanted at a place can be the best, or their neighbours where places are oblique.
     let sizes = || std::iter::once(0.0).chain(available.iter().map(|a| a.mass));
@@ -254,7 +254,7 @@ fn choose<W: Worksheet>(
     let (one, two) = near(parts[0].value())
         .into_iter()
         .flat_map(|one| near(parts[1].value()).into_iter().map(move |two| (one, two)))
-        .min_by(|a, b| left(a.0, a.1).total_cmp(&left(b.0, b.1)))
+        .min_by(|a, b| remains(a.0, a.1).total_cmp(&remains(b.0, b.1)))
         .unwrap_or_default();
     let why = "Of the weights at hand, the pair that leaves least";
     let one = sheet.found("m_h₁", "g", one, why);
@@ -265,6 +265,21 @@ fn choose<W: Worksheet>(
     sheet.answer("first_at_hand", "Weight at hand for the first place", one);
     sheet.answer("second_at_hand", "Weight at hand for the second place", two);
     sheet.answer("uncorrected", "Weight that stays uncorrected", left);
+    sheet.verify(|| {
+        let chosen = [one.value(), two.value()];
+        let scale = wanted.size() + chosen[0] + chosen[1];
+        let far = |weight: f64| sizes().map(|size| (size - weight).abs()).fold(f64::INFINITY, f64::min);
+        sheet.check_zeros("the weights are of those at hand", chosen.map(far), wanted.size());
+        let least = sizes().fold(f64::INFINITY, |least, size| {
+            least.min(remains(size, chosen[1])).min(remains(chosen[0], size))
+        });
+        let more = (remains(chosen[0], chosen[1]) - least).max(0.0);
+        sheet.check_zero("no other weight at either place leaves less", more.into(), scale);
+        let vectors = [(chosen[0], at[0]), (chosen[1], at[1]), (-mass.value(), angle.value())];
+        let (again, scale) = rotor::along_first(&vectors);
+        let what = "what stays, by components along the first place and across it";
+        sheet.check_sum(what, left, again.into(), scale);
+    });
 }
 
 /// One weight in place of several.

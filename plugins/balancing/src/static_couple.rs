@@ -163,24 +163,27 @@ fn decompose<W: Worksheet>(
     let couple = sheet.step("C", unit, opposite.size(), "Size of the couple part");
     sheet.answer("couple", "Couple part", couple);
     // A part that is only rounding has no direction.
+    let mut polar = [Phasor { x: W::Num::from(0.0), y: W::Num::from(0.0) }; 2];
     if size.value() > 1e-12 * scale {
         let angle = sheet.step("σ", "deg", common.marked_angle(), "Its angle");
         sheet.answer("static_angle", "Angle of the static part", angle);
+        polar[0] = Phasor::polar(size, angle);
     }
     if couple.value() > 1e-12 * scale {
         let angle = sheet.step("γ", "deg", opposite.marked_angle(), "Its angle in the first vector");
         sheet.answer("couple_angle", "Angle of the couple part in the first vector", angle);
+        polar[1] = Phasor::polar(couple, angle);
     }
-    sheet.check_zero(
-        "static and couple part give the first vector again",
-        common.plus(opposite).size() - first.0,
-        scale,
-    );
-    sheet.check_zero(
-        "static less couple part gives the second vector again",
-        common.minus(opposite).size() - second.0,
-        scale,
-    );
+    let [in_common, in_opposite] = polar;
+    for (what, parts, (size, angle)) in [
+        ("static and couple part give the first vector again", in_common.plus(in_opposite), first),
+        ("static less couple part gives the second vector again", in_common.minus(in_opposite), second),
+    ] {
+        // Seen along the vector, the parts are as large, and nothing is left across it.
+        let (along, across) = (angle.cos(), angle.sin());
+        sheet.check_sum(what, parts.x * along + parts.y * across, size, scale);
+        sheet.check_zero(what, parts.y * along - parts.x * across, scale);
+    }
     // The parallelogram law: S² + C² = (V₁² + V₂²)/2.
     sheet.check(
         "squares of both parts against those of the vectors",

@@ -13,7 +13,10 @@ use dalembert_mechanics::{
     balance::{self, PlaneUnbalance},
 };
 
-use crate::sources::{ISO_TOLERANCES, MIL_STD_167};
+use crate::{
+    rotor,
+    sources::{ISO_TOLERANCES, MIL_STD_167},
+};
 
 /// The rotor, its speed, and what is demanded of it.
 #[derive(Clone, Debug, Inputs)]
@@ -267,6 +270,11 @@ impl Analysis for Tolerance {
         sheet.answer("force", "Rotating force of the permissible unbalance", force);
         sheet.answer("force_ratio", "That force over the weight", ratio);
         sheet.check("the force from mass, grade and speed", force, given.mass * grade * given.speed);
+        sheet.check(
+            "acceleration of the centre of mass over gravity",
+            ratio,
+            displacement * given.speed.powi(2) / given.gravity,
+        );
 
         let limits = match &given.planes {
             PlanesGiven::One {} => None,
@@ -287,6 +295,11 @@ impl Analysis for Tolerance {
             let mass = sheet.step("m_t", "g", unbalance / trial.radius, "Trial mass at its radius");
             sheet.answer("trial_unbalance", "Trial unbalance", unbalance);
             sheet.answer("trial_mass", "Trial mass", mass);
+            sheet.check(
+                "trial unbalance over the permissible one, as their forces over the weight",
+                mass * trial.radius * ratio,
+                total * trial.share * carried,
+            );
         }
         if matches!(self.criterion, Criterion::Navy { .. }) && self.speed < 1000.0 * TAU / 60.0 {
             sheet.warn(|| {
@@ -416,15 +429,18 @@ impl Tolerance {
     ) -> Option<Judged> {
         let mut unbalances: Vec<[W::Num; 3]> = Vec::new();
         let mut couple = None;
+        let mut polar = Vec::new();
         match &given.residual {
             ResidualGiven::None {} => return None,
             ResidualGiven::Measured { unbalances: all } => {
                 for (n, u) in (1..).zip(all) {
                     unbalances.push(components(sheet, n, u.unbalance, u.angle, u.position));
+                    polar.push((u.unbalance.value(), u.angle.value()));
                 }
             }
             ResidualGiven::StaticCouple { unbalance, angle, position, couple: size, couple_angle } => {
                 unbalances.push(components(sheet, 1, *unbalance, *angle, *position));
+                polar.push((unbalance.value(), angle.value()));
                 let why = "Couple unbalance along x and y";
                 couple = Some([
                     sheet.step("K_x", "g*mm^2", *size * couple_angle.cos(), why),
@@ -436,6 +452,11 @@ impl Tolerance {
         let total =
             sheet.step("U_res", "g*mm", balance::magnitude(sum(0), sum(1)), "Static residual unbalance");
         sheet.answer("static_residual", "Static residual unbalance", total);
+        sheet.verify(|| {
+            let (squared, scale) = rotor::by_pairs(&polar);
+            let what = "square of the static unbalance by the law of cosines over all pairs";
+            sheet.check_sum(what, total.powi(2), squared.into(), scale);
+        });
         let mut judged = Judged { total: total.value(), at_bearings: None };
         match (limits, &given.planes) {
             (Some([in_first, in_second]), PlanesGiven::Bearings { first, second, .. }) => {
@@ -455,12 +476,6 @@ impl Tolerance {
                     let why = "The measured unbalances told at bearing B";
                     (one, sheet.step(other_symbol, "g*mm", other, why))
                 });
-                self.check_equivalents(
-                    [x, y].map(|(a, b)| [a.value(), b.value()]),
-                    &unbalances,
-                    couple,
-                    sheet,
-                );
                 let size = |symbol, x, y, why: &'static str| {
                     sheet.step(symbol, "g*mm", balance::magnitude(x, y), why)
                 };
@@ -468,6 +483,13 @@ impl Tolerance {
                 let other = size("U_B", x.1, y.1, "Residual unbalance at bearing B");
                 sheet.answer("residual_a", "Residual unbalance at bearing A", one);
                 sheet.answer("residual_b", "Residual unbalance at bearing B", other);
+                self.check_equivalents(
+                    [x, y].map(|(a, b)| [a.value(), b.value()]),
+                    [one, other],
+                    &unbalances,
+                    couple,
+                    sheet,
+                );
                 let ratio = |symbol, residual: W::Num, permitted: W::Num| {
                     sheet.step(
                         symbol,
@@ -503,6 +525,7 @@ impl Tolerance {
     fn check_equivalents<W: Worksheet>(
         &self,
         [x, y]: [[f64; 2]; 2],
+        sizes: [W::Num; 2],
         unbalances: &[[W::Num; 3]],
         couple: Option<[W::Num; 2]>,
         sheet: W,
@@ -523,6 +546,14 @@ impl Tolerance {
             let scale: f64 = all.iter().map(|u| u.components[0].hypot(u.components[1])).sum();
             let reach = all.iter().map(|u| (u.position - first).abs()).fold((second - first).abs(), f64::max);
             let Ok(corrections) = balance::balance_two_planes(&all, [first, second]) else { return };
+            for (size, [u, v]) in sizes.into_iter().zip([corrections.in_a, corrections.in_b]) {
+                sheet.check_sum(
+                    "what is told at a bearing is as large as what would correct it there",
+                    size,
+                    u.hypot(v).into(),
+                    scale * reach / (second - first).abs(),
+                );
+            }
             for axis in 0..2 {
                 let ours = [x, y][axis];
                 let theirs = [corrections.in_a[axis], corrections.in_b[axis]];

@@ -7,7 +7,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    rotor::Way,
+    rotor::{self, Way},
     sources::{MABIE, RIUL},
     views::{self, Shown},
 };
@@ -353,4 +353,20 @@ fn before<W: Worksheet>(sheet: W, speed: W::Num, plane_a: W::Num, [x, y]: [&Alon
     let couple = sheet.step("C", "N*m", balance::centrifugal_force(couple, speed), why);
     sheet.answer("force_before", "Rotating force before balancing", force);
     sheet.answer("couple_before", "Rotating couple about plane A before balancing", couple);
+    sheet.verify(|| {
+        let spun = speed.value().powi(2);
+        let each = || x.masses.iter().zip(&y.masses);
+        let polar = |(x, y): (W::Num, W::Num)| (x.value().hypot(y.value()), y.value().atan2(x.value()));
+        let all: Vec<_> = each().map(|(x, y)| polar((x.0, y.0))).collect();
+        let (again, scale) = rotor::along_first(&all);
+        let what = "force by components along the first mass and across it";
+        sheet.check_sum(what, force, (again * spun).into(), scale * spun);
+        let arms = each().map(|(x, y)| {
+            let (size, angle) = polar((x.0, y.0));
+            (size * (x.1 - plane_a).value(), angle)
+        });
+        let (again, scale) = rotor::along_first(&arms.collect::<Vec<_>>());
+        let what = "couple by components along the first mass and across it";
+        sheet.check_sum(what, couple, (again * spun).into(), scale * spun);
+    });
 }

@@ -301,9 +301,24 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
     let unbalance =
         sheet.step("ψ", "deg", balance::marked_direction(x, y), "Angle of the existing unbalance");
     sheet.answer("existing_angle", "Angle of the existing unbalance from both parts", unbalance);
+    sheet.verify(|| {
+        // The effect over the first vibration is z, and ψ turns against its angle.
+        let what = "effect of the trial weight towards the existing unbalance, by linear least squares";
+        let size = first.value() * (1.0 + effect.linear.norm());
+        let (toward, across) = (by_phase * unbalance.cos(), by_phase * unbalance.sin());
+        sheet.check_sum(what, toward, first * effect.linear.re, size);
+        sheet.check_sum(what, across, first * -effect.linear.im, size);
+    });
+    let mut by_parts = None;
     if by_phase.value() > 0.0 {
         let mass = sheet.step("m_p", "g", trial * first / by_phase, "Correction weight by the two parts");
         sheet.answer("correction_by_parts", "Correction weight by the two parts", mass);
+        by_parts = Some(mass);
+        sheet.verify(|| {
+            let size = trial.value() * (1.0 + 1.0 / effect.linear.norm());
+            let what = "the weight by the two parts has an effect as large as the first vibration";
+            sheet.check_sum(what, mass * effect.linear.norm(), trial, size);
+        });
     }
     if square.value() > 0.0 {
         let size = sheet.step(
@@ -314,6 +329,11 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
         );
         let mass = sheet.step("m_m", "g", trial * first / size, "Correction weight by the mean square");
         sheet.answer("correction_by_mean_square", "Correction weight by the mean square", mass);
+        sheet.verify(|| {
+            let what = "square of trial weight over correction, by linear least squares of the squares";
+            let ratio = (trial / mass).powi(2);
+            sheet.check_sum(what, ratio, effect.mean_square.into(), 1.0 + effect.mean_square);
+        });
         let apart = (size - by_phase).abs() / size;
         let apart = sheet.step(
             "q",
@@ -322,6 +342,12 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
             "How far the two ways are apart: 0 where the circles meet in a point",
         );
         sheet.answer("disagreement", "Disagreement of the two ways", apart);
+        if let Some(by_parts) = by_parts {
+            // A weight is as much smaller as its effect is larger.
+            let of_weights = (mass / by_parts - 1.0).abs();
+            let what = "disagreement of the two correction weights";
+            sheet.check_sum(what, apart, of_weights, 1.0 + apart.value());
+        }
         if apart.value() > 0.1 {
             sheet.warn(|| {
                 Text::new(
@@ -366,6 +392,7 @@ fn correct<W: Worksheet>(
         ),
         _ => Refusal::because("these amplitudes are beyond the range of numbers that can be balanced"),
     })?;
+    let mut weights = Vec::new();
     for (n, weight) in (1..).zip(&solved.weights) {
         let ratio = sheet.found(
             ("w", n),
@@ -382,8 +409,9 @@ fn correct<W: Worksheet>(
         );
         sheet.answer(("correction", n), "Correction weight in plane", mass);
         sheet.answer(("correction_angle", n), "Angle of the correction in plane", angle);
+        weights.push(Complex::from_polar(mass.value() / trial.value(), angle.value()));
     }
-    let left = influence::residuals(&alpha, &first, &solved.weights);
+    let left = influence::residuals(&alpha, &first, &weights);
     for plane in 0..alpha.ncols() {
         let product: Complex<f64> = alpha.column(plane).iter().zip(&left).map(|(a, r)| a.conj() * r).sum();
         let size: f64 = alpha.column(plane).iter().map(|a| a.norm()).sum();
@@ -415,6 +443,23 @@ fn misfit<W: Worksheet>(job: &Job<W::Num>, effects: &[Vec<Effect>], sheet: W) {
         "The largest difference between an amplitude and what the effects found give",
     );
     sheet.answer("misfit", "Largest misfit of an amplitude", misfit);
+    sheet.verify(|| {
+        let mut again = 0.0f64;
+        for (plane, sensor, effect) in each(effects) {
+            let first = job.first[sensor - 1].value();
+            for run in job.runs.iter().filter(|run| run.plane + 1 == plane) {
+                // The trial weight's effect turns with it.
+                let turned = run.angle.value() + effect.best.arg();
+                let squared = 1.0 + effect.best.norm_sqr() + 2.0 * effect.best.norm() * turned.cos();
+                again = again.max((squared.max(0.0).sqrt() * first - run.sizes[sensor - 1].value()).abs());
+            }
+        }
+        let again = if again < 1e-9 * largest { 0.0 } else { again };
+        let reach =
+            largest * (1.0 + each(effects).map(|(_, _, effect)| effect.best.norm()).fold(0.0, f64::max));
+        let what = "largest misfit from the triangles of first vibration and effect, by the law of cosines";
+        sheet.check_sum(what, misfit, again.into(), reach);
+    });
     if share > 0.1 {
         sheet.warn(|| {
             Text::new("the amplitudes do not belong together: one is off by {share} % of the first; repeat the runs at a steady speed")

@@ -220,6 +220,26 @@ impl Analysis for FreeAxisymmetric {
             "Size of the angular velocity",
         );
         sheet.answer("speed", "Angular velocity", speed);
+        sheet.verify(|| {
+            let size = precession.value() + spin.value().abs();
+            sheet.check_zero(
+                "precession and spin have no component across the angular velocity",
+                precession * (theta - beta).sin() - spin * beta.sin(),
+                size,
+            );
+            sheet.check_sum(
+                "precession and spin along the angular velocity",
+                precession * (theta - beta).cos() + spin * beta.cos(),
+                speed,
+                size,
+            );
+            sheet.check_sum(
+                "the cones roll on each other without sliding",
+                precession * space_cone.sin(),
+                spin.abs() * body_cone.sin(),
+                size,
+            );
+        });
         sheet.answer("axial_velocity", "Angular velocity about the axis", axial);
         if spin.value() != 0.0 {
             let around = sheet.step(
@@ -231,6 +251,12 @@ impl Analysis for FreeAxisymmetric {
             let wobbles = sheet.step("n", "1", precession / spin, "Precessions for each turn of the spin");
             sheet.answer("body_period", "Time of the angular velocity around the axis", around);
             sheet.answer("wobbles_per_turn", "Precessions for each turn of the spin", wobbles);
+            sheet.verify(|| {
+                // I_t φ̇ cos θ and I_a ω_a are the angular momentum about the axis.
+                let of_axis = wobbles * (W::Num::from(1.0) - ratio) * theta.cos();
+                let size = r + (wobbles.value() * (1.0 - r)).abs();
+                sheet.check_sum("angular momentum about the axis for each spin", of_axis, ratio, size);
+            });
         }
         if let Some((axial_moment, transverse_moment)) = body.moments {
             let momentum = sheet.step(
@@ -254,6 +280,24 @@ impl Analysis for FreeAxisymmetric {
             );
             sheet.answer("angular_momentum", "Angular momentum about the mass centre", momentum);
             sheet.answer("rotational_energy", "Kinetic energy of rotation", energy);
+            sheet.check_sum(
+                "angular momentum across the axis from its size and angle",
+                momentum * theta.sin(),
+                across,
+                momentum.value(),
+            );
+            sheet.check_sum(
+                "angular momentum about the axis from its size and angle",
+                momentum * theta.cos(),
+                axial_moment * axial,
+                momentum.value(),
+            );
+            sheet.check_sum(
+                "twice the energy as angular momentum times angular velocity along it",
+                energy * 2.0,
+                momentum * speed * space_cone.cos(),
+                momentum.value() * speed.value(),
+            );
         }
         sheet.verify(|| {
             let zero = W::Num::from(0.0);
@@ -435,9 +479,11 @@ fn at_instant<W: Worksheet>(
         "Quaternion of the attitude, part along y",
         "Quaternion of the attitude, part along z",
     ];
+    let mut shown = [0.0; 4];
     for (n, part) in parts.into_iter().enumerate() {
         let part = sheet.step(("q", n + 1), "1", part, WHY[n]);
         sheet.answer(("quaternion", n + 1), LABELS[n], part);
+        shown[n] = part.value();
     }
     sheet.verify(|| {
         // The derivative of R x at the instant is ω × R x, with ω in fixed axes.
@@ -454,7 +500,7 @@ fn at_instant<W: Worksheet>(
             );
         }
         let attitude = torque_free::axisymmetric_attitude(r, omega, t);
-        let [w, x, y, z] = parts.map(Real::value);
+        let [w, x, y, z] = shown;
         let by_quaternion = nalgebra::UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(w, x, y, z));
         let gap = attitude * omega - by_quaternion * omega;
         sheet.check_zero("the same turn by matrices", W::Num::from(gap.norm()), omega.norm());

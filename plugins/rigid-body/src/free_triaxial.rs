@@ -12,7 +12,7 @@ use dalembert_mechanics::{
         torque_free::{FreeBody, FreeBodyError, Polhode},
     },
 };
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 
 use crate::{
     scene::{self, Scene},
@@ -139,9 +139,12 @@ impl Analysis for FreeTriaxial {
                 ),
             );
             sheet.answer("growth_rate", "Growth rate beside the middle axis", growth);
+            sheet.verify(|| growing(plain, order, growth, start[order[1]], sheet));
         }
         match body.polhode() {
-            Polhode::Permanent => permanent(start, triaxial && start[order[1]] != 0.0, sheet),
+            Polhode::Permanent => {
+                permanent(start, triaxial && start[order[1]] != 0.0, [doubled, size], sheet);
+            }
             Polhode::Around(axis) => self.around(&body, axis, inertia, velocity, doubled, size, sheet),
             Polhode::Separatrix => {
                 let pace = body.pace();
@@ -152,6 +155,11 @@ impl Analysis for FreeTriaxial {
                     "H² = 2 T I with the middle moment: the body creeps from one end of the middle axis to the other, once and for ever, as tanh(p t)",
                 );
                 sheet.answer("separatrix_rate", "Rate of creeping to the middle axis", pace);
+                sheet.verify(|| {
+                    // At either end the body turns about the middle axis with all of H.
+                    let end = size.value() / plain[order[1]];
+                    growing(plain, order, pace, end, sheet);
+                });
                 sheet.warn(|| {
                     "the motion is on the separatrix: the least disturbance decides what it will do".into()
                 });
@@ -314,6 +322,39 @@ impl FreeTriaxial {
         let mean = sheet.step("Ω", "rad/s", advance / period, "Precession on average");
         sheet.answer("mean_precession", "Precession on average", mean);
         sheet.verify(|| {
+            // Where sn τ is 0 and the other two are at their largest.
+            let (h_a, h_c) = (i_a * size_a, i_c * size_c);
+            sheet.check(
+                "H² over 2T where the component along the middle axis is zero",
+                (h_a.powi(2) + h_c.powi(2)) / (h_a * size_a + h_c * size_c),
+                ratio,
+            );
+            sheet.check(
+                "kinetic energy where sn τ is 1",
+                i_b * size_b.powi(2) + i_c * size_c.powi(2) * (W::Num::from(1.0) - modulus_squared),
+                energy * 2.0,
+            );
+            let start = body.velocity(0.0);
+            let whole = body.velocity(period.value()) - start;
+            let mut turned = -body.velocity(half.value());
+            turned[c] = -turned[c];
+            let error = f64::EPSILON * body.pace() * body.period() * start.norm();
+            for (what, off) in [
+                ("angular velocity after one period", whole),
+                ("angular velocity after half of a period, across the axis reversed", turned - start),
+            ] {
+                sheet.check_residual(what, off.norm().into(), start.norm(), error);
+            }
+            let about = Vector3::from(inertia.map(Real::value)).component_mul(&start);
+            if let Some(about) = Unit::try_new(about, 0.0) {
+                let turned = Rotation3::from_axis_angle(&about, mean.value() * period.value());
+                let off = body.attitude(period.value()).matrix() - turned.matrix();
+                let error = f64::EPSILON * (advance.value().abs() + body.pace() * body.period());
+                let what = "the attitude after one period, a turn about the angular momentum";
+                sheet.check_residual(what, off.norm().into(), 1.0, error);
+            }
+        });
+        sheet.verify(|| {
             sheet.check("the pace by the kernel", W::Num::from(body.pace()), W::Num::from(pace.value()));
             // Equal weights over the period of the amplitude converge geometrically; near the separatrix slowly.
             if complement > 1e-4 {
@@ -387,8 +428,32 @@ fn moments<W: Worksheet>(inertia: &PrincipalInertiaGiven<W>, sheet: W) -> [W::Nu
     }
 }
 
+/// Holds a rate of growth beside a rotation about the middle axis to Euler's equations: of what grows, along the polhode
+/// through that axis, the rate needs no moment.
+fn growing<W: Worksheet>(inertia: [f64; 3], [a, b, c]: [usize; 3], rate: W::Num, about: f64, sheet: W) {
+    let moments = Vector3::from(inertia);
+    let off = [1.0, -1.0].map(|sign| {
+        let mut beside = Vector3::zeros();
+        beside[a] = ((inertia[c] - inertia[b]) * inertia[c]).abs().sqrt();
+        beside[c] = sign * ((inertia[b] - inertia[a]) * inertia[a]).abs().sqrt();
+        let mut whole = beside;
+        whole[b] = about;
+        let mut moment =
+            moments.component_mul(&beside) * rate.value() + whole.cross(moments.component_mul(&whole));
+        moment[b] = 0.0;
+        (moment.norm(), moments.amax() * about.abs() * beside.norm())
+    });
+    let [(one, scale), (other, _)] = off;
+    sheet.check_zero("Euler's equations of a growing disturbance", one.min(other).into(), scale);
+}
+
 /// A rotation about a principal axis goes on for ever, about the middle one only in theory.
-fn permanent<W: Worksheet>(start: Vector3<f64>, about_the_middle: bool, sheet: W) {
+fn permanent<W: Worksheet>(
+    start: Vector3<f64>,
+    about_the_middle: bool,
+    [energy, momentum]: [W::Num; 2],
+    sheet: W,
+) {
     let speed = sheet.found(
         "ω",
         "rad/s",
@@ -396,6 +461,7 @@ fn permanent<W: Worksheet>(start: Vector3<f64>, about_the_middle: bool, sheet: W
         "H is along ω: the body turns about a principal axis, for ever as it does now",
     );
     sheet.answer("permanent_speed", "Angular velocity of the permanent rotation", speed);
+    sheet.check("twice the kinetic energy as H ω", momentum * speed, energy * 2.0);
     if about_the_middle {
         sheet.warn(|| {
             "the body turns exactly about the axis of the middle moment, where the least disturbance grows".into()
@@ -427,6 +493,7 @@ fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, shee
         ("y_axis", "e_y", "Principal axis y at the instant, fixed axes"),
         ("z_axis", "e_z", "Principal axis z at the instant, fixed axes"),
     ];
+    let mut axes = Matrix3::zeros();
     for (n, (name, symbol, label)) in AXES.into_iter().enumerate() {
         let axis = sheet.found_vector(
             symbol,
@@ -435,13 +502,14 @@ fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, shee
             "Attitude: nutation from H along the axis, precession by the integral of the third kind",
         );
         sheet.answer_vector(name, label, axis);
+        axes.set_column(n, &axis.value());
     }
     sheet.verify(|| {
         let period = body.period().min(std::f64::consts::TAU / body.velocity(0.0).norm());
         let speed = body.velocity(0.0).norm();
         let Ok(rate) = rigid::numerical_rate(|time| body.velocity(t + time), period) else { return };
-        let moment =
-            inertia.component_mul(&rate) + body.velocity(t).cross(inertia.component_mul(&body.velocity(t)));
+        let now = velocity.value();
+        let moment = inertia.component_mul(&rate) + now.cross(inertia.component_mul(&now));
         // Times are good to rounding: a difference quotient over a short part of a long time is not better.
         let late = 1.0 + 1e-4 * t / period;
         sheet.check_zero(
@@ -449,14 +517,16 @@ fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, shee
             W::Num::from(moment.norm()),
             inertia.amax() * speed * speed * late,
         );
-        let side = |time: f64| body.attitude(time) * Vector3::new(0.6, 0.0, 0.8);
-        let Ok(rate) = rigid::numerical_rate(|time| side(t + time), period) else { return };
-        let turned = attitude * body.velocity(t);
-        sheet.check_zero(
-            "the attitude from its rate: the difference quotient of R against ω × R",
-            W::Num::from((rate - turned.cross(side(t))).norm()),
-            speed * late,
-        );
+        for side in [Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.0, 0.8, 0.6)] {
+            let Ok(rate) = rigid::numerical_rate(|time| body.attitude(t + time) * side, period) else {
+                return;
+            };
+            sheet.check_zero(
+                "the attitude from its rate: the difference quotient of R against ω × R",
+                W::Num::from((rate - fixed.value().cross(axes * side)).norm()),
+                speed * late,
+            );
+        }
     });
 }
 

@@ -91,6 +91,7 @@ impl Analysis for HeavyTop {
             ),
         );
         let level = self.nutation.cos().abs() < LEVEL;
+        let mut other = None;
         let (spin, axial_velocity, precession) = match &given.motion {
             TopMotionGiven::Precession { precession } => {
                 goes_around(*precession)?;
@@ -116,8 +117,8 @@ impl Analysis for HeavyTop {
                     ),
                 );
                 let (slow, fast) = self.roots(square, *spin, &moments, Rate::Spin, sheet)?;
-                let velocity = self.axial_velocity(*spin, slow, theta, "ω₃", sheet);
-                sheet.answer("axial_velocity", "Angular velocity about the axis", velocity);
+                let slow_velocity = self.axial_velocity(*spin, slow, theta, "ω₃", sheet);
+                sheet.answer("axial_velocity", "Angular velocity about the axis", slow_velocity);
                 if let Some(fast) = fast {
                     let velocity = self.axial_velocity(*spin, fast, theta, "ω₃′", sheet);
                     sheet.answer(
@@ -125,8 +126,9 @@ impl Analysis for HeavyTop {
                         "Angular velocity about the axis in fast precession",
                         velocity,
                     );
+                    other = Some((velocity, fast));
                 }
-                (*spin, velocity, slow)
+                (*spin, slow_velocity, slow)
             }
             TopMotionGiven::AxialVelocity { axial_velocity } => {
                 let square = sheet.step(
@@ -149,6 +151,24 @@ impl Analysis for HeavyTop {
                 (spin, *axial_velocity, slow)
             }
         };
+        let lagrange = |velocity: W::Num, precession: W::Num| {
+            let momentum = axial * velocity;
+            let scale = (momentum.value() * precession.value()).abs()
+                + transverse.value() * precession.value().powi(2)
+                + couple.value();
+            sheet.check_sum(
+                "Lagrange's equation of θ with the angular momentum about the axis",
+                transverse * theta.cos() * precession.powi(2) + couple,
+                momentum * precession,
+                scale,
+            );
+        };
+        sheet.verify(|| {
+            lagrange(axial_velocity, precession);
+            if let Some((velocity, precession)) = other {
+                lagrange(velocity, precession);
+            }
+        });
         self.beside_the_exact(spin, precession, &moments, sheet);
         let period = sheet.step(
             "T_φ",
@@ -169,6 +189,17 @@ impl Analysis for HeavyTop {
         );
         sheet.answer("nutation_frequency", "Angular frequency of small nutations", nutation);
         sheet.answer("sleeping_threshold", "Least ω₃ of a sleeping top", threshold);
+        sheet.verify(|| {
+            // Beside the upright x″ = K x/I_t turned by the spin: two circles of one frequency at the threshold.
+            let turning = axial * threshold / (transverse * 2.0);
+            sheet.check(
+                "equation of small circles about the upright at the threshold",
+                transverse * turning.powi(2) + couple,
+                axial * threshold * turning,
+            );
+            let moments = [axial, transverse, couple].map(Real::value);
+            self.small_nutations(moments, axial_velocity.value(), precession.value(), nutation, sheet);
+        });
         sheet.verify(|| {
             let frame = W::Vec::from_components(
                 W::Num::from(0.0),
@@ -217,6 +248,42 @@ struct Plainly {
 }
 
 impl HeavyTop {
+    /// Holds the frequency of small nutations to the slope of the effective potential beside the steady angle.
+    fn small_nutations<W: Worksheet>(
+        &self,
+        [axial, transverse, couple]: [f64; 3],
+        axial_velocity: f64,
+        precession: f64,
+        frequency: W::Num,
+        sheet: W,
+    ) {
+        let (sine, cosine) = self.nutation.sin_cos();
+        // Beside the vertical the potential is a small difference of large numbers.
+        if sine < 0.05 {
+            return;
+        }
+        let own = axial * axial_velocity;
+        let vertical = transverse * precession * sine * sine + own * cosine;
+        let slope = |off: f64| {
+            let (sine, cosine) = (self.nutation + off).sin_cos();
+            let across = (vertical - own * cosine) / (transverse * sine);
+            (across * (own * sine * sine - (vertical - own * cosine) * cosine) / (sine * sine)
+                - couple * sine)
+                / transverse
+        };
+        let Ok(square) = rigid::numerical_rate(|off| Vector3::new(slope(off), 0.0, 0.0), sine) else {
+            return;
+        };
+        let rates = (own / transverse).abs() + 2.0 * precession.abs();
+        let lost = f64::EPSILON * rates.powi(2) / (sine * sine) * 1e3;
+        sheet.check_residual(
+            "square of the frequency from the slope of the effective potential",
+            (frequency.value().powi(2) - square.x).into(),
+            rates.powi(2),
+            lost,
+        );
+    }
+
     fn axial_velocity<W: Worksheet>(
         &self,
         spin: W::Num,
@@ -291,6 +358,20 @@ impl HeavyTop {
         });
         if let Some(least) = least {
             sheet.answer("least_rate", "Least rate for a steady precession", least);
+            sheet.verify(|| {
+                // The rate that a precession needs, (K + A φ̇²)/(I_a φ̇), is least where both terms are alike.
+                let needed =
+                    |precession: W::Num| (couple + square * precession.powi(2)) / (axial * precession);
+                let best = (couple / square).sqrt();
+                sheet.check("the rate that the precession with the least one needs", needed(best), least);
+                let beside = needed(best * 0.9).value().min(needed(best * 1.1).value());
+                let more = (least.value() - beside).max(0.0);
+                sheet.check_zero(
+                    "a little slower or faster precession needs more",
+                    more.into(),
+                    least.value(),
+                );
+            });
         }
         sheet.verify(|| {
             for root in [Some(slow), fast].into_iter().flatten() {

@@ -8,6 +8,7 @@ use dalembert_core::{
 use dalembert_mechanics::{
     Real,
     rigid::top::{self, Nutation, Top, TopError, Trace},
+    vibration::quadrature,
 };
 use nalgebra::{Rotation3, Vector3};
 
@@ -223,6 +224,19 @@ impl Analysis for TopNutation {
         sheet.answer("axial_angular_momentum", "Angular momentum about the axis", own);
         sheet.answer("vertical_angular_momentum", "Angular momentum about the vertical", vertical);
         sheet.answer("energy", "Energy without that of the spin", energy);
+        sheet.verify(|| {
+            let (start, pace) = (motion.at(0.0), pace.value());
+            for time in [period.value(), TAU / frequency.value()] {
+                let end = motion.at(time);
+                let off =
+                    (end.nutation - start.nutation).hypot((end.nutation_rate - start.nutation_rate) / pace);
+                sheet.check_zero("angle and its rate after one nutation", off.into(), 1.0);
+            }
+            let turned = motion.at(period.value()).precession;
+            let about = 1.0 + turned.abs();
+            let what = "precession after one nutation at its mean rate";
+            sheet.check_sum(what, mean * period, turned.into(), about);
+        });
         let shown = [high, low, third, advance].map(Real::value);
         self.check(&motion, body, [own, vertical, energy].map(Real::value), shown, sheet);
         for (limit, rate) in [(high, rate_high), (low, rate_low)] {
@@ -345,8 +359,9 @@ fn at_instant<W: Worksheet>(motion: &Nutation, t: f64, body: Top, invariants: [f
     sheet.answer("precession_rate", "Precession at the instant", phi_rate);
     sheet.answer("spin_angle", "Spin since the start", psi);
     sheet.verify(|| {
-        let (sin, cos) = at.nutation.sin_cos();
-        let kinetic = body.transverse * (at.nutation_rate.powi(2) + (at.precession_rate * sin).powi(2)) / 2.0;
+        let [angle, angle_rate, rate] = [theta, theta_rate, phi_rate].map(Real::value);
+        let (sin, cos) = angle.sin_cos();
+        let kinetic = body.transverse * (angle_rate.powi(2) + (rate * sin).powi(2)) / 2.0;
         // At the vertical φ̇ has no value.
         if sin > 1e-4 {
             sheet.check_zero(
@@ -359,13 +374,37 @@ fn at_instant<W: Worksheet>(motion: &Nutation, t: f64, body: Top, invariants: [f
         sheet.check_zero(
             "so is the angular momentum about the vertical",
             W::Num::from(if sin > 1e-4 {
-                body.transverse * at.precession_rate * sin * sin + own * cos - vertical
+                body.transverse * rate * sin * sin + own * cos - vertical
             } else {
                 0.0
             }),
             scale,
         );
+        turned(motion, t, own / body.axial, [phi, psi], sheet);
     });
+}
+
+/// Holds precession and spin to the integrals of their rates over whole nutations and the rest of the time.
+fn turned<W: Worksheet>(motion: &Nutation, t: f64, axial_velocity: f64, [phi, psi]: [W::Num; 2], sheet: W) {
+    let period = motion.period();
+    let whole = (t / period).floor();
+    let rates = |time: f64| {
+        let at = motion.at(time);
+        [at.precession_rate, axial_velocity - at.precession_rate * at.nutation.cos()]
+    };
+    let integral = |rate: usize, parts: u32| {
+        let over = |to: f64| quadrature::integral(|time| rates(time)[rate], [0.0, to], parts);
+        whole * over(period) + over(t - whole * period)
+    };
+    for (rate, (angle, what)) in
+        [(phi, "precession as the integral of its rate"), (psi, "spin as the integral of its rate")]
+            .into_iter()
+            .enumerate()
+    {
+        let (coarse, fine) = (integral(rate, 24), integral(rate, 48));
+        let size = angle.value().abs() + axial_velocity.abs() * t;
+        sheet.check_residual(what, (angle.value() - fine).into(), size, coarse - fine);
+    }
 }
 
 /// `∫ φ̇ dt` over a nutation with `u = u₂ + (u₁ − u₂) sin²χ`; not where the axis comes near the vertical, or the period

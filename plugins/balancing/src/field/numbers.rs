@@ -7,6 +7,7 @@ use dalembert_mechanics::{
         influence::{self, TrialRun},
         spread::{self, Choice, Measurement, ReadingSpread},
     },
+    linalg,
 };
 use nalgebra::{Complex, DMatrix};
 
@@ -122,6 +123,44 @@ impl Numbers {
             }
         }
         Ok(())
+    }
+
+    /// The size of what is added up in a reading that remains with weights.
+    pub(super) fn reach(&self, row: usize, weights: &[Complex<f64>]) -> f64 {
+        let effect =
+            |(plane, weight): (usize, &Complex<f64>)| self.alpha[(row, plane)].norm() * weight.norm();
+        self.first[row].norm() + weights.iter().enumerate().map(effect).sum::<f64>()
+    }
+
+    /// The condition number from the eigenvalues of the normal equations, their columns scaled, and its rounding error:
+    /// squares of singular values lose twice the digits. None where none is left.
+    pub(super) fn condition_by_eigenvalues(&self, factors: &[f64]) -> Option<(f64, f64)> {
+        let (rows, planes) = self.alpha.shape();
+        let entry = |row: usize, plane: usize| self.alpha[(row, plane)] * factors[row].sqrt();
+        let size = |plane: usize| {
+            (0..rows).map(|row| entry(row, plane)).map(|a| a.re.abs().max(a.im.abs())).fold(0.0, f64::max)
+        };
+        let sizes: Vec<f64> = (0..planes).map(size).collect();
+        let products = DMatrix::from_fn(planes, planes, |one, other| {
+            let term = |row| (entry(row, one) / sizes[one]).conj() * (entry(row, other) / sizes[other]);
+            (0..rows).map(term).sum::<Complex<f64>>()
+        });
+        // A Hermitian matrix as a symmetric one of twice its size, which has each eigenvalue twice.
+        let symmetric = DMatrix::from_fn(2 * planes, 2 * planes, |row, column| {
+            let product = products[(row % planes, column % planes)];
+            match (row < planes, column < planes) {
+                (true, true) | (false, false) => product.re,
+                (true, false) => -product.im,
+                (false, true) => product.im,
+            }
+        });
+        let values = linalg::symmetric_eigen(&symmetric).ok()?.values;
+        let (least, most) = (values.min(), values.max());
+        let error = f64::EPSILON * (2 * planes + rows) as f64 * most;
+        (least > 100.0 * error).then(|| {
+            let condition = (most / least).sqrt();
+            (condition, condition * error / least)
+        })
     }
 
     /// The same numbers for sampling.

@@ -115,6 +115,11 @@ fn load<W: Worksheet>(m: &Partly<W::Num>, found: Known, both: bool, sheet: W) ->
         let why = "The same place, counted the other way round";
         let other = sheet.step(("θ′", row), "deg", -angle + TAU, why);
         sheet.answer(("other_angle", row), "Angle the other way round", other);
+        sheet.verify(|| {
+            let what = "across the mark, the other way round is opposite";
+            sheet.check_sum(what, other.sin(), -angle.sin(), 1.0);
+            sheet.check_sum("along the mark, the other way round is the same", other.cos(), angle.cos(), 1.0);
+        });
         angle
     });
     let position = if both {

@@ -3,7 +3,7 @@
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{Real, balance};
 
-use super::{CorrectionPlane, CorrectionPlaneGiven, Unbalance};
+use super::{CorrectionPlane, CorrectionPlaneGiven, Unbalance, state::by_pairs};
 use crate::{
     rotor::{self, CorrectionGiven, Keys, Symbols, Way},
     sources::RIUL,
@@ -133,6 +133,11 @@ fn left_over<W: Worksheet>(masses: &[Unbalance<W::Num>], corrected: &[Corrected<
         let why = "Moment of the masses about the plane: a couple that one plane cannot balance";
         let couple = sheet.step("M_c", "kg*mm^2", couple, why);
         sheet.answer("couple_left", "Moment of unbalance that remains", couple);
+        sheet.verify(|| {
+            let (squared, scale) = by_pairs(masses, &|u| (u.z - plane.unbalance.z).value());
+            let what = "square of the moment that remains by the law of cosines over all pairs";
+            sheet.check_sum(what, couple.powi(2), squared.into(), scale);
+        });
         let scale: f64 =
             masses.iter().map(|m| m.size() * (m.z.value() - plane.unbalance.z.value()).abs()).sum();
         if couple.value() > 1e-12 * scale {

@@ -9,7 +9,10 @@ use dalembert_mechanics::{
 use super::{
     Bearings, BearingsGiven, EquivalentPlanes, EquivalentPlanesGiven, Unbalance, corrections::Corrected,
 };
-use crate::sources::{ISO_TERMS, RIUL};
+use crate::{
+    rotor,
+    sources::{ISO_TERMS, RIUL},
+};
 
 /// A component of all unbalances with their positions.
 fn along<'u, N: Real + 'u>(
@@ -17,6 +20,13 @@ fn along<'u, N: Real + 'u>(
     of: fn(&Unbalance<N>) -> N,
 ) -> Vec<(N, N)> {
     all.into_iter().map(|u| (of(u), u.z)).collect()
+}
+
+/// The square of the resultant of masses at arms by the law of cosines over all pairs, and the square of the sum of their
+/// sizes.
+pub(super) fn by_pairs<N: Real>(masses: &[Unbalance<N>], arm: &dyn Fn(&Unbalance<N>) -> f64) -> (f64, f64) {
+    let all = masses.iter().map(|u| (u.size() * arm(u), u.y.value().atan2(u.x.value())));
+    rotor::by_pairs(&all.collect::<Vec<_>>())
 }
 
 /// Resultant of the masses and their moment, about the origin where there is no better point.
@@ -32,17 +42,10 @@ pub(super) fn of_the_masses<W: Worksheet>(masses: &[Unbalance<W::Num>], referenc
     };
     let moment = sheet.step("M_R", "kg*mm^2", balance::magnitude(moment(&x), moment(&y)), why);
     sheet.verify(|| {
-        // The law of cosines over all pairs knows nothing of the axes x and y.
-        let by_pairs = |arm: &dyn Fn(&Unbalance<W::Num>) -> f64| {
-            let each = || masses.iter().map(|u| (u.size() * arm(u), u.y.value().atan2(u.x.value())));
-            let squared: f64 =
-                each().map(|(u, a)| each().map(|(v, b)| u * v * (a - b).cos()).sum::<f64>()).sum();
-            (squared, each().map(|(u, _)| u.abs()).sum::<f64>().powi(2))
-        };
-        let (squared, scale) = by_pairs(&|_| 1.0);
+        let (squared, scale) = by_pairs(masses, &|_| 1.0);
         let difference = resultant.value().powi(2) - squared;
         sheet.check_zero("the resultant by the law of cosines over all pairs", difference.into(), scale);
-        let (squared, scale) = by_pairs(&|u| u.z.value() - reference.map_or(0.0, Real::value));
+        let (squared, scale) = by_pairs(masses, &|u| u.z.value() - reference.map_or(0.0, Real::value));
         let difference = moment.value().powi(2) - squared;
         sheet.check_zero("the moment by the law of cosines over all pairs", difference.into(), scale);
     });
@@ -65,11 +68,17 @@ pub(super) fn bearing_forces<W: Worksheet>(
     let couple = balance::centrifugal_force(balance::magnitude(moment(|u| u.x), moment(|u| u.y)), speed);
     let couple = sheet.step("C", "N*m", couple, ("Rotating couple of the masses", RIUL.at("eq. 13")));
     sheet.answer("couple", "Rotating couple of the masses", couple);
-    let before: Vec<&Unbalance<W::Num>> = masses.iter().collect();
-    let mut last = forces(&before, bearings, &BEFORE, sheet);
+    sheet.verify(|| {
+        let (squared, scale) = by_pairs(masses, &|u| u.z.value() - reference.value());
+        let spun = speed.value().powi(4);
+        let what = "square of the couple by the law of cosines over all pairs";
+        sheet.check_sum(what, couple.powi(2), (squared * spun).into(), scale * spun);
+    });
+    let mut all: Vec<&Unbalance<W::Num>> = masses.iter().collect();
+    let mut last = forces(&all, bearings, &BEFORE, sheet);
     if let Some(corrections) = corrections {
-        let after: Vec<_> = masses.iter().chain(corrections.iter().map(|c| &c.unbalance)).collect();
-        last = forces(&after, bearings, &AFTER, sheet);
+        all.extend(corrections.iter().map(|c| &c.unbalance));
+        last = forces(&all, bearings, &AFTER, sheet);
     }
     let Some(rotor) = &bearings.rotor else { return };
     let weight = sheet.step("W_G", "N", rotor.mass * gravity, "Weight of the rotor");
@@ -87,6 +96,23 @@ pub(super) fn bearing_forces<W: Worksheet>(
     let second = greatest("R_J", on_second, last[1]);
     sheet.answer("load_first", "Greatest load of the first bearing with the weight", first);
     sheet.answer("load_second", "Greatest load of the second bearing with the weight", second);
+    sheet.verify(|| {
+        for (load, other) in [(first, bearings.second), (second, bearings.first)] {
+            let arm = |z: W::Num| (z - other).value();
+            let moment = |of: fn(&Unbalance<W::Num>) -> W::Num| -> f64 {
+                all.iter().map(|u| of(u).value() * arm(u.z)).sum()
+            };
+            let turning = moment(|u| u.x).hypot(moment(|u| u.y)) * speed.value().powi(2);
+            let resting = weight.value() * arm(rotor.centre).abs();
+            let size: f64 = all.iter().map(|u| u.size() * arm(u.z).abs()).sum();
+            sheet.check_sum(
+                "moments about the other bearing of the weight and of the masses, where they add up",
+                load * span.abs(),
+                (resting + turning).into(),
+                resting + size * speed.value().powi(2),
+            );
+        }
+    });
     let lifted = [(on_first, last[0]), (on_second, last[1])];
     if lifted.iter().any(|(share, force)| force.value() > share.value().abs()) {
         sheet.warn(|| {
@@ -162,6 +188,27 @@ fn forces<W: Worksheet>(
     });
     sheet.answer(written[0].key, written[0].label, one);
     sheet.answer(written[1].key, written[1].label, other);
+    sheet.verify(|| {
+        // The resultant at the middle of the bearings is shared evenly, the moment about the middle is a couple of both.
+        let span = second.value() - first.value();
+        let middle = first.value() + span / 2.0;
+        let spun = bearings.speed.value().powi(2);
+        let halves = |of: fn(&Unbalance<W::Num>) -> W::Num| {
+            let sum: f64 = all.iter().map(|u| of(u).value()).sum();
+            let moment: f64 = all.iter().map(|u| of(u).value() * (u.z.value() - middle)).sum();
+            [sum / 2.0 - moment / span, sum / 2.0 + moment / span]
+        };
+        let (x, y) = (halves(|u| u.x), halves(|u| u.y));
+        let scale: f64 = all.iter().map(|u| u.size() * (0.5 + ((u.z.value() - middle) / span).abs())).sum();
+        for (bearing, force) in [one, other].into_iter().enumerate() {
+            sheet.check_sum(
+                "half of the resultant, and the couple about the middle of the bearings",
+                force,
+                (x[bearing].hypot(y[bearing]) * spun).into(),
+                scale * spun,
+            );
+        }
+    });
     sheet.verify(|| {
         // The bearings together carry the resultant.
         let scale: f64 = all.iter().map(|u| u.size()).sum();

@@ -3,22 +3,36 @@
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real,
-    balance::{self, reciprocating as engine},
+    balance::{
+        self,
+        reciprocating::{self as engine, Piston, PistonMotion},
+    },
 };
 
 use super::{
-    ReciprocatingGiven, Shafts,
+    ReciprocatingGiven, Shafts, checks,
     layout::Placed,
     orders::{self, Order, Pair},
 };
-use crate::sources::{BEVAN, DEN_HARTOG, NORTON};
+use crate::{
+    rotor,
+    sources::{BEVAN, DEN_HARTOG, NORTON},
+};
 
 /// What a pair of balance shafts has against it.
-#[derive(Clone, Copy)]
 pub(super) struct Turning<N> {
     pub force: Pair<N>,
     /// Sizes of the couples that turn forward and backward.
     pub couple: Option<[N; 2]>,
+    /// The centrifugal force of what turns with the crank of each cylinder, less that of its counterweight.
+    centrifugal: Vec<f64>,
+}
+
+/// An engine, cylinder by cylinder.
+pub(super) struct Engine<'a, N> {
+    pub cylinders: &'a [Placed<N>],
+    pub pistons: &'a [Piston],
+    pub motion: PistonMotion,
 }
 
 /// The forces that turn with the cranks: what is left of the first order, when counterweights take their part.
@@ -34,7 +48,22 @@ pub(super) fn rotating<W: Worksheet>(
     let Some(counterweight) = &given.counterweight else {
         return with_rotating_masses(given, cylinders, first, about, sheet);
     };
-    masses(counterweight.fraction, counterweight.radius, cylinders, sheet);
+    let masses = masses(counterweight.fraction, counterweight.radius, cylinders, sheet);
+    let squared = given.speed.value().powi(2);
+    let centrifugal: Vec<f64> = cylinders
+        .iter()
+        .zip(&masses)
+        .map(|(c, mass)| {
+            (c.rotating.value() * c.crank.value() - mass.value() * counterweight.radius.value()) * squared
+        })
+        .collect();
+    let turned: f64 = cylinders
+        .iter()
+        .zip(&masses)
+        .map(|(c, mass)| {
+            (c.rotating.value() * c.crank.value() + mass.value() * counterweight.radius.value()) * squared
+        })
+        .sum();
     let left = sheet.step(
         "κ",
         "1",
@@ -61,6 +90,11 @@ pub(super) fn rotating<W: Worksheet>(
     );
     sheet.answer("residual", "Greatest primary force with counterweights", most);
     sheet.answer("residual_min", "Least primary force with counterweights", least);
+    sheet.verify(|| {
+        let [[ax, ay], [bx, by]] = checks::semidiameters(1, cylinders, primary.iter().map(|k| k.value()));
+        let [x, y] = checks::turning(cylinders, centrifugal.iter().copied());
+        checks::semi_axes(most, least, [[ax + x, ay + y], [bx - y, by + x]], first.scale + turned, sheet);
+    });
     if let Some(angle) = given.angle {
         let [x, y] = orders::at(1, &pair, angle);
         let x = sheet.step("X_res", "N", x, "What remains upward at the crank angle");
@@ -81,6 +115,7 @@ pub(super) fn rotating<W: Worksheet>(
             let what = "what remains, added up piston by piston and counterweight by counterweight";
             sheet.check_sum(what, x, u.into(), first.scale);
             sheet.check_sum(what, y, v.into(), first.scale);
+            sheet.check_sum(what, size, u.hypot(v).into(), first.scale);
         });
     }
     if let Some(couple) = &first.couple {
@@ -91,12 +126,22 @@ pub(super) fn rotating<W: Worksheet>(
             "Greatest primary couple that remains with the counterweights",
         );
         sheet.answer("residual_couple", "Greatest primary couple with counterweights", most);
+        sheet.verify(|| {
+            let arm = |c: &Placed<W::Num>| c.position.value() - about.map_or(0.0, Real::value);
+            let amounts = cylinders.iter().zip(primary).map(|(c, k)| k.value() * arm(c));
+            let [[ax, ay], [bx, by]] = checks::semidiameters(1, cylinders, amounts);
+            let amounts = cylinders.iter().zip(&centrifugal).map(|(c, force)| force * arm(c));
+            let [x, y] = checks::turning(cylinders, amounts);
+            let least = (couple.forward_size * left.abs() - couple.backward_size).abs();
+            let scale = (first.scale + turned) * first.reach;
+            checks::semi_axes(most, least, [[ax + x, ay + y], [bx - y, by + x]], scale, sheet);
+        });
     }
     let couple = first.couple.map(|couple| [couple.forward_size * left.abs(), couple.backward_size]);
     if first.force.forward_size.value() > 1e-9 * first.scale {
         best(first, sheet);
     }
-    Turning { force: pair, couple }
+    Turning { force: pair, couple, centrifugal }
 }
 
 /// The fraction with the least greatest force: half, found again by a search.
@@ -117,8 +162,13 @@ fn best<W: Worksheet>(first: &Order<W::Num>, sheet: W) {
     });
 }
 
-/// The mass of the counterweights.
-fn masses<W: Worksheet>(fraction: W::Num, radius: W::Num, cylinders: &[Placed<W::Num>], sheet: W) {
+/// The mass of the counterweight of each cylinder. One that is for all of them is the first's.
+fn masses<W: Worksheet>(
+    fraction: W::Num,
+    radius: W::Num,
+    cylinders: &[Placed<W::Num>],
+    sheet: W,
+) -> Vec<W::Num> {
     let place = |c: &Placed<W::Num>| (c.throw.value(), c.position.value());
     let together = cylinders.iter().all(|c| place(c) == place(&cylinders[0]));
     let alike = cylinders[0].row == 0;
@@ -135,14 +185,20 @@ fn masses<W: Worksheet>(fraction: W::Num, radius: W::Num, cylinders: &[Placed<W:
         let mass = sheet.step("B", "kg", product / radius, ("Counterweight opposite the crank", cite));
         sheet.answer("counterweight_product", "Mass times radius of the counterweight", product);
         sheet.answer("counterweight", "Mass of the counterweight", mass);
-        return;
+        let mut all = vec![W::Num::from(0.0); cylinders.len()];
+        all[0] = mass;
+        return all;
     }
     let listed = if alike { &cylinders[..1] } else { cylinders };
+    let mut all = Vec::new();
     for c in listed {
         let why = ("Counterweight opposite its crank for one cylinder", cite);
         let mass = sheet.step(("B", c.row), "kg", of_one(c) / radius, why);
         sheet.answer(("counterweight", c.row), "Mass of the counterweight for one cylinder", mass);
+        all.push(mass);
     }
+    all.resize(cylinders.len(), all[0]);
+    all
 }
 
 /// Without counterweights the rotating masses add to the forward vector.
@@ -155,7 +211,7 @@ fn with_rotating_masses<W: Worksheet>(
 ) -> Turning<W::Num> {
     if cylinders.iter().all(|c| c.rotating.value() == 0.0) {
         let couple = first.couple.map(|couple| [couple.forward_size, couple.backward_size]);
-        return Turning { force: first.force, couple };
+        return Turning { force: first.force, couple, centrifugal: vec![0.0; cylinders.len()] };
     }
     let alike = cylinders[0].row == 0;
     let mut strengths: Vec<W::Num> = Vec::new();
@@ -180,6 +236,8 @@ fn with_rotating_masses<W: Worksheet>(
     let y = sheet.step("R_y", "N", sum(W::Num::sin, None), why);
     let force = sheet.step("R", "N", balance::magnitude(x, y), "Force that turns with the crankshaft");
     sheet.answer("rotating_force", "Force of the rotating masses", force);
+    let centrifugal: Vec<f64> = strengths.iter().map(|k| k.value()).collect();
+    sheet.verify(|| by_angles(force, cylinders, &centrifugal, sheet));
     let mut all = None;
     if let (true, Some(pair)) = (about.is_some(), &first.couple) {
         let x = sheet.step("S_x", "N*m", sum(W::Num::cos, about), why);
@@ -187,26 +245,39 @@ fn with_rotating_masses<W: Worksheet>(
         let why = "Couple that turns with the crankshaft";
         let couple = sheet.step("S", "N*m", balance::magnitude(x, y), why);
         sheet.answer("rotating_couple", "Couple of the rotating masses", couple);
+        sheet.verify(|| {
+            let about = about.map_or(0.0, Real::value);
+            let arms = cylinders.iter().zip(&centrifugal).map(|(c, k)| k * (c.position.value() - about));
+            by_angles(couple, cylinders, &arms.collect::<Vec<_>>(), sheet);
+        });
         let [mx, my] = pair.forward;
         all = Some([balance::magnitude(mx + x, my + y), pair.backward_size]);
     }
     let [px, py] = first.force.forward;
     let (px, py) = (px + x, py + y);
     let force = Pair { forward: [px, py], forward_size: balance::magnitude(px, py), ..first.force };
-    Turning { force, couple: all }
+    Turning { force, couple: all, centrifugal }
+}
+
+/// Holds the size of a sum of vectors along the cranks to the angles of the cranks from the first one.
+fn by_angles<W: Worksheet>(size: W::Num, cylinders: &[Placed<W::Num>], amounts: &[f64], sheet: W) {
+    let all = amounts.iter().zip(cylinders).map(|(amount, c)| (*amount, c.throw.value()));
+    let (again, scale) = rotor::along_first(&all.collect::<Vec<_>>());
+    let what = "resultant by components along the first crank and across it";
+    sheet.check_sum(what, size, again.into(), scale);
 }
 
 /// A pair of shafts that turns against the two vectors of an order.
 pub(super) fn shafts<W: Worksheet>(
     which: Shafts,
     speed: W::Num,
+    engine: &Engine<'_, W::Num>,
     found: &[Order<W::Num>],
-    first: Turning<W::Num>,
+    first: &Turning<W::Num>,
     about: Option<W::Num>,
-    scale: f64,
     sheet: W,
 ) -> Result<(), Refusal> {
-    let (order, n) = match which {
+    let (order, n): (_, u8) = match which {
         Shafts::First => (found.first(), 1),
         Shafts::Second => (found.get(1), 2),
     };
@@ -220,6 +291,7 @@ pub(super) fn shafts<W: Worksheet>(
     } else {
         (order.force, order.couple.map(|couple| [couple.forward_size, couple.backward_size]))
     };
+    let scale: f64 = engine.pistons.iter().map(|p| p.amplitude).sum();
     let small = 1e-9 * scale;
     let speed =
         if n == 1 { speed } else { sheet.step("Ω", "rpm", speed * f64::from(n), "Speed of the shafts") };
@@ -276,18 +348,27 @@ pub(super) fn shafts<W: Worksheet>(
                 let why = "Where along the shaft the force acts: there the shafts stand";
                 let place = sheet.step("z_s", "mm", about + arm, why);
                 sheet.answer("shaft_position", "Position of the balance shafts along the engine", place);
+                sheet.verify(|| {
+                    let [mx, my] = checks::couple(2, 1.0, engine.pistons, engine.motion, place.value());
+                    let part = (mx * px.value() + my * py.value()) / force.forward_size.value();
+                    let reach = order.reach + (place - about).value().abs();
+                    let what = "couple of the pistons about the shafts, in phase with their force";
+                    sheet.check_zero(what, part.into(), scale * reach);
+                });
             }
         }
         return Ok(());
     }
-    for (couple, symbol, key, label) in [
+    for (sign, couple, symbol, key, label) in [
         (
+            1.0,
             couple.map(|[forward, _]| forward),
             "D_f",
             "shaft_couple_forward",
             "Mass times radius times distance of the two masses of the shaft that turns with the crank",
         ),
         (
+            -1.0,
             couple.map(|[_, backward]| backward),
             "D_b",
             "shaft_couple_backward",
@@ -299,6 +380,19 @@ pub(super) fn shafts<W: Worksheet>(
         let why = ("Two masses opposite each other make a couple as large as the vector it cancels", cite);
         let product = sheet.step(symbol, "kg*m^2", couple / speed.powi(2), why);
         sheet.answer(key, label, product);
+        sheet.verify(|| {
+            let about = about.map_or(0.0, Real::value);
+            let [mut x, mut y] = checks::couple(n, sign, engine.pistons, engine.motion, about);
+            let arms = engine.cylinders.iter().zip(&first.centrifugal);
+            let arms = arms.map(|(c, force)| force * (c.position.value() - about));
+            if n == 1 && sign > 0.0 {
+                let [u, v] = checks::turning(engine.cylinders, arms.clone());
+                (x, y) = (x + u, y + v);
+            }
+            let scale = scale * order.reach + arms.map(f64::abs).sum::<f64>();
+            let what = "couple of the shaft's masses, and the Fourier integral of the pistons' couples";
+            sheet.check_sum(what, product * speed.powi(2), x.hypot(y).into(), scale);
+        });
     }
     if !any {
         sheet.warn(|| {

@@ -233,7 +233,7 @@ fn throws<W: Worksheet>(
                 (0..count).map(|k| (interval * k as f64 + 1e-9).rem_euclid(TAU) - 1e-9).collect();
             let places: Vec<f64> = positions.iter().map(|z| z.value()).collect();
             let best = engine::best_order(&places, &angles);
-            Ok((1..)
+            let best: Vec<W::Num> = (1..)
                 .zip(best)
                 .map(|(row, angle)| {
                     let why = ("Of all orders, that with the least primary couple", DEN_HARTOG.at("ch. 5"));
@@ -241,10 +241,38 @@ fn throws<W: Worksheet>(
                     sheet.answer(("crank", row), "Crank angle", angle);
                     angle
                 })
-                .collect())
+                .collect();
+            sheet.verify(|| {
+                let found: Vec<f64> = best.iter().map(|angle| angle.value()).collect();
+                even_and_best(&found, interval, &places, sheet);
+            });
+            Ok(best)
         }
         _ => unreachable!("the inputs and their numbers are of one kind"),
     }
+}
+
+/// Holds cranks that were searched for to even firing, and to the couple that no exchange of two of them lessens.
+fn even_and_best<W: Worksheet>(angles: &[f64], interval: f64, places: &[f64], sheet: W) {
+    let from_even = angles.iter().map(|angle| angle - interval * (angle / interval).round());
+    sheet.check_zeros("cranks at whole intervals of firing", from_even, interval);
+    let middle = places.iter().sum::<f64>() / places.len() as f64;
+    let couple = |angles: &[f64]| {
+        let part = |of: fn(f64) -> f64| -> f64 {
+            angles.iter().zip(places).map(|(angle, z)| (z - middle) * of(*angle)).sum()
+        };
+        part(f64::cos).hypot(part(f64::sin))
+    };
+    let (least, mut less) = (couple(angles), 0.0f64);
+    for one in 1..angles.len() {
+        for other in one + 1..angles.len() {
+            let mut exchanged = angles.to_vec();
+            exchanged.swap(one, other);
+            less = less.max(least - couple(&exchanged));
+        }
+    }
+    let reach = places.iter().map(|z| (z - middle).abs()).sum();
+    sheet.check_zero("no exchange of two cranks lessens the primary couple", less.into(), reach);
 }
 
 /// When each cylinder fires, counted from the first: the inverse of the firing order.

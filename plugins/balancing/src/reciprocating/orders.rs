@@ -12,7 +12,7 @@ use dalembert_mechanics::{
     slider_crank,
 };
 
-use super::{Terms, layout::Placed};
+use super::{Terms, checks, layout::Placed};
 use crate::sources::DEN_HARTOG;
 
 /// A vector that turns forward and one that turns backward.
@@ -181,8 +181,24 @@ pub(super) fn of_order<W: Worksheet>(
     sheet.answer(("forward", n), "Forward vector of order", force.forward_size);
     sheet.answer(("backward", n), "Backward vector of order", force.backward_size);
     if force.forward_size.value().min(force.backward_size.value()) > 1e-9 * scale {
-        directions(n, &force, names.angle, sheet);
+        let [angle, direction] = directions(n, &force, names.angle, sheet);
+        sheet.verify(|| {
+            let turned = f64::from(order) * angle.value();
+            let [x, y] = checks::sum_at(order, cylinders, strengths.iter().map(|k| k.value()), turned);
+            let (along, across) = (most * direction.cos(), most * direction.sin());
+            let off = (along.value() - x).hypot(across.value() - y);
+            let what = "at its crank angle the pistons' forces add up to the greatest one";
+            sheet.check_zero(what, off.into(), scale);
+        });
+    } else {
+        let what = "one vector alone is as large at every crank angle";
+        sheet.check_sum(what, most, least, 4.0 * scale);
     }
+    let amount = strengths.iter().map(|k| k.value());
+    sheet.verify(|| {
+        let pair = checks::semidiameters(order, cylinders, amount.clone());
+        checks::semi_axes(most, least, pair, scale, sheet);
+    });
     let couple = about.map(|about| {
         let arms: Vec<W::Num> =
             strengths.iter().zip(cylinders).map(|(k, c)| *k * (c.position - about)).collect();
@@ -203,6 +219,10 @@ pub(super) fn of_order<W: Worksheet>(
         );
         sheet.answer(("couple", n), "Greatest couple of order", most);
         sheet.answer(("couple_min", n), "Least couple of order", least);
+        sheet.verify(|| {
+            let pair = checks::semidiameters(order, cylinders, arms.iter().map(|k| k.value()));
+            checks::semi_axes(most, least, pair, arms.iter().map(|k| k.value().abs()).sum(), sheet);
+        });
         couple
     });
     if let Some(angle) = angle {
@@ -211,6 +231,11 @@ pub(super) fn of_order<W: Worksheet>(
         let y = sheet.step(names.at[1], "N", y, "Force across at the crank angle");
         let size = sheet.step(names.at[2], "N", balance::magnitude(x, y), "Force at the crank angle");
         sheet.answer(("force_at", n), "Force at the crank angle, order", size);
+        sheet.verify(|| {
+            let [x, y] = checks::sum_at(order, cylinders, amount, f64::from(order) * angle.value());
+            let what = "force at the crank angle, added up piston by piston";
+            sheet.check_sum(what, size, x.hypot(y).into(), scale);
+        });
     }
     let origin = about.map_or(0.0, Real::value);
     let reach = cylinders.iter().map(|c| (c.position.value() - origin).abs()).fold(0.0, f64::max);
@@ -264,7 +289,12 @@ fn sums<W: Worksheet>(
 }
 
 /// The crank angle at which the force is greatest, and its direction.
-fn directions<W: Worksheet>(n: usize, pair: &Pair<W::Num>, symbols: [&'static str; 2], sheet: W) {
+fn directions<W: Worksheet>(
+    n: usize,
+    pair: &Pair<W::Num>,
+    symbols: [&'static str; 2],
+    sheet: W,
+) -> [W::Num; 2] {
     let [p, q] = [pair.forward, pair.backward].map(|[x, y]| balance::marked_direction(x, y));
     let half = (q - p) / (2 * n) as f64;
     // Within one period of the order; rounding below zero stays there.
@@ -291,6 +321,7 @@ fn directions<W: Worksheet>(n: usize, pair: &Pair<W::Num>, symbols: [&'static st
     let direction =
         sheet.step(symbols[1], "deg", direction, "Direction of the greatest force, from the vertical");
     sheet.answer(("direction", n), "Direction of the greatest force of order", direction);
+    [angle, direction]
 }
 
 /// The greatest force over a turn from the vectors of the orders; in the exact motion, which has more orders than
