@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 };
 use nalgebra::{Rotation3, Vector3};
 
-use crate::sources::KHURMI;
+use crate::{differences::second_slope, sources::KHURMI};
 
 /// A pair of wheels on an axle that runs over a dip of one rail, which sinks and rises in simple harmonic motion.
 #[derive(Clone, Debug, Inputs)]
@@ -156,6 +156,16 @@ impl Analysis for DippingRail {
                 sheet.step("ΔN", "N", tilting / given.gauge, "Change of the wheel load that goes with it");
             sheet.answer("tilting_couple", "Largest couple that tilts the pair of wheels", tilting);
             sheet.answer("load_change", "Largest change of each wheel load", load);
+            sheet.verify(|| {
+                let Some(tilting_rate) = second_slope(|t| self.tilt(t, time.value()), time.value()) else {
+                    return;
+                };
+                let what =
+                    "change of the angular momentum about the track at the top of the dip, by differences";
+                let change = self.transverse_inertia.unwrap_or(0.0) * tilting_rate;
+                sheet.check(what, tilting, change.into());
+                sheet.check("moment of the changes of both wheel loads", load * given.gauge, change.into());
+            });
         }
         // Rolling forward, H points left. A sinking left wheel turns the axle about the backward direction:
         // Ω × H points down, its reaction up.
@@ -169,7 +179,10 @@ impl Analysis for DippingRail {
         };
         let effect = sheet.step("C_z", "N*m", couple.abs(), words);
         sheet.answer("effect", words, effect);
-        sheet.verify(|| self.check_by_rotation(rate.value(), spin.value(), couple, sheet));
+        sheet.verify(|| {
+            self.check_by_rotation(rate.value(), spin.value(), couple, force, sheet);
+            self.check_tilting(time.value(), spin, [rate, acceleration], sheet);
+        });
         let (couple, time) = (couple.value(), time.value());
         sheet.show(|| Exhibit::Plot(couple_over_dip(couple, time)));
         sheet.show(|| Exhibit::Drawing(self.sketch()));
@@ -178,8 +191,40 @@ impl Analysis for DippingRail {
 }
 
 impl DippingRail {
+    /// How far the axle is tilted at a time.
+    fn tilt(&self, t: f64, time: f64) -> f64 {
+        self.depth / 2.0 * (1.0 - (TAU * t / time).cos()) / self.gauge
+    }
+
+    /// Rate and acceleration of the tilting by differences of the angle, and the contact that rests.
+    fn check_tilting<W: Worksheet>(
+        &self,
+        time: f64,
+        spin: W::Num,
+        [rate, acceleration]: [W::Num; 2],
+        sheet: W,
+    ) {
+        let half_way = |t: f64| Vector3::x() * self.tilt(time / 4.0 + t, time);
+        if let Ok(found) = rigid::numerical_rate(half_way, time) {
+            let what = "difference quotient of the angle of the axle half way down";
+            sheet.check(what, rate, found.x.into());
+        }
+        if let Some(found) = second_slope(|t| self.tilt(t, time), time) {
+            let what = "second difference quotient of the angle of the axle at the top";
+            sheet.check(what, acceleration, found.into());
+        }
+        let (radius, speed) = (self.diameter / 2.0, self.speed);
+        let rim = |t: f64| {
+            let (sin, cos) = (spin.value() * t).sin_cos();
+            Vector3::new(speed * t - radius * sin, radius - radius * cos, 0.0)
+        };
+        let period = TAU * radius / speed;
+        let Ok(velocity) = rigid::numerical_rate(rim, period) else { return };
+        sheet.check_zero("velocity of the point of the wheel on the rail", velocity.norm().into(), speed);
+    }
+
     /// A second way: the difference quotient of the angular momentum of the tilting pair, turned as a whole.
-    fn check_by_rotation<W: Worksheet>(&self, rate: f64, spin: f64, couple: W::Num, sheet: W) {
+    fn check_by_rotation<W: Worksheet>(&self, rate: f64, spin: f64, couple: W::Num, force: W::Num, sheet: W) {
         let transverse = self.transverse_inertia.unwrap_or(self.axial_inertia);
         let tensor = gyroscope::symmetric_tensor(self.axial_inertia, transverse, Vector3::y());
         let about = -Vector3::x() * rate;
@@ -192,6 +237,11 @@ impl DippingRail {
         sheet.check_zero(
             "the couple from the difference quotient of R I Rᵀ ω",
             W::Num::from(derivative.norm() - couple.value()),
+            Vector::value(momentum_at(0.0)).norm() * TAU / period,
+        );
+        sheet.check_zero(
+            "moment of the forces of both rails from the same difference quotient",
+            W::Num::from(derivative.norm() - force.value() * self.gauge),
             Vector::value(momentum_at(0.0)).norm() * TAU / period,
         );
     }

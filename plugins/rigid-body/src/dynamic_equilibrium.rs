@@ -12,7 +12,10 @@ use dalembert_core::{
 use dalembert_mechanics::{Real, rigid, roots};
 use nalgebra::Vector3;
 
-use crate::sources::{BEER, RIUL};
+use crate::{
+    differences::{second_rate, second_slope},
+    sources::{BEER, RIUL},
+};
 
 /// A body that swings about a level pin on a vertical shaft.
 ///
@@ -124,6 +127,12 @@ impl Analysis for DynamicEquilibrium {
                 "Speed from which the body leaves the vertical: cos θ = 1",
             );
             sheet.answer("critical_speed", "Speed from which the body leaves the vertical", critical);
+            sheet.verify(|| {
+                let potential = |angle: f64| self.potential(critical.value(), angle);
+                let Some(bend) = second_slope(potential, PI) else { return };
+                let what = "the potential of a hanging body has no curvature at that speed";
+                sheet.check_zero(what, bend.into(), weight.value());
+            });
         }
         let moments = |sin: W::Num, cos: W::Num| {
             speed.powi(2) * (given.mass * given.offset * centre * cos + out * sin * cos) - weight * sin
@@ -144,6 +153,25 @@ impl Analysis for DynamicEquilibrium {
         let upright = sheet.step("R_y", "N", given.mass * given.gravity, "Force of the pin upwards");
         sheet.answer("force_towards_the_shaft", "Force of the pin towards the shaft", level);
         sheet.answer("force_upwards", "Force of the pin upwards", upright);
+        sheet.verify(|| {
+            let ((sin, cos), centre) = (angle.value().sin_cos(), centre.value());
+            let about_centre = out.value() - self.mass * centre.powi(2);
+            let couple = speed.value().powi(2) * about_centre * sin * cos;
+            let of_pin = centre * (level.value() * cos - upright.value() * sin);
+            let size = centre * (level.value().abs() + upright.value())
+                + speed.value().powi(2) * (out.value().abs() + self.mass * centre.powi(2));
+            let what = "moments of the force of the pin and of the inertia couple about G";
+            sheet.check_zero(what, (of_pin + couple).into(), size);
+            let at = |t: f64| {
+                let (sin, cos) = (speed.value() * t).sin_cos();
+                Vector3::new(cos, sin, 0.0) * radius.value()
+            };
+            if let Some(acceleration) = second_rate(at, 2.0 * PI / speed.value().abs()) {
+                let what = "mass times the acceleration of G, by differences of its place";
+                let size = level.value().abs() + self.mass * speed.value().powi(2) * self.offset;
+                sheet.check_sum(what, level, (-self.mass * acceleration.x).into(), size);
+            }
+        });
         sheet.verify(|| {
             sheet.check_zero(
                 "the moments of the inertia forces and of the weight about the pin",
@@ -330,6 +358,15 @@ impl DynamicEquilibrium {
                 "Circular frequency of small swings about this angle, with the speed kept",
             );
             sheet.answer("swing_frequency", "Circular frequency of small swings", frequency);
+            sheet.verify(|| {
+                let potential = |off: f64| self.potential(speed.value(), angle.value() + off);
+                let Some(bend) = second_slope(potential, PI) else { return };
+                let what = "curvature of the potential of weight and centrifugal forces";
+                let size = weight.value()
+                    + speed.value().powi(2)
+                        * (along.value() + self.offset.abs() * self.mass * centre.value());
+                sheet.check_sum(what, inertia * frequency.powi(2), bend.into(), size);
+            });
         } else {
             sheet.warn(|| {
                 Text::from("the body does not stay at this angle: a small push drives it further away")

@@ -12,6 +12,7 @@ use dalembert_mechanics::{
 use nalgebra::{Rotation3, Vector3};
 
 use crate::{
+    differences::second_rate,
     scene::{self, Scene},
     sources::BEER,
 };
@@ -184,7 +185,7 @@ impl Analysis for EdgeMill {
                 sheet.step("ΣN", "N", force * f64::from(self.rollers), "Force of all rollers on the pan");
             sheet.answer("total_force", "Force of all rollers on the pan", total);
         }
-        if let Some(width) = given.width {
+        let sliding = given.width.map(|width| {
             let sliding = sheet.step(
                 "v_s",
                 "m/s",
@@ -195,11 +196,23 @@ impl Analysis for EdgeMill {
             if width.value() >= 2.0 * self.arm {
                 sheet.warn(|| "the roller is so wide that it reaches the shaft".into());
             }
-        }
+            sliding
+        });
         let (omega, inertia) = (omega.value(), inertia.value());
         sheet.verify(|| {
             if let Some(wanted) = wanted {
                 sheet.check("the force at that speed is the wanted one", force, wanted);
+            }
+            let centre =
+                |t: f64| Rotation3::from_scaled_axis(Vector3::z() * (omega * t)) * Vector3::x() * self.arm;
+            if let Some(acceleration) = second_rate(centre, TAU / omega) {
+                let what = "mass times the acceleration of the centre, by differences of its place";
+                sheet.check(what, pull, (self.mass * acceleration.norm()).into());
+            }
+            if let Some(sliding) = sliding {
+                let edge = omega * (self.arm + self.width.unwrap_or(0.0) / 2.0);
+                let what = "speed over the pan at the edge less that of the rim";
+                sheet.check_sum(what, sliding, (edge - spin.value() * self.radius).into(), edge);
             }
             let moment = self.moment_about_hinge(inertia, omega);
             let size = force.value().abs() * self.arm + couple.value();

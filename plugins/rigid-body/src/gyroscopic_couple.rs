@@ -13,7 +13,10 @@ use dalembert_mechanics::{
 };
 use nalgebra::Vector3;
 
-use crate::sources::{BEER, IRODOV, KHURMI, MERIAM};
+use crate::{
+    differences::{check_disc, second_slope},
+    sources::{BEER, IRODOV, KHURMI, MERIAM},
+};
 
 /// The rotor, how it spins, and how its carrier turns.
 ///
@@ -327,6 +330,7 @@ fn rotor<W: Worksheet>(rotor: &RotorGiven<W>, sheet: W) -> (W::Num, Option<W::Nu
                 rigid::disc_axial_inertia(mass, radius),
                 "Moment of inertia of a disc about its axle",
             );
+            check_disc(inertia, mass, radius, sheet);
             (inertia, Some(mass))
         }
         RotorGiven::MomentOfInertia { inertia, mass } => return (inertia, mass),
@@ -469,6 +473,12 @@ impl GyroscopicCouple {
             ("Largest angular acceleration, at the ends of the swing", KHURMI.at("§14.7")),
         );
         sheet.answer("angular_acceleration", "Largest angular acceleration of the carrier", acceleration);
+        let swing = |t: f64| amplitude.value() * (TAU * t / period.value()).cos();
+        sheet.verify(|| {
+            let Some(found) = second_slope(swing, period.value()) else { return };
+            let what = "second difference quotient of the angle at the end of the swing";
+            sheet.check(what, acceleration, (-found).into());
+        });
         let pitching = matches!(self.motion, Motion::HarmonicPitching { .. });
         if let Some(transverse) = given.transverse_inertia
             && (pitching || self.spin_direction().x == 0.0)
@@ -481,6 +491,16 @@ impl GyroscopicCouple {
                 "Couple that speeds the rotor up and down with its carrier, largest where the gyroscopic one is zero",
             );
             sheet.answer("inertia_couple", "Largest inertia couple, at the ends of the swing", couple);
+            sheet.verify(|| {
+                // What the angular momentum about the axis of the swing changes by, where it is zero.
+                let momentum = |t: f64| {
+                    let rate = rigid::numerical_rate(|s| Vector3::x() * swing(t + s), period.value());
+                    rate.unwrap_or_default() * transverse.value()
+                };
+                let Ok(change) = rigid::numerical_rate(momentum, period.value()) else { return };
+                let what = "difference quotient of the angular momentum about the axis of the swing";
+                sheet.check(what, couple, (-change.x).into());
+            });
         }
     }
 

@@ -1,6 +1,7 @@
 //! A blow, a body that sticks, or a constraint that takes hold at once: the motion just after it.
 
 mod after;
+mod checks;
 mod free;
 
 use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};

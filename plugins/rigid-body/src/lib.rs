@@ -1,6 +1,7 @@
 //! Analyses of rigid bodies in space: angular momentum, its rate of change, and the couples that go with it.
 
 pub mod body;
+mod differences;
 pub mod dipping_rail;
 pub mod dynamic_equilibrium;
 pub mod edge_mill;

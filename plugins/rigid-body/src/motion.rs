@@ -2,8 +2,12 @@
 
 mod inputs;
 mod pictures;
+mod second_ways;
 
-use std::{array, f64::consts::PI};
+use std::{
+    array,
+    f64::consts::{PI, TAU},
+};
 
 use dalembert_core::{About, Analysis, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
@@ -14,13 +18,16 @@ use dalembert_mechanics::{
         simulate::{self as follow, Body, Loads, Run, Sample, SimulateError, Turning, Watched},
     },
 };
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 pub use self::inputs::{
     Attitude, BodyAxis, Carrier, Course, Ends, Instant, Moments, Motion, Pivot, Place, TorqueRow, Velocity,
 };
 use self::inputs::{MomentsGiven, MotionGiven, PivotGiven};
-use crate::sources::{BRULS, GOLDSTEIN, HAIRER, HAIRER_LUBICH_WANNER};
+use crate::{
+    differences::second_rate,
+    sources::{BRULS, GOLDSTEIN, HAIRER, HAIRER_LUBICH_WANNER},
+};
 
 /// Error that each step may add, in parts of a radian and of the largest momentum.
 const TOLERANCE: f64 = 1e-13;
@@ -49,7 +56,7 @@ impl Analysis for Motion {
     fn solve<W: Worksheet>(&self, given: &MotionGiven<W>, sheet: W) -> Result<(), Refusal> {
         let (body, loads) = (self.body()?, self.loads());
         let from = Turning { attitude: self.attitude.turned()?, omega_body: self.omega_body()? };
-        self.start(given, sheet, &body, &loads, &from)?;
+        let energy = self.start(given, sheet, &body, &loads, &from)?;
         sheet.keep_going()?;
         let ends: Vec<follow::End> = self.end.end(self.axis).into_iter().collect();
         let cancelled = || sheet.keep_going().is_err();
@@ -71,7 +78,7 @@ impl Analysis for Motion {
         };
         sheet.keep_going()?;
         let moved = moved.map_err(|error| refusal(&error))?;
-        self.finish(sheet, &body, &moved, free);
+        self.finish(sheet, &body, (&loads, &run), &moved, (energy, free));
         if free {
             self.second_way(sheet, &body, &from, &run, &moved);
         }
@@ -92,7 +99,7 @@ impl Motion {
         body: &Body,
         loads: &Loads,
         from: &Turning,
-    ) -> Result<(), Refusal> {
+    ) -> Result<W::Num, Refusal> {
         let omega = sheet.found_vector(
             "ω",
             "rad/s",
@@ -131,7 +138,12 @@ impl Motion {
             let left = body.inertia * alpha.value() + from.omega_body.cross(body.inertia * from.omega_body);
             let size = (body.inertia * alpha.value()).norm() + moment.norm();
             sheet.check_zero("Euler's equations at the start", (left - moment).norm().into(), size);
+            let held = body.inertia * from.omega_body;
+            let off = (momentum.value() - held).norm();
+            let what = "angular momentum at the start from the tensor about the point";
+            sheet.check_zero(what, off.into(), body.inertia.amax() * from.omega_body.norm());
         });
+        let mut whole = kinetic;
         let weight = match given.pivot {
             PivotGiven::MassCentre {} => None,
             PivotGiven::FixedPoint { mass, centre, gravity, .. } => Some((mass, centre, gravity)),
@@ -154,6 +166,7 @@ impl Motion {
             );
             let energy = sheet.step("E", "J", kinetic + potential, "Energy at the start");
             sheet.answer("energy", "Energy at the start", energy);
+            whole = energy;
             let acceleration = sheet.step_vector(
                 "a_G",
                 "m/s^2",
@@ -165,12 +178,22 @@ impl Motion {
                 "Acceleration of the mass centre at the start",
                 acceleration,
             );
+            sheet.verify(|| {
+                let (omega, alpha) = (from.omega_body, alpha.value());
+                let place =
+                    |t: f64| Rotation3::from_scaled_axis(omega * t + alpha * (t * t / 2.0)) * body.arm;
+                let speed = omega.norm() + alpha.norm().sqrt();
+                let Some(found) = second_rate(place, TAU / speed) else { return };
+                let what = "acceleration of the mass centre by differences of its place";
+                let size = speed.powi(2) * body.arm.norm();
+                sheet.check_zero(what, (found - acceleration.value()).norm().into(), size);
+            });
         } else {
             sheet.answer("energy", "Energy at the start", kinetic);
         }
         sheet.answer_vector("momentum_body", "Angular momentum at the start, axes of the body", momentum);
         sheet.answer_vector("alpha_body", "Angular acceleration at the start, axes of the body", alpha);
-        Ok(())
+        Ok(whole)
     }
 
     /// The principal moments about the point, where the axes of the body are principal there.
@@ -209,7 +232,14 @@ impl Motion {
     }
 
     /// Where the motion comes to, and how exactly.
-    fn finish<W: Worksheet>(&self, sheet: W, body: &Body, moved: &follow::Motion, free: bool) {
+    fn finish<W: Worksheet>(
+        &self,
+        sheet: W,
+        body: &Body,
+        (loads, run): (&Loads, &Run<'_>),
+        moved: &follow::Motion,
+        (energy, free): (W::Num, bool),
+    ) {
         let last = moved.samples.last().expect("a motion has its start");
         let how = if free {
             (
@@ -274,7 +304,20 @@ impl Motion {
             let why = "Largest angle of the axis to the vertical Z on the way";
             let largest = sheet.found("θ_max", "deg", clean_angle(tilts.greatest.value), why);
             sheet.answer("largest_tilt", "Largest angle of the axis to Z", largest);
+            sheet.verify(|| {
+                let axis = self.axis.vector();
+                second_ways::tilts(
+                    body,
+                    loads,
+                    run,
+                    moved,
+                    axis,
+                    [(least, tilts.least), (largest, tilts.greatest)],
+                    sheet,
+                );
+            });
         }
+        let mut centre_shown = None;
         if body.arm != Vector3::zeros() {
             let centre = last.turning.attitude * body.arm;
             let centre = vector(
@@ -284,6 +327,7 @@ impl Motion {
                 "Mass centre at the end, from the fixed point",
             );
             sheet.answer_vector("centre", "Mass centre at the end, fixed axes", centre);
+            centre_shown = Some(centre.value());
         }
         let kinetic = sheet.found("T", "J", last.kinetic, "Kinetic energy of the turning at the end");
         sheet.answer("kinetic_energy", "Kinetic energy at the end", kinetic);
@@ -292,6 +336,22 @@ impl Motion {
             let attitude = Quaternion::new(scalar.value(), parts.x, parts.y, parts.z);
             sheet.check("the quaternion has norm one", W::Num::from(attitude.norm()), W::Num::from(1.0));
             let attitude = UnitQuaternion::new_normalize(attitude);
+            if let Some(centre) = centre_shown {
+                let what = "the mass centre, turned from the axes of the body";
+                sheet.check_zero(what, (attitude * body.arm - centre).norm().into(), body.arm.norm());
+            }
+            if let Some(end) = second_ways::followed(body, loads, run, moved, time.value()) {
+                let what = "the attitude at the end, followed on from the moment before";
+                let off = end.attitude.angle_to(&attitude);
+                sheet.check_residual(what, off.into(), 1.0, second_ways::FOLLOWED);
+            }
+            let left = last.kinetic + last.potential - last.work;
+            let size =
+                last.kinetic.abs().max(energy.value().abs()).max(last.potential.abs()).max(last.work.abs());
+            let what = "energy at the end, less the work of the torques";
+            let lost =
+                moved.energy_drift() * moved.samples.iter().map(second_ways::energy).fold(size, f64::max);
+            sheet.check_residual(what, (energy.value() - left).into(), size, lost);
             let (turns, spin) = (in_space.value(), in_body.value());
             sheet.check_zero(
                 "the angular velocity, turned from the axes of the body",

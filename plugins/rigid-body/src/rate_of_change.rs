@@ -1,6 +1,6 @@
 //! The rate of change of the angular momentum of a body, term by term in a chosen moving frame.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Worksheet, register,
@@ -153,15 +153,24 @@ impl Analysis for RateOfChange {
         sheet.answer_vector("rate_about_g", "dH/dt about G", rate);
         sheet.answer_vector("inertia_force", "Inertia force", force);
         sheet.answer_vector("inertia_couple", "Inertia couple at the point", couple);
-        if let [_] = self.joints[..] {
-            let change = sheet.step(
-                "ΔH",
-                "kg*m^2/s",
-                worked.last_axis.cross(about).magnitude() * 2.0,
-                ("Over half a turn the part across the axis is turned round", IRODOV.at("")),
-            );
+        let change = matches!(self.joints[..], [_]).then(|| {
+            // From the point of the moments to the axis of the joint.
+            let axis = worked.last_axis;
+            let off = from.map_or_else(Vector3::zeros, |from| from - turned.centre);
+            let beside = off.cross(axis.value()).norm() > 1e-14 * off.norm();
+            let (turning, why) = if beside {
+                let about_axis = axis.dot(momentum + arm.cross(velocity * mass));
+                let why =
+                    "Over half a turn all of it is turned round, but for the angular momentum about the axis";
+                ((about - axis * about_axis).magnitude(), why)
+            } else {
+                let why = "Over half a turn the part across the axis is turned round";
+                (axis.cross(about).magnitude(), why)
+            };
+            let change = sheet.step("ΔH", "kg*m^2/s", turning * 2.0, (why, IRODOV.at("")));
             sheet.answer("half_turn_change", "Change of the angular momentum over half a turn", change);
-        }
+            change
+        });
         sheet.verify(|| {
             // In axes of the body itself these are the equations that were solved.
             if axes != last {
@@ -177,6 +186,20 @@ impl Analysis for RateOfChange {
                 Point::Fixed { at } => Some(frame.rotation * at),
             };
             self.check_by_differences(&body, point, about, moment, frame, sheet);
+            self.check_force(&body, force, frame, sheet);
+            let axis = self.joints[last - 1].plain().axis;
+            let axis = frames[last].rotation * (axis / axis.amax()).normalize();
+            let now = joints::later(&self.joints, 0.0);
+            let Some(at_first) = self.momentum_at(&body, &now, point) else { return };
+            let what = "the angular momentum R I Rᵀ ω along the axis of the last joint";
+            sheet.check_sum(what, along, axis.dot(at_first).into(), at_first.norm());
+            if let (Some(change), [_]) = (change, &self.joints[..]) {
+                let mut turned = now;
+                turned[0].angle += PI;
+                let Some(at_last) = self.momentum_at(&body, &turned, point) else { return };
+                let what = "the angular momentum R I Rᵀ ω half a turn later";
+                sheet.check_sum(what, change, (at_last - at_first).norm().into(), at_first.norm());
+            }
         });
         let vectors = [about.value(), moment.value(), omega.value()];
         sheet.show(|| self.drawing(&frames, body.centre, vectors));
@@ -306,6 +329,29 @@ impl RateOfChange {
                 (size * speed).max(moment.value().norm()),
             );
         }
+    }
+
+    /// The inertia force by differences of the momentum.
+    fn check_force<W: Worksheet>(
+        &self,
+        body: &MassProperties,
+        force: W::Vec,
+        frame: &chain::Frame,
+        sheet: W,
+    ) {
+        let momentum = |t: f64| {
+            let frames = chain::frames(&joints::later(&self.joints, t));
+            let velocity = frames.map(|frames| frames[frames.len() - 1].point(body.centre).velocity);
+            velocity.unwrap_or_else(|_| Vector3::repeat(f64::NAN)) * body.mass
+        };
+        let period = chain::period(&joints::later(&self.joints, 0.0));
+        let Ok(rate) = rigid::numerical_rate(momentum, period) else { return };
+        let size = Vector::value(momentum(0.0)).norm() * TAU / period;
+        sheet.check_zero(
+            "the inertia force from the difference quotient of the momentum",
+            W::Num::from((frame.rotation * force.value() + rate).norm()),
+            size.max(force.value().norm()),
+        );
     }
 
     /// The moment about the fixed origin, or G, in the fixed axes over a turn of the first joint.

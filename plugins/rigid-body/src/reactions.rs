@@ -1,6 +1,7 @@
 //! Reactions of the supports of a body that turns about a shaft or on a chain of joints.
 
 mod pictures;
+mod second_ways;
 mod supports;
 
 use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
@@ -17,6 +18,7 @@ use crate::{
     rotation_chain::Axes,
     sources::{BEER, HIBBELER, KHURMI, MERIAM, RIUL},
 };
+use second_ways::Parts;
 use supports::Held;
 
 pub use supports::{Kind, KindGiven, Support, SupportGiven};
@@ -181,6 +183,8 @@ struct Found {
     /// The same of the known loads, and of the drive; about the origin of the axes.
     known: Wrench,
     drive: Wrench,
+    /// The sum of the reactions in the fixed axes, where these are others.
+    fixed: Option<Vector3<f64>>,
 }
 
 impl Reactions {
@@ -414,9 +418,17 @@ impl Reactions {
             "Moments that the supports must balance, about the origin of their axes",
         );
         let known = Wrench { force: all.value(), moment: moment.value() };
-        let (supports, drive) = held.reactions(&known, moved.couple.is_none())?;
+        let axis = motion.worked.last_axis;
+        let without = moved.couple.map(|couple| known + Wrench::couple(-(axis * couple).value()));
+        let found = held.reactions(&known, moved.couple.is_none());
+        // An acceleration that does not fit the given couple shows where the couple is found.
+        let (supports, drive) = match (found, &without) {
+            (Err(refusal), Some(without)) => held.reactions(without, true).map_err(|_| refusal)?,
+            (found, _) => found?,
+        };
         // Weight and loads with the body at rest, held by a couple about the axis of the last joint.
-        let at_rest = held.reactions(&loads.plain(), true).ok().map(|(supports, _)| supports);
+        let at_rest = held.reactions(&loads.plain(), true).ok();
+        let mut parts = Parts::default();
         let mut total = all;
         let mut turning = moment;
         for (n, (support, of)) in self.supports.iter().zip(&supports).enumerate() {
@@ -449,7 +461,8 @@ impl Reactions {
                 turning = turning + couple;
             }
             let fixed = motion.to_fixed * of.force;
-            self.shares(n, fixed, at_rest.as_ref().map(|all| &all[n]), reaction, sheet);
+            let still = at_rest.as_ref().map(|(all, _)| &all[n]);
+            self.shares(n, fixed, still, reaction, &mut parts, sheet);
             held.own_numbers(n, of, reaction, &given.supports[n], sheet);
         }
         if let (Some(drive), None) = (drive, moved.couple) {
@@ -477,6 +490,20 @@ impl Reactions {
             W::Num::from(turning.value().norm()),
             largest_moment,
         );
+        if let (Some(without), Some(couple)) = (&without, moved.couple)
+            && let Ok((_, Some(drive))) = held.reactions(without, true)
+        {
+            let what = "the couple of the drive from the six equations";
+            sheet.check_sum(what, couple, drive.into(), largest_moment);
+        }
+        if let Some((still, holding)) = &at_rest {
+            let inertia = Wrench { force: force.value(), moment: couple.value() }
+                + Wrench::couple(motion.centre.value().cross(force.value()));
+            let holding = Wrench::couple(axis.value() * holding.unwrap_or(0.0));
+            sheet.verify(|| {
+                parts.check(still, loads.plain() + holding, held.reactions(&inertia, true).ok(), sheet);
+            });
+        }
         held.warn(self, &supports, sheet);
         let about = motion.worked.last_axis.value();
         let drive = match moved.couple {
@@ -484,7 +511,8 @@ impl Reactions {
             None => drive.unwrap_or(0.0),
         };
         let known = loads.plain();
-        Ok(Found { supports, known, drive: Wrench::couple(about * drive) })
+        let fixed = (self.axes.place() > 0).then(|| parts.fixed.iter().sum());
+        Ok(Found { supports, known, drive: Wrench::couple(about * drive), fixed })
     }
 
     /// The same reaction in the fixed axes, and its parts at rest and from the motion.
@@ -494,6 +522,7 @@ impl Reactions {
         fixed: Vector3<f64>,
         at_rest: Option<&Wrench>,
         reaction: W::Vec,
+        parts: &mut Parts,
         sheet: W,
     ) {
         let name = &self.supports[n].name;
@@ -511,66 +540,16 @@ impl Reactions {
             sheet.whose(("static_reaction", n + 1), name);
             sheet.answer_vector(("dynamic_reaction", n + 1), "Dynamic reaction", dynamic);
             sheet.whose(("dynamic_reaction", n + 1), name);
+            parts.at_rest.push(static_part.value());
+            parts.added.push(dynamic.value());
         }
         if self.axes.place() > 0 {
             let how = "Reaction of {name} in the fixed axes";
             let fixed = sheet.found_vector(("R_F", n + 1), "N", fixed, Named(how, name, None));
             sheet.answer_vector(("fixed_reaction", n + 1), "Reaction in the fixed axes", fixed);
             sheet.whose(("fixed_reaction", n + 1), name);
+            parts.fixed.push(fixed.value());
         }
-    }
-
-    /// A second way: momentum and angular momentum of the body about the fixed origin at other times, by
-    /// differences, against the sum of all that acts on it.
-    fn check_by_differences<W: Worksheet>(
-        &self,
-        body: &MassProperties,
-        moved: &Moved<W>,
-        found: &Found,
-        axes: &chain::Frame,
-        sheet: W,
-    ) {
-        let chain_at = |t: f64| {
-            self.joints_with(moved.joint_acceleration).iter().map(|joint| joint.after(t)).collect::<Vec<_>>()
-        };
-        let lost = Vector3::repeat(f64::NAN);
-        let momentum = |t: f64, angular: bool| {
-            let Ok(frames) = chain::frames(&chain_at(t)) else { return lost };
-            let last = &frames[frames.len() - 1];
-            let point = last.point(body.centre);
-            if angular {
-                rigid::turned(&body.inertia, &last.rotation) * last.angular_velocity
-                    + nalgebra::Matrix::cross(&(point.place - axes.origin), &(point.velocity * body.mass))
-            } else {
-                point.velocity * body.mass
-            }
-        };
-        let period = chain::period(&chain_at(0.0));
-        let (Ok(force), Ok(moment)) = (
-            rigid::numerical_rate(|t| momentum(t, false), period),
-            rigid::numerical_rate(|t| momentum(t, true), period),
-        ) else {
-            return;
-        };
-        let all = found.supports.iter().fold(found.known + found.drive, |sum, of| sum + *of);
-        let (all_force, all_moment) = (axes.rotation * all.force, axes.rotation * all.moment);
-        let size = |vectors: [Vector3<f64>; 3]| vectors.iter().map(Vector3::norm).fold(0.0f64, f64::max);
-        let most = |part: fn(&Wrench) -> Vector3<f64>| {
-            found.supports.iter().chain([&found.known]).map(|of| part(of).norm()).fold(0.0f64, f64::max)
-        };
-        let speed = std::f64::consts::TAU / period;
-        let scale = body.mass * speed.powi(2) * body.centre.norm();
-        sheet.check_zero(
-            "all forces are the difference quotient of the momentum",
-            W::Num::from((all_force - force).norm()),
-            size([all_force, force, Vector3::x() * scale]).max(most(|of| of.force)),
-        );
-        let inertia = body.inertia.amax() * speed.powi(2) + scale * body.centre.norm();
-        sheet.check_zero(
-            "all moments are the difference quotient of the angular momentum",
-            W::Num::from((all_moment - moment).norm()),
-            size([all_moment, moment, Vector3::x() * inertia]).max(most(|of| of.moment)),
-        );
     }
 
     /// The joints, the last with that acceleration.

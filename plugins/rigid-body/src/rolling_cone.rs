@@ -1,12 +1,15 @@
 //! A cone that rolls on a level plane about its fixed apex.
 
+use std::f64::consts::TAU;
+
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Worksheet, register,
 };
 use dalembert_mechanics::{Real, Vector, rigid, rigid::rolling};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::{
+    differences::second_rate,
     scene::{self, Scene},
     sources::{BEER, LANDAU},
 };
@@ -240,6 +243,20 @@ impl Analysis for RollingCone {
                     rolling::cone_energy(mass, height, precession, angle),
                 );
             }
+            sheet.check("the line of contact by Pythagoras", slant.powi(2), height.powi(2) + radius.powi(2));
+            sheet.check_sum(
+                "moments of the weight and of the normal force about the apex",
+                mass * gravity * lever - couple,
+                normal * place,
+                (mass * gravity * lever).value() + couple.value().abs(),
+            );
+            let about = -Vector3::z() * precession.value();
+            let centre = Vector3::new(lever.value(), 0.0, (centre * sin).value());
+            let at = |t: f64| Rotation3::from_scaled_axis(about * t) * centre;
+            if let Some(acceleration) = second_rate(at, TAU / precession.value()) {
+                let what = "mass times the acceleration of the mass centre, by differences of its place";
+                sheet.check(what, force, (-self.mass * acceleration.x).into());
+            }
             sheet.check("the couple from its share of φ̇²", couple.abs(), momentum_part * precession.powi(2));
             sheet.check(
                 "at the speed of tipping the couple brings the normal force to the edge",
@@ -300,7 +317,7 @@ impl RollingCone {
             let tensor = Matrix3::identity() * transverse + axis * axis.transpose() * (axial - transverse);
             tensor * line * (precession * cos / sin)
         };
-        let period = std::f64::consts::TAU / precession;
+        let period = TAU / precession;
         let Ok(found) = rigid::numerical_rate(momentum_at, period) else { return };
         sheet.check_zero(
             "the rate from the difference quotient of J ω, with the tensor turned",
@@ -314,7 +331,7 @@ impl RollingCone {
         let (sin, cos) = self.half_angle.sin_cos();
         let slant = self.height / cos;
         scene::film("The rolling cone", 6.0, |part| {
-            let turn = -std::f64::consts::TAU * part;
+            let turn = -TAU * part;
             let line = Vector3::new(turn.cos(), turn.sin(), 0.0);
             let axis = line * cos + Vector3::z() * sin;
             let mut scene = Scene::new();
@@ -323,7 +340,7 @@ impl RollingCone {
             // A mark on the base that turns as the cone rolls.
             let across = Vector3::z().cross(line);
             let down = axis.cross(across);
-            let (s, c) = (std::f64::consts::TAU * part * slant / (self.height * sin / cos)).sin_cos();
+            let (s, c) = (TAU * part * slant / (self.height * sin / cos)).sin_cos();
             let rim = axis * self.height + (down * c + across * s) * (self.height * sin / cos);
             scene.line([axis * self.height, rim], Ink::Body);
             scene.arrow(Vector3::zeros(), line * (1.2 * slant), Ink::Motion, "ω");

@@ -6,7 +6,7 @@ use dalembert_core::{
     About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
-    Real,
+    Real, Vector,
     ode::OdeError,
     rigid::rolling::{Ended, Limits, Moment, Rolled, Rolling, RollingError, roll},
 };
@@ -68,6 +68,9 @@ pub struct RollingMotion {
 }
 
 register!(RollingMotion);
+
+/// Error of a moment between two steps, in parts of a radian and of the largest.
+const FOLLOWED: f64 = 1e-10;
 
 impl Analysis for RollingMotion {
     const ABOUT: About = About {
@@ -148,7 +151,7 @@ impl Analysis for RollingMotion {
         );
         sheet.keep_going()?;
         let rolled = rolled.map_err(|error| refusal(&error))?;
-        self.finish(sheet, &disc, &rolled);
+        self.finish(sheet, &disc, &rolled, &cancelled);
         sheet.verify(|| {
             let rates = disc.accelerations(self.inclination, omega);
             let size = self.gravity / self.radius + omega.iter().map(|x| x * x).sum::<f64>();
@@ -160,7 +163,7 @@ impl Analysis for RollingMotion {
 }
 
 impl RollingMotion {
-    fn finish<W: Worksheet>(&self, sheet: W, disc: &Rolling, rolled: &Rolled) {
+    fn finish<W: Worksheet>(&self, sheet: W, disc: &Rolling, rolled: &Rolled, cancelled: &dyn Fn() -> bool) {
         let last = rolled.moments.last().expect("a motion has its start");
         let time = sheet.found(
             "t",
@@ -206,13 +209,13 @@ impl RollingMotion {
             "Least angle on the way: at a turning point, or at an end",
         );
         sheet.answer("least_inclination", "Least angle on the way", least);
-        let most = found(
+        let most_inclined = found(
             "θ_max",
             "deg",
             rolled.inclination.greatest.value,
             "Largest angle on the way: at a turning point, or at an end",
         );
-        sheet.answer("largest_inclination", "Largest angle on the way", most);
+        sheet.answer("largest_inclination", "Largest angle on the way", most_inclined);
         let fastest = rolled.moments.iter().flat_map(|m| m.omega).fold(0.0, |most: f64, x| most.max(x.abs()));
         let omega = sheet.found_vector(
             "ω_e",
@@ -246,12 +249,36 @@ impl RollingMotion {
             sheet.check_zero("the energy T + V over the motion", drift.into(), 1.0);
         }
         sheet.verify(|| {
-            let (normal, _) = disc.contact_forces(last.inclination, last.omega);
+            let turning = Vector::value(omega).into();
+            let (pressed, _) = disc.contact_forces(angle.value(), turning);
             sheet.check_zero(
                 "the normal force at the end",
-                W::Num::from(normal - last.normal),
+                W::Num::from(pressed - normal.value()),
                 self.mass * self.gravity,
             );
+            // The last moments again, from the one that is kept before them.
+            let again = |time: f64| followed(disc, &rolled.moments, time, self.flat, cancelled);
+            if let Some(end) = again(time.value()) {
+                let place = (end.contact[0] - x.value()).hypot(end.contact[1] - y.value());
+                let what = "the contact at the end, followed on from the moment before";
+                sheet.check_residual(what, place.into(), reach, FOLLOWED * reach);
+                let what = "the angle at the end, followed on from the moment before";
+                sheet.check_residual(what, (end.inclination - angle.value()).into(), 1.0, FOLLOWED);
+                let what = "the angular velocity at the end, followed on from the moment before";
+                let off = Vector3::from(end.omega) - omega.value();
+                sheet.check_residual(what, off.norm().into(), fastest, FOLLOWED * fastest);
+            }
+            let extremes = [rolled.inclination.least.time, rolled.inclination.greatest.time];
+            for (shown, at) in [least, most_inclined].into_iter().zip(extremes) {
+                let Some(there) = again(at) else { continue };
+                let what = "the least and the largest angle, followed on from the moment before";
+                sheet.check_residual(what, (there.inclination - shown.value()).into(), 1.0, FOLLOWED);
+            }
+            let beyond = rolled
+                .moments
+                .iter()
+                .map(|m| (least.value() - m.inclination).max(m.inclination - most_inclined.value()).max(0.0));
+            sheet.check_zeros("no angle on the way is beyond the least and the largest", beyond, 1.0);
         });
     }
 
@@ -320,7 +347,7 @@ impl RollingMotion {
         let ((sin, cos), (sin_tilt, cos_tilt)) = (moment.heading.sin_cos(), moment.inclination.sin_cos());
         let first = Vector3::new(cos, sin, 0.0);
         let second = Vector3::new(-sin * cos_tilt, cos * cos_tilt, sin_tilt);
-        Matrix3::from_columns(&[first, second, first.cross(&second)])
+        Matrix3::from_columns(&[first, second, first.cross(second)])
     }
 
     fn centre(&self, moment: &Moment) -> Vector3<f64> {
@@ -350,7 +377,7 @@ impl RollingMotion {
             let contact = Vector3::new(moment.contact[0], moment.contact[1], 0.0);
             let weight = self.mass * self.gravity;
             let [along, across] = moment.friction;
-            let side = Vector3::z().cross(&axes.column(0));
+            let side = Vector3::z().cross(axes.column(0).into_owned());
             let force = axes.column(0) * along + side * across + Vector3::z() * moment.normal;
             let most = (force.norm() / weight).clamp(0.0, 2.0);
             if let Some(unit) = force.try_normalize(0.0) {
@@ -359,6 +386,24 @@ impl RollingMotion {
             scene
         })
     }
+}
+
+/// The state at a time, followed on from the kept moment before it, with a contact that counts on.
+fn followed(
+    disc: &Rolling,
+    moments: &[Moment],
+    time: f64,
+    flat: f64,
+    cancelled: &dyn Fn() -> bool,
+) -> Option<Moment> {
+    let before = moments[..moments.partition_point(|m| m.time < time)].last()?;
+    // Where it lies flat it is not held to that angle.
+    let limits = Limits { flat: 0.9 * flat, friction: None };
+    let start = [before.inclination, before.heading];
+    let rolled = roll(disc, start, before.omega, &limits, (time - before.time, 2), cancelled).ok()?;
+    let end = rolled.moments.last()?;
+    let [x, y] = [0, 1].map(|axis| before.contact[axis] + end.contact[axis]);
+    Some(Moment { contact: [x, y], ..*end })
 }
 
 fn refusal(error: &RollingError) -> Refusal {

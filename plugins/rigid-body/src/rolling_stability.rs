@@ -133,19 +133,27 @@ impl Analysis for RollingStability {
             sheet.answer("stiffness", "Stiffness of small tilts", k);
             let ratio = sheet.step("s", "1", at / critical, "Speed in parts of the least one");
             sheet.answer("margin", "Speed over the least one", ratio);
-            if k.value() > 0.0 {
+            let square = if k.value() > 0.0 {
                 let wobble = sheet.step("ω_n", "rad/s", k.sqrt(), "Angular frequency of the wobble");
                 sheet.answer("wobble", "Angular frequency of the wobble", wobble);
+                wobble.value().powi(2)
             } else {
                 let growth = sheet.step("σ", "1/s", k.abs().sqrt(), "Rate of growth: a tilt grows as e^σt");
                 sheet.answer("growth", "Rate of growth of a tilt", growth);
                 sheet.warn(|| "unstable: it falls over, however small the tilt".into());
-            }
+                -growth.value().powi(2)
+            };
             sheet.verify(|| {
                 let [second, third] = state(at.value());
                 let size = self.gravity / self.radius + second.powi(2) + third.powi(2);
                 let other = W::Num::from(general([second, third]) - k.value());
                 sheet.check_zero("the general equation of small oscillations", other, size);
+                let other = W::Num::from(general([second, third]) - square);
+                sheet.check_zero(
+                    "square of the wobble or of the growth by the general equation",
+                    other,
+                    size,
+                );
                 if let Some(found) = linearised(&disc, [second, third]) {
                     // Differences are good to some 10⁻¹⁰: they are held to 10⁻⁸.
                     sheet.check_zero(

@@ -253,10 +253,12 @@ impl Analysis for SteadyRolling {
         sheet.answer("friction", "Friction towards the axis of the circle", force);
         sheet.answer("friction_needed", "Coefficient of friction needed", demand);
         sheet.answer("stiffness", "Stiffness of small oscillations", stiffness);
+        let mut wobble = None;
         if stiffness.value() > 0.0 {
             let period =
                 sheet.step("ω_n", "rad/s", stiffness.sqrt(), "Stable: angular frequency of the wobble");
             sheet.answer("wobble", "Angular frequency of the wobble", period);
+            wobble = Some(period);
         } else {
             sheet.warn(|| "the steady motion is unstable: the angle runs away from it".into());
         }
@@ -300,6 +302,24 @@ impl Analysis for SteadyRolling {
                 (-slope).into(),
                 scale / inclination.value().sin().powi(2),
             );
+            if let Some(wobble) = wobble {
+                sheet.check_sum(
+                    "square of the wobble from the same differences",
+                    wobble.powi(2),
+                    (-slope).into(),
+                    scale / inclination.value().sin().powi(2),
+                );
+            }
+            sheet.check_sum(
+                "how far the centre stands inwards of the contact, from the lean",
+                radius * lean.sin(),
+                floor - centre,
+                floor.value().abs() + centre.value().abs(),
+            );
+            if let KnownGiven::FloorCircle { radius: circle, .. } = given.known {
+                let size = floor.value().abs() + centre.value().abs();
+                sheet.check_sum("the circle on the floor is the given one", floor, circle, size);
+            }
             let (other, [_, across]) = disc.contact_forces(inclination.value(), omega);
             sheet.check_sum("the normal force from m a_G", normal, other.into(), normal.value());
             sheet.check_sum(

@@ -8,7 +8,6 @@ use dalembert_core::{
 use dalembert_mechanics::{
     Real,
     rigid::top::{self, Nutation, Top, TopError, Trace},
-    vibration::quadrature,
 };
 use nalgebra::{Rotation3, Vector3};
 
@@ -66,6 +65,8 @@ pub enum TopSpin {
 
 /// Sine of an angle to the vertical below which the precession has few digits.
 const NEAR_VERTICAL: f64 = 1e-3;
+
+mod turned;
 
 register!(TopNutation);
 
@@ -380,31 +381,8 @@ fn at_instant<W: Worksheet>(motion: &Nutation, t: f64, body: Top, invariants: [f
             }),
             scale,
         );
-        turned(motion, t, own / body.axial, [phi, psi], sheet);
+        turned::check(motion, body, t, [own, vertical], [theta, theta_rate, phi, psi], sheet);
     });
-}
-
-/// Holds precession and spin to the integrals of their rates over whole nutations and the rest of the time.
-fn turned<W: Worksheet>(motion: &Nutation, t: f64, axial_velocity: f64, [phi, psi]: [W::Num; 2], sheet: W) {
-    let period = motion.period();
-    let whole = (t / period).floor();
-    let rates = |time: f64| {
-        let at = motion.at(time);
-        [at.precession_rate, axial_velocity - at.precession_rate * at.nutation.cos()]
-    };
-    let integral = |rate: usize, parts: u32| {
-        let over = |to: f64| quadrature::integral(|time| rates(time)[rate], [0.0, to], parts);
-        whole * over(period) + over(t - whole * period)
-    };
-    for (rate, (angle, what)) in
-        [(phi, "precession as the integral of its rate"), (psi, "spin as the integral of its rate")]
-            .into_iter()
-            .enumerate()
-    {
-        let (coarse, fine) = (integral(rate, 24), integral(rate, 48));
-        let size = angle.value().abs() + axial_velocity.abs() * t;
-        sheet.check_residual(what, (angle.value() - fine).into(), size, coarse - fine);
-    }
 }
 
 /// `∫ φ̇ dt` over a nutation with `u = u₂ + (u₁ − u₂) sin²χ`; not where the axis comes near the vertical, or the period

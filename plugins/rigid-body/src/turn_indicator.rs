@@ -12,7 +12,10 @@ use dalembert_mechanics::{
 };
 use nalgebra::Vector3;
 
-use crate::sources::{BEER, KHURMI};
+use crate::{
+    differences::check_disc,
+    sources::{BEER, KHURMI},
+};
 
 /// A rotor with its axle across the aircraft, in a yoke that can turn about the fore-and-aft axis, held by two equal
 /// upright springs at equal distances from that axis.
@@ -115,6 +118,7 @@ impl Analysis for TurnIndicator {
                     "Moment of inertia of a disc about a diameter",
                 );
                 sheet.answer("axial_inertia", "Moment of inertia about the axle", axial);
+                check_disc(axial, mass, radius, sheet);
                 (axial, transverse)
             }
             RotorGiven::Moments { axial, transverse } => (axial, transverse),
@@ -196,9 +200,23 @@ impl Analysis for TurnIndicator {
         sheet.answer("level_couple", "Gyroscopic couple with the axle level", level);
         sheet.answer("couple", "Gyroscopic couple", couple);
         sheet.answer("spring_force", "Force of each spring", force);
+        let (axial_inertia, transverse_inertia, rate_of_turn) = (axial, transverse, rate);
         let (axial, transverse, rate) = (axial.value(), transverse.value(), rate.value());
         sheet.verify(|| {
             sheet.check("the couple of the springs", force * given.spacing * angle.cos(), couple);
+            let height = given.spacing / 2.0 * angle.sin();
+            sheet.check(
+                "the couple of the springs from how far their ends move",
+                given.stiffness * height * given.spacing * angle.cos(),
+                couple,
+            );
+            let tilted = (axial_inertia - transverse_inertia) * rate_of_turn.powi(2) * sine;
+            sheet.check_sum(
+                "the couple with the axle level, and what the tilt adds",
+                (level + tilted) * angle.cos(),
+                couple,
+                level.value() + tilted.value().abs(),
+            );
             // The axle points to the left and, tilted, up; the aircraft turns to the left.
             let axle = Vector3::new(0.0, angle.value().cos(), angle.value().sin());
             let tensor = gyroscope::symmetric_tensor(axial, transverse, axle);

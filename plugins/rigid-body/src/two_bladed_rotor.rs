@@ -1,6 +1,6 @@
 //! A two-bladed propeller whose carrier turns: the couple pulses twice in each turn.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
@@ -8,6 +8,7 @@ use dalembert_core::{
 use dalembert_mechanics::{
     Real, Vector,
     rigid::{self, gyroscope},
+    vibration::quadrature,
 };
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -113,6 +114,11 @@ impl Analysis for TwoBladedRotor {
                     "Moment of inertia of the rod about the axis of the spin, and across the blades; along them it is zero",
                 );
                 sheet.answer("axial_inertia", "Moment of inertia about the axis of the spin", inertia);
+                sheet.verify(|| {
+                    let half = length.value() / 2.0;
+                    let sum = quadrature::integral(|x| x * x, [-half, half], 1) * mass.value() / (2.0 * half);
+                    sheet.check("moment of inertia of the rod, piece by piece", inertia, sum.into());
+                });
                 (inertia, inertia, zero)
             }
             BladesGiven::Principal { axial, along, across } => {
@@ -131,6 +137,15 @@ impl Analysis for TwoBladedRotor {
                 let rate =
                     sheet.step("Ω", "rad/s", speed / radius, "Angular velocity of the carrier on its curve");
                 sheet.answer("precession_rate", "Angular velocity of the precession", rate);
+                sheet.verify(|| {
+                    let at = |t: f64| {
+                        let turned = Rotation3::from_scaled_axis(Vector3::y() * (rate.value() * t));
+                        turned * Vector3::x() * radius.value()
+                    };
+                    let Ok(velocity) = rigid::numerical_rate(at, TAU / rate.value().abs()) else { return };
+                    let what = "speed on the curve, by differences of the place";
+                    sheet.check(what, speed.abs(), velocity.norm().into());
+                });
                 rate
             }
             PrecessionGiven::Rate { rate } => rate,
@@ -226,6 +241,20 @@ impl Analysis for TwoBladedRotor {
                 size,
             );
             self.check_by_rotation(inertia, rate, couple, sheet);
+            // What the kinetic energy of the precession changes by with the angle of the blades.
+            let at_rest = Matrix3::from_diagonal(&inertia.into());
+            let energy = |turned: f64| {
+                let blades = Rotation3::from_axis_angle(&Vector3::x_axis(), self.angle + turned);
+                Vector3::x() * (rigid::turned(&at_rest, &blades)[(1, 1)] * rate.powi(2) / 2.0)
+            };
+            if let Ok(slope) = rigid::numerical_rate(energy, PI) {
+                sheet.check_sum(
+                    "couple of the spin from the kinetic energy by Lagrange's equation",
+                    axial,
+                    (-slope.x).into(),
+                    (inertia[1] + inertia[2]) * rate.powi(2),
+                );
+            }
         });
         sheet.show(|| Exhibit::Plot(self.couple_over_a_turn(inertia, rate, across.value())));
         sheet.show(|| film(self.spin));

@@ -12,7 +12,10 @@ use dalembert_core::{
 use dalembert_mechanics::{Real, rigid, roots};
 use nalgebra::{Rotation3, Vector3};
 
-use crate::sources::{BEER, KHURMI};
+use crate::{
+    differences::second_rate,
+    sources::{BEER, KHURMI},
+};
 
 /// A motorcycle or a bicycle with its rider, leaning into a turn as one rigid body.
 ///
@@ -214,6 +217,17 @@ impl Analysis for TwoWheelerLean {
                 "Speed at which the tyres slide on that circle",
             );
             sheet.answer("sliding_speed", "Speed at which the tyres slide", sliding);
+            sheet.verify(|| {
+                let place = |t: f64| {
+                    let (sin, cos) = (sliding.value() / self.radius * t).sin_cos();
+                    Vector3::new(cos, sin, 0.0) * path.value()
+                };
+                let Some(acceleration) = second_rate(place, TAU * self.radius / sliding.value()) else {
+                    return;
+                };
+                let what = "acceleration of the centre of mass at that speed, by differences of its place";
+                sheet.check(what, friction * given.gravity, acceleration.norm().into());
+            });
         }
         sheet.verify(|| {
             let own = own.unwrap_or_else(|| 0.0.into());
@@ -221,6 +235,13 @@ impl Analysis for TwoWheelerLean {
             let size =
                 weight.value().abs() + centrifugal.value() + gyroscopic.value().abs() + own.value().abs();
             sheet.check_zero("the couples about the line of contact balance", weight - outwards, size);
+            let per_mass = rate.powi(2) * path;
+            sheet.check_sum(
+                "weight and centrifugal force balance at the lean without turning parts",
+                given.gravity * plain.sin(),
+                per_mass * plain.cos(),
+                self.gravity + per_mass.value().abs(),
+            );
             let spin = inertia.value() * speed.value() / self.wheel_radius;
             self.check_by_rotation(spin, rate.value(), lean.value(), (gyroscopic + own).value(), sheet);
         });

@@ -329,7 +329,22 @@ impl WheelLoads {
             sheet.warn(|| "the side force is above the friction: the vehicle slides at this speed".into());
         }
         sheet.verify(|| {
-            self.check_by_rotation(inertia.value(), wheel_speed.value(), rate.value(), wheels, sheet);
+            self.check_by_rotation(inertia.value(), wheel_speed.value(), rate.value(), [wheels, each], sheet);
+            if let Some(engine) = engine {
+                self.check_engine(wheel_speed.value(), rate.value(), engine, sheet);
+            }
+            // The forces on the vehicle in the level and the upright direction, and at G about the road.
+            let (sin, cos) = self.bank.sin_cos();
+            let outwards = self.mass * speed.value().powi(2) / self.radius;
+            let weight = self.mass * self.gravity;
+            let size = outwards + weight;
+            let what = "force of the road towards the centre of the curve";
+            sheet.check_sum(what, side * cos + normal * sin, outwards.into(), size);
+            sheet.check_sum("force of the road upwards", normal * cos - side * sin, weight.into(), size);
+            let (out, up) = (-self.centre_height * sin, self.centre_height * cos);
+            let what = "moments of centrifugal force and weight at G about the road";
+            let moment = up * outwards + out * weight;
+            sheet.check_sum(what, overturning, moment.into(), size * self.centre_height);
             // Axles that are alike are written once.
             let times = if matches!(self.layout, Layout::TwoEqualAxles) { 2.0 } else { 1.0 };
             let sum = Real::sum(loads.iter().map(|(_, load)| *load)) * times;
@@ -444,7 +459,14 @@ impl WheelLoads {
 
     /// A second way to the couple of the wheels: the difference quotient of the angular momentum of the tilted pair,
     /// turned as a whole. In a turn to the left the axle points left, and down on a bank.
-    fn check_by_rotation<W: Worksheet>(&self, inertia: f64, spin: f64, rate: f64, couple: W::Num, sheet: W) {
+    fn check_by_rotation<W: Worksheet>(
+        &self,
+        inertia: f64,
+        spin: f64,
+        rate: f64,
+        [couple, load]: [W::Num; 2],
+        sheet: W,
+    ) {
         let axle = Vector3::new(0.0, self.bank.cos(), -self.bank.sin());
         let transverse = self.transverse_inertia.map_or(inertia, |transverse| transverse * self.axles());
         let tensor = gyroscope::symmetric_tensor(inertia, transverse, axle);
@@ -460,6 +482,28 @@ impl WheelLoads {
             "the couple of the wheels from the difference quotient of R I Rᵀ ω",
             W::Num::from(-derivative.x - couple.value()),
             Vector::value(momentum_at(0.0)).norm() * TAU / period,
+        );
+        sheet.check_zero(
+            "moments of the loads from the couple of the wheels from the same difference quotient",
+            W::Num::from(-derivative.x - load.value() * self.track * self.axles()),
+            Vector::value(momentum_at(0.0)).norm() * TAU / period,
+        );
+    }
+
+    /// The same for the engine: across, about the long axis of the vehicle; along, about the axis across the road.
+    fn check_engine<W: Worksheet>(&self, wheel_speed: f64, rate: f64, couple: W::Num, sheet: W) {
+        let Some(engine) = &self.engine else { return };
+        let across = Vector3::new(0.0, self.bank.cos(), -self.bank.sin());
+        let (axle, about) = if engine.lies_along() { (Vector3::x(), across) } else { (across, Vector3::x()) };
+        let momentum = engine.inertia * engine.ratio * wheel_speed;
+        let at = |t: f64| nalgebra::Rotation3::from_scaled_axis(Vector3::z() * (rate * t)) * axle * momentum;
+        let Ok(change) = rigid::numerical_rate(at, TAU / rate) else { return };
+        let what = "couple of the engine from the difference quotient of its angular momentum";
+        sheet.check_sum(
+            what,
+            couple.abs(),
+            nalgebra::Matrix::dot(&change, &about).abs().into(),
+            momentum * rate,
         );
     }
 }

@@ -11,16 +11,11 @@ use dalembert_mechanics::{
 use super::layout::Placed;
 
 /// The sum of one order of all cylinders, along their strokes, where the order has turned by an angle.
-pub(super) fn sum_at<N: Real>(
-    order: u8,
-    cylinders: &[Placed<N>],
-    amounts: impl IntoIterator<Item = f64>,
-    turned: f64,
-) -> [f64; 2] {
+pub(super) fn sum_at<N: Real>(order: u8, cylinders: &[Placed<N>], amounts: &[N], turned: f64) -> [f64; 2] {
     let mut sum = [0.0; 2];
     for (c, amount) in cylinders.iter().zip(amounts) {
         let line = c.line.value();
-        let along = amount * (turned + f64::from(order) * (c.throw.value() - line)).cos();
+        let along = amount.value() * (turned + f64::from(order) * (c.throw.value() - line)).cos();
         sum[0] += along * line.cos();
         sum[1] += along * line.sin();
     }
@@ -28,15 +23,11 @@ pub(super) fn sum_at<N: Real>(
 }
 
 /// The same a quarter of a period apart: two conjugate semidiameters of the ellipse on which the tip of the vector runs.
-pub(super) fn semidiameters<N: Real>(
-    order: u8,
-    cylinders: &[Placed<N>],
-    amounts: impl IntoIterator<Item = f64> + Clone,
-) -> [[f64; 2]; 2] {
-    [0.0, FRAC_PI_2].map(|turned| sum_at(order, cylinders, amounts.clone(), turned))
+pub(super) fn semidiameters<N: Real>(order: u8, cylinders: &[Placed<N>], amounts: &[N]) -> [[f64; 2]; 2] {
+    [0.0, FRAC_PI_2].map(|turned| sum_at(order, cylinders, amounts, turned))
 }
 
-/// Masses that turn with the cranks, as two semidiameters.
+/// The sum along the cranks of what turns with them.
 pub(super) fn turning<N: Real>(cylinders: &[Placed<N>], amounts: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let mut sum = [0.0; 2];
     for (c, amount) in cylinders.iter().zip(amounts) {
@@ -55,8 +46,8 @@ pub(super) fn semi_axes<W: Worksheet>(
     scale: f64,
     sheet: W,
 ) {
-    let forward = ((a[0] + b[1]) / 2.0).hypot((a[1] - b[0]) / 2.0);
-    let backward = ((a[0] - b[1]) / 2.0).hypot((a[1] + b[0]) / 2.0);
+    let forward = f64::midpoint(a[0], b[1]).hypot((a[1] - b[0]) / 2.0);
+    let backward = ((a[0] - b[1]) / 2.0).hypot(f64::midpoint(a[1], b[0]));
     let what = "the greatest over a turn from two vectors a quarter of a period apart";
     sheet.check_sum(what, most, (forward + backward).into(), scale);
     let what = "the least over a turn from two vectors a quarter of a period apart";

@@ -91,7 +91,7 @@ pub(super) fn rotating<W: Worksheet>(
     sheet.answer("residual", "Greatest primary force with counterweights", most);
     sheet.answer("residual_min", "Least primary force with counterweights", least);
     sheet.verify(|| {
-        let [[ax, ay], [bx, by]] = checks::semidiameters(1, cylinders, primary.iter().map(|k| k.value()));
+        let [[ax, ay], [bx, by]] = checks::semidiameters(1, cylinders, primary);
         let [x, y] = checks::turning(cylinders, centrifugal.iter().copied());
         checks::semi_axes(most, least, [[ax + x, ay + y], [bx - y, by + x]], first.scale + turned, sheet);
     });
@@ -128,8 +128,8 @@ pub(super) fn rotating<W: Worksheet>(
         sheet.answer("residual_couple", "Greatest primary couple with counterweights", most);
         sheet.verify(|| {
             let arm = |c: &Placed<W::Num>| c.position.value() - about.map_or(0.0, Real::value);
-            let amounts = cylinders.iter().zip(primary).map(|(c, k)| k.value() * arm(c));
-            let [[ax, ay], [bx, by]] = checks::semidiameters(1, cylinders, amounts);
+            let amounts = cylinders.iter().zip(primary).map(|(c, k)| *k * arm(c));
+            let [[ax, ay], [bx, by]] = checks::semidiameters(1, cylinders, &amounts.collect::<Vec<_>>());
             let amounts = cylinders.iter().zip(&centrifugal).map(|(c, force)| force * arm(c));
             let [x, y] = checks::turning(cylinders, amounts);
             let least = (couple.forward_size * left.abs() - couple.backward_size).abs();

@@ -184,7 +184,7 @@ pub(super) fn of_order<W: Worksheet>(
         let [angle, direction] = directions(n, &force, names.angle, sheet);
         sheet.verify(|| {
             let turned = f64::from(order) * angle.value();
-            let [x, y] = checks::sum_at(order, cylinders, strengths.iter().map(|k| k.value()), turned);
+            let [x, y] = checks::sum_at(order, cylinders, strengths, turned);
             let (along, across) = (most * direction.cos(), most * direction.sin());
             let off = (along.value() - x).hypot(across.value() - y);
             let what = "at its crank angle the pistons' forces add up to the greatest one";
@@ -194,9 +194,8 @@ pub(super) fn of_order<W: Worksheet>(
         let what = "one vector alone is as large at every crank angle";
         sheet.check_sum(what, most, least, 4.0 * scale);
     }
-    let amount = strengths.iter().map(|k| k.value());
     sheet.verify(|| {
-        let pair = checks::semidiameters(order, cylinders, amount.clone());
+        let pair = checks::semidiameters(order, cylinders, strengths);
         checks::semi_axes(most, least, pair, scale, sheet);
     });
     let couple = about.map(|about| {
@@ -220,7 +219,7 @@ pub(super) fn of_order<W: Worksheet>(
         sheet.answer(("couple", n), "Greatest couple of order", most);
         sheet.answer(("couple_min", n), "Least couple of order", least);
         sheet.verify(|| {
-            let pair = checks::semidiameters(order, cylinders, arms.iter().map(|k| k.value()));
+            let pair = checks::semidiameters(order, cylinders, &arms);
             checks::semi_axes(most, least, pair, arms.iter().map(|k| k.value().abs()).sum(), sheet);
         });
         couple
@@ -232,7 +231,7 @@ pub(super) fn of_order<W: Worksheet>(
         let size = sheet.step(names.at[2], "N", balance::magnitude(x, y), "Force at the crank angle");
         sheet.answer(("force_at", n), "Force at the crank angle, order", size);
         sheet.verify(|| {
-            let [x, y] = checks::sum_at(order, cylinders, amount, f64::from(order) * angle.value());
+            let [x, y] = checks::sum_at(order, cylinders, strengths, f64::from(order) * angle.value());
             let what = "force at the crank angle, added up piston by piston";
             sheet.check_sum(what, size, x.hypot(y).into(), scale);
         });

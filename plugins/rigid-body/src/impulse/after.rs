@@ -27,9 +27,9 @@ impl From<Named<'_>> for Why {
 }
 
 /// What is given to the body from outside: an impulse at a point.
-struct Given<W: Worksheet> {
-    impulse: W::Vec,
-    point: W::Vec,
+pub(super) struct Given<W: Worksheet> {
+    pub(super) impulse: W::Vec,
+    pub(super) point: W::Vec,
 }
 
 /// The motion just after.
@@ -37,9 +37,9 @@ pub(super) struct After<W: Worksheet> {
     pub(super) omega: W::Vec,
     pub(super) velocity: W::Vec,
     /// Impulse of what holds the body, and where.
-    reaction: Option<(W::Vec, Vector3<f64>)>,
+    pub(super) reaction: Option<(W::Vec, Vector3<f64>)>,
     /// Its impulsive couple.
-    couple: Option<W::Vec>,
+    pub(super) couple: Option<W::Vec>,
 }
 
 /// Below this share of the largest moment a product of inertia is rounding.
@@ -113,7 +113,7 @@ impl Impulse {
         if matches!(self.hold, Hold::Nothing | Hold::Surface { .. }) {
             free::precession(after_body, &after, sheet)?;
         }
-        self.wanted_mass(given, &body, momentum.value(), &after, sheet)?;
+        self.wanted_mass(given, &body, momentum.value(), &after, &gifts, sheet)?;
         let before = [omega.value(), velocity.value()];
         self.check(&body, after_body, before, &gifts, &after, change.value(), sheet);
         let (turns, goes) = (after.omega.value(), after.velocity.value());
@@ -300,6 +300,21 @@ impl Impulse {
                 sheet.answer("axis_inertia", "Moment of inertia about the axis", inertia);
                 sheet.answer("axis_momentum", "Angular momentum about the axis", component);
                 let (velocity, reaction) = held(body, omega, arm, linear, sheet);
+                sheet.verify(|| {
+                    if let Ok(about) = body.properties.inertia_about_line(*at, *along) {
+                        let size = body.properties.inertia.amax() + inertia.value();
+                        let what = "moment of inertia about the axis from the tensor about the point on it";
+                        sheet.check_sum(what, inertia, about.into(), size);
+                    }
+                    let gained =
+                        matrix_times(body.moments, body.products, omega) + arm.cross(velocity * body.mass);
+                    sheet.check_sum(
+                        "angular momentum about the axis from the motion just after",
+                        gained.dot(cosines),
+                        component,
+                        gained.value().norm(),
+                    );
+                });
                 let couple = sheet.step_vector(
                     "C",
                     "N*m*s",
@@ -394,111 +409,6 @@ impl Impulse {
         sheet.answer("energy_after", "Kinetic energy after", second);
         sheet.answer("energy_change", "Change of the kinetic energy", change);
         change
-    }
-
-    /// With which mass the body would turn as fast as is wanted.
-    fn wanted_mass<W: Worksheet>(
-        &self,
-        given: &ImpulseGiven<W>,
-        body: &Worked<W>,
-        before: Vector3<f64>,
-        after: &After<W>,
-        sheet: W,
-    ) -> Result<(), Refusal> {
-        let Some(wanted) = given.wanted_speed else { return Ok(()) };
-        let moves = before != Vector3::zeros() || body.mass.value() == 0.0;
-        if !matches!(self.hold, Hold::Axis { .. }) || moves || !self.projectiles.is_empty() {
-            return Err(Refusal::because(
-                "the mass for an angular speed is found for a body at rest that is held by an axis and struck by blows: leave the wanted angular speed out otherwise",
-            ));
-        }
-        let mass = sheet.step(
-            "m*",
-            "kg",
-            body.mass * after.omega.magnitude() / wanted,
-            "Mass with which the body, in the same shape, turns as fast as is wanted: ω′ goes with 1/m",
-        );
-        sheet.answer("wanted_mass", "Mass for the wanted angular speed", mass);
-        Ok(())
-    }
-
-    /// Momenta about the origin, the constraint, and the work of the impulses.
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "a blow is the body before and after, what is given, and the change"
-    )]
-    fn check<W: Worksheet>(
-        &self,
-        body: &Worked<W>,
-        after_body: &Worked<W>,
-        [omega, velocity]: [Vector3<f64>; 2],
-        gifts: &[Given<W>],
-        after: &After<W>,
-        change: f64,
-        sheet: W,
-    ) {
-        sheet.verify(|| {
-            let (first, second) = (&body.properties, &after_body.properties);
-            let (turns, goes) = (after.omega.value(), after.velocity.value());
-            let about_origin = |body: &MassProperties, omega: Vector3<f64>, velocity: Vector3<f64>| {
-                body.inertia * omega + body.centre.cross(velocity * body.mass)
-            };
-            let mut terms = vec![about_origin(second, turns, goes), -about_origin(first, omega, velocity)];
-            terms.extend(gifts.iter().map(|one| -one.point.value().cross(one.impulse.value())));
-            if let Some((reaction, at)) = after.reaction {
-                terms.push(-at.cross(reaction.value()));
-            }
-            if let Some(couple) = after.couple {
-                terms.push(-couple.value());
-            }
-            let size = terms.iter().map(Vector3::norm).sum::<f64>();
-            sheet.check_zero(
-                "the angular momentum about O: after − before = Σ r × J with all reactions",
-                terms.iter().sum::<Vector3<f64>>().norm().into(),
-                size,
-            );
-            let at = |point: Vector3<f64>,
-                      omega: Vector3<f64>,
-                      velocity: Vector3<f64>,
-                      centre: Vector3<f64>| { velocity + omega.cross(point - centre) };
-            if let (Hold::Point { point } | Hold::Axis { point, .. }, Some(_)) = (&self.hold, after.reaction)
-            {
-                let left = at(*point, turns, goes, second.centre);
-                sheet.check_zero(
-                    "the velocity of the point that is held, which is zero",
-                    left.norm().into(),
-                    goes.norm() + turns.norm() * (point - second.centre).norm(),
-                );
-            }
-            if self.projectiles.is_empty() {
-                // The work of an impulse is its product with the mean of the velocities before and after.
-                let work = |impulse: Vector3<f64>, point: Vector3<f64>| {
-                    impulse
-                        .dot(at(point, turns, goes, second.centre) + at(point, omega, velocity, first.centre))
-                        / 2.0
-                };
-                let mut terms: Vec<f64> =
-                    gifts.iter().map(|one| work(one.impulse.value(), one.point.value())).collect();
-                if let Some((reaction, point)) = after.reaction {
-                    terms.push(work(reaction.value(), point));
-                }
-                if let Some(couple) = after.couple {
-                    terms.push(couple.value().dot(turns + omega) / 2.0);
-                }
-                let energy = |body: &MassProperties, omega: Vector3<f64>, velocity: Vector3<f64>| {
-                    body.mass * velocity.norm_squared() / 2.0 + omega.dot(body.inertia * omega) / 2.0
-                };
-                terms.push(-change);
-                let size = terms.iter().map(|term| term.abs()).sum::<f64>()
-                    + energy(first, omega, velocity)
-                    + energy(second, turns, goes);
-                sheet.check_zero(
-                    "the change of the kinetic energy from the work of the impulses, J · (v + v′)/2",
-                    terms.iter().sum::<f64>().into(),
-                    size,
-                );
-            }
-        });
     }
 
     fn drawn<W: Worksheet>(

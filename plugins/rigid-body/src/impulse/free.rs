@@ -40,6 +40,14 @@ pub(super) fn axis<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet: W) {
             (there - along.value() * sliding.value()).norm().into(),
             velocity.norm() + omega.norm() * body.centre.value().norm(),
         );
+        // Another point of the axis, at the distance one along it.
+        let along = along.value();
+        sheet.check_zero(
+            "points of the instantaneous axis have no velocity against each other",
+            omega.cross(along).norm().into(),
+            omega.norm(),
+        );
+        sheet.check("the direction is of length one", along.norm_squared().into(), 1.0.into());
     });
 }
 
@@ -98,6 +106,12 @@ pub(super) fn precession<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet
     sheet.answer("precession_rate", "Rate of precession", rate);
     sheet.answer("spin_rate", "Rate of spin", spin);
     sheet.verify(|| {
+        // The angular momentum across the axis and along it, each its own moment of inertia times that of ω.
+        sheet.check_zero(
+            "the angles of ω and H from the axis, tan θ = (I_t/I_a) tan γ",
+            axial * theta.sin() * gamma.cos() - transverse * gamma.sin() * theta.cos(),
+            axial.value() + transverse.value(),
+        );
         let along = momentum.value().normalize();
         let sum = along * rate.value() + unit * spin.value();
         sheet.check_zero(

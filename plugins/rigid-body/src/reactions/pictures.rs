@@ -3,10 +3,13 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{Axis, Exhibit, Ink, Name, Plot, Series, Text, Worksheet};
-use dalembert_mechanics::rigid::{
-    self, MassProperties,
-    chain::{self, Frame},
-    supports::Wrench,
+use dalembert_mechanics::{
+    Real as _,
+    rigid::{
+        self, MassProperties,
+        chain::{self, Frame},
+        supports::Wrench,
+    },
 };
 use nalgebra::Vector3;
 
@@ -72,7 +75,7 @@ impl Reactions {
             sheet.answer(("unloaded_speed", n + 1), "Speed at which the support carries nothing", speed);
             sheet.whose(("unloaded_speed", n + 1), &support.name);
             sheet.verify(|| {
-                let left = force(square.sqrt()).unwrap_or(f64::NAN);
+                let left = force(speed.value()).unwrap_or(f64::NAN);
                 sheet.check_zero(
                     Text::new("the force of {name} at the speed at which it carries nothing")
                         .with("name", &support.name),

@@ -234,6 +234,10 @@ impl<'a> Held<'a> {
                 );
                 sheet.answer(("tension", n + 1), "Tension", tension);
                 sheet.whose(("tension", n + 1), name);
+                sheet.verify(|| {
+                    let what = Text::new("all of the reaction of {name} is along it").with("name", name);
+                    sheet.check_vector(what, direction * tension, reaction * direction.magnitude());
+                });
             }
             KindGiven::Contact { normal, .. } | KindGiven::RoughContact { normal } => {
                 let force = sheet.step(
@@ -244,6 +248,15 @@ impl<'a> Held<'a> {
                 );
                 sheet.answer(("normal_force", n + 1), "Normal force", force);
                 sheet.whose(("normal_force", n + 1), name);
+                if let KindGiven::Contact { friction, .. } = given.kind {
+                    sheet.check_sum(
+                        Text::new("normal force and friction make up the reaction of {name}")
+                            .with("name", name),
+                        force.powi(2) * (friction.powi(2) + 1.0),
+                        reaction.dot(reaction),
+                        of.force.norm_squared(),
+                    );
+                }
                 let rough = matches!(given.kind, KindGiven::RoughContact { .. });
                 if rough && force.value() > 1e-12 * of.force.norm() {
                     let along = sheet.step(

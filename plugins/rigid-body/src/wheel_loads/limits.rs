@@ -24,6 +24,11 @@ impl WheelLoads {
         if let Some((wheel, _)) = first {
             let lifting = self.lifting_steps(given, inertia, wheel, sheet);
             sheet.answer("lifting_speed", wheel.lifts, lifting);
+            sheet.verify(|| {
+                let left = constants.load(wheel, lifting.value());
+                let what = "load of the wheel that lifts first at that speed, from moments about the others";
+                sheet.check_zero(what, left.into(), constants.load(wheel, 0.0));
+            });
         } else {
             sheet.warn(|| "no wheel lifts at any speed".into());
         }
@@ -45,6 +50,13 @@ impl WheelLoads {
             "Speed at which the side force reaches the friction: S = µ P",
         );
         sheet.answer("sliding_speed", "Speed at which the vehicle slides outwards", sliding);
+        sheet.verify(|| {
+            let outwards = sliding.powi(2) / given.radius;
+            let side = outwards * cos - given.gravity * sin;
+            let normal = given.gravity * cos + outwards * sin;
+            let size = outwards.value() + self.gravity;
+            sheet.check_sum("side force and friction at that speed", side, friction * normal, size);
+        });
         if first.is_some_and(|(_, lifting)| lifting < sliding.value()) {
             sheet.warn(|| "a wheel lifts before the vehicle slides: it overturns".into());
         }
