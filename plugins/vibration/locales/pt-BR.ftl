@@ -956,6 +956,12 @@ height-of-the-wave = Altura da onda
 the-value-that-the-picture-of-the-wave-shows-as-one = O valor que a figura da onda mostra como um.
 motion-of-the-base = Movimento da base
 periodic-force-or-base = Força ou base periódica
+harmonic-n-equation-of-motion-in-phase-with-the-wave = harmônico { $n }: equação de movimento, em fase com a onda
+harmonic-n-equation-of-motion-a-quarter-of-a-turn-ahead = harmônico { $n }: equação de movimento, um quarto de volta à frente
+displacement-at-that-time-by-the-convolution-of-the-wave-with-the-response-to-impulses = deslocamento nesse instante, pela convolução da onda com a resposta a impulsos
+largest-displacement-by-the-convolution-at-the-moment-at-which-the-velocity-changes-its-sign = maior deslocamento: pela convolução, no instante em que a velocidade troca de sinal
+least-displacement-by-the-convolution-at-the-moment-at-which-the-velocity-changes-its-sign = menor deslocamento: pela convolução, no instante em que a velocidade troca de sinal
+damping-coefficient-by-mass-and-natural-frequency-2-m = coeficiente de amortecimento pela massa e pela frequência natural, 2ζmωₙ
 fourier-coefficients-of-a-periodic-force-or-motion-of-the-base-the-steady-response-to-each-harmonic = Coeficientes de Fourier de uma força periódica ou de um movimento periódico da base, a resposta permanente a cada harmônico e a todos eles.
 hysteretic-damping-has-no-equation-of-motion-in-time-give-the-damping-ratio-of-a-dashpot-that-does-as = o amortecimento histerético não tem equação de movimento no tempo: dê a razão de amortecimento de um amortecedor viscoso que faça o mesmo
 frequency-ratio-of-the-first-harmonic = Razão de frequências do primeiro harmônico
@@ -1493,6 +1499,14 @@ zero-to-peak-write-mm-pp-for-a-peak-to-peak-reading = De zero a pico; escreva mm
 as-an-accelerometer-shows-it = Como a mostra um acelerômetro.
 acceleration-read = Aceleração lida
 vibrometer-and-accelerometer = Vibrômetro e acelerômetro
+the-reading-at-that-frequency-is-off-by-the-allowed-error = a leitura nessa frequência difere pelo erro admissível
+the-error-by-the-force-of-inertia-spring-and-damper-for-a-reading-of-one = o erro pela força de inércia, mola e amortecedor para uma leitura unitária
+largest-reading-there-the-slope-of-the-reading-over-the-frequency-is-zero = maior leitura: ali a inclinação da leitura na frequência é zero
+equation-of-the-relative-motion-under-the-true-displacement = equação do movimento relativo sob o deslocamento verdadeiro
+equation-of-the-relative-motion-under-the-true-acceleration = equação do movimento relativo sob a aceleração verdadeira
+equation-of-the-relative-motion-so-much-later-in-phase-with-the-motion-of-the-case = equação do movimento relativo com esse atraso: em fase com o movimento da caixa
+equation-of-the-relative-motion-so-much-later-a-quarter-of-a-turn-ahead = equação do movimento relativo com esse atraso: um quarto de volta à frente
+an-instrument-of-the-needed-natural-frequency-reads-this-one-with-the-allowed-error = um instrumento com a frequência natural necessária lê esta frequência com o erro admissível
 usable-frequencies-of-a-seismic-instrument-for-an-allowed-error-its-amplitude-and-phase-error-at-a = Frequências úteis de um instrumento sísmico para um erro admissível, o seu erro de amplitude e de fase numa frequência, e o movimento verdadeiro por trás de uma leitura.
 nothing-is-asked-write-an-allowed-error-the-frequency-of-the-motion-or-its-tones = nada é perguntado: escreva um erro admissível, a frequência do movimento ou os seus tons
 tones-of-a-motion = Tons de um movimento
@@ -1506,6 +1520,8 @@ phase-lag-of-this-tone-in-the-record-turned-over-as-a-vibrometer-shows-it = Atra
 delay-of-this-tone = Atraso deste tom
 reading-over-true-value-of-tone = Leitura sobre valor verdadeiro do tom
 delay-of-tone = Atraso do tom
+tone-n-equation-of-the-relative-motion-so-much-later-in-phase = tom { $n }: equação do movimento relativo com esse atraso, em fase
+tone-n-equation-of-the-relative-motion-so-much-later-a-quarter-of-a-turn-ahead = tom { $n }: equação do movimento relativo com esse atraso, um quarto de volta à frente
 phase-distortion-how-far-the-delays-lie-apart = Distorção de fase: quanto os atrasos diferem entre si
 phase-distortion = Distorção de fase
 tones-of-the-motion-and-of-the-record = Tons do movimento e do registro
@@ -1815,6 +1831,18 @@ viscous-alone-decrement = Só viscoso: decremento
 viscous-alone-scatter = Só viscoso: dispersão
 viscous-damping-alone-x-x-e-n-by-least-squares-of-the-amplitudes-its-decrement = Só amortecimento viscoso: X = X₀ e^(−δn) por mínimos quadrados das amplitudes; seu decremento
 viscous-damping-or-friction-from-a-decay = Amortecimento viscoso ou atrito por um decaimento
+what-friction-takes-in-two-strokes-one-after-the-other-is-its-share-of-a-cycle = o que o atrito consome em dois cursos, um após o outro, é a sua parte de um ciclo
+what-a-cycle-leaves-of-a-release-from-rest-with-this-damping-ratio-by-integration-of-the-equation-of = o que um ciclo deixa de uma soltura do repouso com esta razão de amortecimento, por integração da equação de movimento
+viscous-damping-alone-the-differences-have-this-root-mean-square = só amortecimento viscoso: as diferenças têm este valor eficaz
+viscous-damping-alone-the-differences-are-orthogonal-to-the-change-of-the-exponential-with-its = só amortecimento viscoso: as diferenças são ortogonais à variação da exponencial com o seu decremento
+the-natural-frequency-is-the-distance-of-the-complex-root-from-the-origin = a frequência natural é a distância da raiz complexa à origem
+half-a-cycle-what-the-spring-gives-up-is-the-work-of-friction-and-damper-by-quadrature = meio ciclo: o que a mola cede é o trabalho de atrito e amortecedor, por quadratura
+half-a-cycle-of-a-mass-on-a-level-surface-its-energy-is-the-work-of-friction-and-damper = meio ciclo de uma massa sobre uma superfície horizontal: a sua energia é o trabalho de atrito e amortecedor
+from-the-first-turning-point-to-the-last-every-stroke-is-half-a-turn-of-the-damped-motion = do primeiro ponto de retorno ao último, cada curso é meia volta do movimento amortecido
+friction-alone-the-differences-have-this-root-mean-square = só atrito: as diferenças têm este valor eficaz
+friction-alone-the-differences-are-orthogonal-to-the-cycles = só atrito: as diferenças são ortogonais aos ciclos
+both-together-the-differences-have-this-root-mean-square = ambos juntos: as diferenças têm este valor eficaz
+both-together-the-differences-are-orthogonal-to-the-changes-with-decrement-and-friction = ambos juntos: as diferenças são ortogonais às variações com o decremento e o atrito
 what-viscous-damping-leaves-of-the-amplitude-in-half-a-cycle = O que o amortecimento viscoso deixa da amplitude em meio ciclo
 
 # equivalent-damping
@@ -1947,6 +1975,15 @@ oscillator = Oscilador
 overdamped-1-two-real-roots-here-the-larger-in-size = Superamortecido, ζ > 1: duas raízes reais, aqui a de maior módulo
 overshoot = Sobressinal
 overshoot-of-a-release-from-rest = Sobressinal de uma soltura do repouso
+envelope-displacement-and-velocity-without-that-of-the-decay-over-d-as-two-legs = envoltória: o deslocamento e a velocidade sem a do decaimento sobre ω_d, como dois catetos
+acceleration-as-the-second-derivative-of-the-displacement = aceleração como derivada segunda do deslocamento
+a-release-from-rest-the-displacement-half-a-cycle-later-by-integration-of-the-equation-of-motion = soltura do repouso: o deslocamento meio ciclo depois, por integração da equação de movimento
+a-release-from-rest-the-energy-a-cycle-later-by-integration-of-the-equation-of-motion = soltura do repouso: a energia um ciclo depois, por integração da equação de movimento
+envelope-at-the-start-from-the-motion-an-eighth-of-a-cycle-later-by-integration-of-its-equation = envoltória no início: pelo movimento um oitavo de ciclo depois, por integração da sua equação
+displacement-at-the-first-turning-point-by-integration-of-the-equation-of-motion = deslocamento no primeiro ponto de retorno, por integração da equação de movimento
+envelope-at-its-settling-time-by-integration-of-the-equation-of-motion = envoltória no seu tempo de acomodação, por integração da equação de movimento
+energy-that-is-gone-work-of-the-damper-cv-dt-by-quadrature = energia que se foi = trabalho do amortecedor, ∫cv²dt por quadratura
+motions-that-begin-side-by-side-cover-four-times-the-area-of-the-phase-plane-at-the-time-to-double = movimentos que começam lado a lado cobrem quatro vezes a área do plano de fase no tempo de duplicação
 overshoot-of-a-release-from-rest-what-half-a-cycle-leaves-of-the-amplitude = Sobressinal de uma soltura do repouso: o que meio ciclo deixa da amplitude
 period = Período
 period-of-the-damped-motion = Período do movimento amortecido
@@ -2637,6 +2674,15 @@ count-points-stand-in-the-table-a-second-time-with-the-same-values-each-is-taken
 
 # vibration/duffing-oscillator
 duffing-oscillator = Oscilador de Duffing
+work-of-the-force-in-a-cycle-work-of-the-damper-fa-sin-c-a = trabalho da força em um ciclo = trabalho do amortecedor, πFA sen φ = πcωA²
+virtual-work-of-spring-and-inertia-over-a-cycle-of-the-cosine-by-summation = trabalho virtual de mola e inércia em um ciclo do cosseno, por soma
+third-harmonic-inertia-spring-and-damper-balance-that-of-the-cube-by-products-of-the-harmonics = terceiro harmônico: inércia, mola e amortecedor equilibram o do cubo, por produtos dos harmônicos
+there-the-force-of-the-spring-is-zero = ali a força da mola é zero
+spring-and-inertia-are-held-by-the-force-in-phase-with-the-motion = mola e inércia são sustentadas pela força em fase com o movimento
+period-at-small-amplitudes-by-quadrature-of-dt-dx-v-from-the-energy = período em pequenas amplitudes pela quadratura de dt = dx/v, da energia
+largest-displacement-where-the-velocity-of-both-harmonics-together-is-zero = maior deslocamento: onde a velocidade dos dois harmônicos juntos é zero
+at-the-jump-spring-inertia-and-damper-balance-the-force = no salto mola, inércia e amortecedor equilibram a força
+at-the-jump-a-small-change-of-the-amplitude-needs-no-change-of-the-force = no salto uma pequena variação da amplitude não exige variação da força
 free-period-exactly-or-forced-amplitudes-with-backbone-jumps-and-stability-of-a-mass-on-a-spring-with = Período livre exato, ou amplitudes forçadas com curva dorsal, saltos e estabilidade, de uma massa sobre uma mola com termo cúbico.
 stiffness-at-small-displacements = Rigidez para pequenos deslocamentos
 coefficient-of-the-cube = Coeficiente do termo cúbico
@@ -2978,6 +3024,13 @@ complete-quadratic-combination-with-the-correlation-of-near-modes-and-the-signs 
 
 # vibration/shock-response-spectrum
 shock-response-spectrum = Espectro de resposta ao choque
+the-slope-of-the-spectrum-is-zero-at-its-greatest-ordinate = a inclinação do espectro é zero na sua maior ordenada
+residual-by-the-integral-over-unit-impulses-to-its-moment = residual, pela integral sobre impulsos unitários até o seu instante
+primary-by-the-integral-over-unit-impulses-to-its-moment = primária, pela integral sobre impulsos unitários até o seu instante
+greatest-ordinate-by-the-integral-over-unit-impulses-to-its-moment = maior ordenada, pela integral sobre impulsos unitários até o seu instante
+greatest-amplification-by-the-integrals-over-unit-impulses = maior amplificação, pelas integrais sobre impulsos unitários
+change-of-the-velocity-the-acceleration-added-up-piece-by-piece-by-quadrature = variação da velocidade: a aceleração somada trecho a trecho, por quadratura
+amplification-by-the-integrals-over-unit-impulses = amplificação, pelas integrais sobre impulsos unitários
 primary-residual-and-maximax-spectrum-of-a-pulse-or-a-recorded-shock-at-asked-frequencies-and-over-a = Espectros primário, residual e maximax de um pulso ou de um choque registrado, em frequências pedidas e numa faixa.
 shock-of-the-base = Choque da base
 damping-ratio-of-the-oscillators = Razão de amortecimento dos osciladores
@@ -3030,6 +3083,9 @@ shock-response-spectrum-in-numbers = Espectro de resposta ao choque em números
 only-a-force-on-it-or-stiffness-in-place-of-a-frequency-needs-it = Só uma força sobre ela, ou a rigidez em vez de uma frequência, precisa dela.
 a-loss-factor-describes-steady-vibration-at-one-frequency-not-a-transient-or-random-motion-give-the = um fator de perda descreve a vibração em regime numa frequência, não um movimento transitório ou aleatório: dê a razão de amortecimento, para amortecimento fraco metade do fator de perda
 transient-response = Resposta transitória
+overshoot-of-a-step-what-half-a-cycle-leaves-of-a-release-e-1 = sobressinal de um degrau: o que meio ciclo deixa de uma soltura, e^(−πζ/√(1 − ζ²))
+largest-force-on-the-support-by-the-integral-over-unit-impulses-to-its-moment = maior força no apoio, pela integral sobre impulsos unitários até o seu instante
+largest-acceleration-by-the-integral-over-unit-impulses-to-its-moment = maior aceleração, pela integral sobre impulsos unitários até o seu instante
 displacement-in-time-its-maximum-and-what-remains-of-one-degree-of-freedom-under-a-step-ramp-pulse = Deslocamento no tempo, o seu máximo e o que resta, de um grau de liberdade sob um degrau, rampa, pulso, tabela, impulso ou aceleração da base.
 natural-frequency-given = Frequência natural dada
 natural-period = Período natural
@@ -3123,6 +3179,7 @@ bending-moment-at-the-middle-of-the-beam-under-the-mass = Momento fletor no meio
 bending-moment-under-the-mass = Momento fletor sob a massa
 bending-moment-at-the-middle-and-at-the-clamps = Momento fletor no meio e nos engastes
 bending-stress-at-the-extreme-fibre = Tensão de flexão na fibra extrema
+bending-stress-by-the-curvature-of-the-bent-beam-e-c-w = tensão de flexão pela curvatura da viga fletida, E c w″
 the-bending-stress-is-answered-for-a-cantilever-a-simply-supported-beam-and-a-clamped-beam-with-the = a tensão de flexão é respondida para uma viga em balanço, uma biapoiada e uma biengastada com a massa no meio: omita a distância da fibra extrema para outras molas
 # continuous
 area-and-second-moment-given = Área e momento de inércia dados

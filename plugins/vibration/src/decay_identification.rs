@@ -9,8 +9,14 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real, sdof,
-    vibration::decay_fit::{self, DecayFit, DecayFitError, DecayFits},
+    vibration::{
+        decay_fit::{self, DecayFit, DecayFitError, DecayFits},
+        free::FreeMotion,
+        quadrature::integral,
+    },
 };
+
+mod fitted;
 
 use crate::sources::{GROVER, RAO};
 
@@ -95,7 +101,7 @@ impl Analysis for DecayIdentification {
     };
 
     fn solve<W: Worksheet>(&self, given: &DecayIdentificationGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let Amplitudes { points, half } = self.amplitudes()?;
+        let Amplitudes { points, ends } = self.amplitudes()?;
         if points.len() < FEWEST {
             return Err(Refusal::because(
                 "there are fewer than four amplitudes: record more cycles, or use the logarithmic decrement",
@@ -105,14 +111,14 @@ impl Analysis for DecayIdentification {
             DecayFitError::NotDecaying => Refusal::because("the amplitudes do not fall with the cycles"),
             DecayFitError::Points => Refusal::because("the amplitudes do not stand at different cycles"),
         })?;
-        let natural = half.map(|half| period(half, &fits, sheet));
+        let natural = ends.map(|ends| period(ends, points.len(), &fits, sheet));
         let count = sheet.found("N", "1", points.len() as f64, "Number of amplitudes");
         sheet.answer("amplitudes", "Number of amplitudes", count);
-        viscous(&fits, sheet);
-        friction(&fits, sheet);
-        both(&fits, sheet);
+        viscous(&fits, &points, sheet);
+        friction(&fits, &points, sheet);
+        both(&fits, &points, sheet);
         let verdict = verdict(&fits, sheet);
-        forces(given, natural, &fits, sheet);
+        forces(given, natural, &fits, &points, sheet);
         sheet.show(|| Exhibit::Table(side_by_side(&fits, verdict)));
         sheet.show(|| Exhibit::Plot(envelopes(&points, &fits)));
         if let DecayRecord::Samples { samples, noise } = &self.record {
@@ -126,8 +132,8 @@ impl Analysis for DecayIdentification {
 struct Amplitudes {
     /// Amplitudes over cycles.
     points: Vec<(f64, f64)>,
-    /// Time of half a cycle, s, where the record has times.
-    half: Option<f64>,
+    /// Times of the first and of the last turning point, s, where the record has times.
+    ends: Option<[f64; 2]>,
 }
 
 impl DecayIdentification {
@@ -135,7 +141,7 @@ impl DecayIdentification {
         let (samples, noise) = match &self.record {
             DecayRecord::Amplitudes { amplitudes } => {
                 let points = amplitudes.iter().map(|peak| (peak.cycles, peak.amplitude)).collect();
-                return Ok(Amplitudes { points, half: None });
+                return Ok(Amplitudes { points, ends: None });
             }
             DecayRecord::Samples { samples, noise } => (samples, *noise),
         };
@@ -159,7 +165,7 @@ impl DecayIdentification {
         let points = turning.windows(2).enumerate().map(amplitude).collect();
         let first = turning.first().map_or(0.0, |point| point.time);
         let last = turning.last().map_or(0.0, |point| point.time);
-        Ok(Amplitudes { points, half: Some((last - first) / (turning.len() - 1) as f64) })
+        Ok(Amplitudes { points, ends: Some([first, last]) })
     }
 }
 
@@ -168,10 +174,13 @@ fn forces<W: Worksheet>(
     given: &DecayIdentificationGiven<W>,
     natural: Option<W::Num>,
     fits: &DecayFits,
+    points: &[(f64, f64)],
     sheet: W,
 ) {
     let natural = given.natural_frequency.or(natural);
-    let [zeta, offset] = of_both(fits, sheet);
+    let [zeta, offset] = of_both(fits, points, sheet);
+    let size = points.iter().map(|point| point.1).fold(0.0, f64::max);
+    let half = HalfCycle::of(zeta.value(), offset.value(), size);
     if let Some(stiffness) = given.stiffness {
         let force = sheet.step("F", "N", stiffness * offset, ("Friction force", RAO.at("§2.9")));
         sheet.answer("friction", "Friction force", force);
@@ -183,6 +192,14 @@ fn forces<W: Worksheet>(
                 ("Damping coefficient: c = 2ζk/ωₙ", RAO.at("§2.6")),
             );
             sheet.answer("damping", "Damping coefficient", damping);
+            sheet.verify(|| {
+                let [natural, damping] = [natural, damping].map(Real::value);
+                sheet.check(
+                    "half a cycle: what the spring gives up is the work of friction and damper, by quadrature",
+                    W::Num::from(force.value() * half.path + damping * natural * half.squared_rate),
+                    W::Num::from(stiffness.value() / 2.0 * half.squares),
+                );
+            });
         }
     }
     if let Some(natural) = natural {
@@ -193,11 +210,48 @@ fn forces<W: Worksheet>(
             "Coefficient of friction on a level surface: F = µmg and F/k = f",
         );
         sheet.answer("friction_coefficient", "Coefficient of friction", coefficient);
+        sheet.verify(|| {
+            let [coefficient, natural, gravity] = [coefficient, natural, given.gravity].map(Real::value);
+            let taken = 2.0 * zeta.value() * natural * natural * half.squared_rate;
+            sheet.check(
+                "half a cycle of a mass on a level surface: its energy is the work of friction and damper",
+                W::Num::from(coefficient * gravity * half.path + taken),
+                W::Num::from(natural * natural / 2.0 * half.squares),
+            );
+        });
     }
 }
 
-/// Natural frequency from the time of half a cycle.
-fn period<W: Worksheet>(half: f64, fits: &DecayFits, sheet: W) -> W::Num {
+/// Half a cycle with viscous damping and friction, of a mass that swings past the middle.
+struct HalfCycle {
+    /// Way from one turning point to the next.
+    path: f64,
+    /// Square of the displacement at the first one less that at the next.
+    squares: f64,
+    /// Integral of the squared velocity over the time, over the natural frequency.
+    squared_rate: f64,
+}
+
+impl HalfCycle {
+    /// About the position where spring and friction balance, the motion is the free one of viscous damping alone.
+    fn of(zeta: f64, offset: f64, size: f64) -> Self {
+        let start = size + 3.0 * offset;
+        let across = start - offset;
+        let rate = 2.0 * zeta / ((1.0 - zeta) * (1.0 + zeta)).sqrt();
+        let lost = -(-rate * PI / 2.0).exp_m1();
+        let path = across * (2.0 - lost);
+        let fall = across * lost + 2.0 * offset;
+        let squared = |angle: f64| (-rate * angle).exp() * angle.sin().powi(2);
+        let squared_rate =
+            integral(squared, [0.0, PI], 40) * across * across * (1.0 + rate * rate / 4.0).powi(3).sqrt();
+        Self { path, squares: fall * path, squared_rate }
+    }
+}
+
+/// Natural frequency from the times of the first and the last turning point.
+fn period<W: Worksheet>([first, last]: [f64; 2], strokes: usize, fits: &DecayFits, sheet: W) -> W::Num {
+    let strokes = strokes as f64;
+    let half = (last - first) / strokes;
     let half = sheet.found("T/2", "s", half, "Mean time from one turning point of the record to the next");
     let damped = sheet.step("ω_d", "rad/s", W::Num::from(PI) / half, "Frequency of the decaying motion");
     let zeta = sdof::damping_ratio_from_decrement(fits.both.decrement);
@@ -211,10 +265,40 @@ fn period<W: Worksheet>(half: f64, fits: &DecayFits, sheet: W) -> W::Num {
     );
     sheet.answer("damped_frequency", "Damped natural frequency", damped);
     sheet.answer("natural_frequency", "Natural frequency", natural);
+    sheet.verify(|| {
+        sheet.check(
+            "from the first turning point to the last, every stroke is half a turn of the damped motion",
+            W::Num::from(damped.value() * last - damped.value() * first),
+            W::Num::from(strokes * PI),
+        );
+        // The rate at which the envelope falls, from the decrement.
+        let rate = fits.both.decrement * damped.value() / (2.0 * PI);
+        sheet.check(
+            "the natural frequency is the distance of the complex root from the origin",
+            W::Num::from(natural.value()),
+            W::Num::from(damped.value().hypot(rate)),
+        );
+    });
     natural
 }
 
-fn viscous<W: Worksheet>(fits: &DecayFits, sheet: W) {
+/// Holds a damping ratio to its decrement by a release from rest.
+fn released<W: Worksheet>(ratio: W::Num, decrement: W::Num, sheet: W) {
+    let ratio = ratio.value();
+    let motion =
+        FreeMotion { natural_frequency: 1.0, damping_ratio: ratio, displacement: 1.0, velocity: 0.0 };
+    let period = 2.0 * PI / motion.damped_frequency();
+    if let Some([left, _]) = motion.integrated(period) {
+        sheet.check_sum(
+            "what a cycle leaves of a release from rest with this damping ratio, by integration of the equation of motion",
+            W::Num::from(left),
+            W::Num::from((-decrement.value()).exp()),
+            1.0,
+        );
+    }
+}
+
+fn viscous<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
     let fit = &fits.viscous;
     let decrement = sheet.found(
         "δᵥ",
@@ -240,9 +324,17 @@ fn viscous<W: Worksheet>(fits: &DecayFits, sheet: W) {
     sheet.answer("viscous_decrement", "Viscous alone: decrement", decrement);
     sheet.answer("viscous_ratio", "Viscous alone: damping ratio", ratio);
     sheet.answer("viscous_scatter", "Viscous alone: scatter", scatter);
+    sheet.verify(|| {
+        released(ratio, decrement, sheet);
+        let what = [
+            "viscous damping alone: the differences are orthogonal to the change of the exponential with its decrement",
+            "viscous damping alone: the differences have this root mean square",
+        ];
+        fitted::check(what, points, [decrement.value(), 0.0], scatter.value(), sheet);
+    });
 }
 
-fn friction<W: Worksheet>(fits: &DecayFits, sheet: W) {
+fn friction<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
     let fit = &fits.friction;
     let loss = sheet.found(
         "ΔX",
@@ -261,9 +353,16 @@ fn friction<W: Worksheet>(fits: &DecayFits, sheet: W) {
     sheet.answer("friction_loss", "Friction alone: loss in a cycle", loss);
     sheet.answer("friction_offset", "Friction alone: F/k", offset);
     sheet.answer("friction_scatter", "Friction alone: scatter", scatter);
+    sheet.verify(|| {
+        let what = [
+            "friction alone: the differences are orthogonal to the cycles",
+            "friction alone: the differences have this root mean square",
+        ];
+        fitted::check(what, points, [0.0, loss.value()], scatter.value(), sheet);
+    });
 }
 
-fn both<W: Worksheet>(fits: &DecayFits, sheet: W) {
+fn both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
     sheet.check_zeros(
         "both together: the least squares meet their normal equations",
         fits.both.normal_equations,
@@ -276,10 +375,14 @@ fn both<W: Worksheet>(fits: &DecayFits, sheet: W) {
         "Both together: X = X₀ e^(−δn) − d (1 − e^(−δn))/δ by least squares; its root mean square difference",
     );
     sheet.answer("both_scatter", "Both: scatter", scatter);
+    sheet.verify(|| {
+        let what = "both together: the differences have this root mean square";
+        fitted::check_scatter(what, points, [fits.both.decrement, fits.both.loss], scatter.value(), sheet);
+    });
 }
 
 /// Damping ratio and `F/k` of the fit with both.
-fn of_both<W: Worksheet>(fits: &DecayFits, sheet: W) -> [W::Num; 2] {
+fn of_both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) -> [W::Num; 2] {
     let fit = &fits.both;
     let decrement = sheet.found("δ", "1", fit.decrement, "Both together: decrement of the viscous part");
     let ratio = sheet.step(
@@ -312,6 +415,21 @@ fn of_both<W: Worksheet>(fits: &DecayFits, sheet: W) -> [W::Num; 2] {
     sheet.answer("decrement", "Both: decrement of the viscous part", decrement);
     sheet.answer("damping_ratio", "Both: damping ratio", ratio);
     sheet.answer("offset", "Both: F/k", offset);
+    sheet.verify(|| {
+        released(ratio, decrement, sheet);
+        let what = "both together: the differences are orthogonal to the changes with decrement and friction";
+        fitted::check_slopes(what, points, [decrement.value(), loss.value()], sheet);
+        let [decrement, loss, offset] = [decrement, loss, offset].map(Real::value);
+        if decrement > 1e-3 {
+            let kept = (-decrement / 2.0).exp();
+            let stroke = offset * (1.0 + kept);
+            sheet.check(
+                "what friction takes in two strokes, one after the other, is its share of a cycle",
+                W::Num::from(stroke * kept + stroke),
+                W::Num::from(-loss * (-decrement).exp_m1() / decrement),
+            );
+        }
+    });
     [ratio, offset]
 }
 

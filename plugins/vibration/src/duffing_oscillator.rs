@@ -11,6 +11,8 @@ use dalembert_mechanics::{
     vibration::duffing::{self, Duffing, Steady},
 };
 
+mod checks;
+
 use crate::sources::{ABRAMOWITZ, NAYFEH, THOMSON};
 
 /// Duffing's oscillator, free or forced.
@@ -75,6 +77,14 @@ impl Analysis for DuffingOscillator {
             ("Natural frequency at small amplitudes", NAYFEH.at("§2.1")),
         );
         sheet.answer("natural_frequency", "Natural frequency at small amplitudes", natural);
+        sheet.verify(|| {
+            let small = Duffing { cubic: 0.0, ..self.undamped() }.free_period_by_quadrature(1.0);
+            sheet.check(
+                "period at small amplitudes by quadrature of dt = dx/v from the energy",
+                W::Num::from(TAU / natural.value()),
+                W::Num::from(small),
+            );
+        });
         match (&self.motion, &given.motion) {
             (Motion::Free { amplitude: a }, MotionGiven::Free { amplitude }) => {
                 self.free(given, *a, *amplitude, sheet)
@@ -112,6 +122,11 @@ impl DuffingOscillator {
                 "Where a softening spring gives way: beyond it the mass does not come back",
             );
             sheet.answer("limit_amplitude", "Amplitude at which the spring gives way", limit);
+            sheet.check_zero(
+                "there the force of the spring is zero",
+                given.stiffness * limit + given.cubic * limit.powi(3),
+                self.stiffness * limit.value(),
+            );
         }
         let Some(exact) = oscillator.free_period(a) else {
             return Err(Refusal::because(
@@ -171,6 +186,7 @@ impl DuffingOscillator {
             let error =
                 sheet.step("ΔT", "%", (balance_period - period) / period, "How far harmonic balance is off");
             sheet.answer("balance_period", "Period by harmonic balance", balance_period);
+            sheet.verify(|| checks::balance_period(&oscillator, a, balance_period, sheet));
             sheet.answer("balance_error", "Error of harmonic balance", error);
         }
         sheet.show(|| Exhibit::Plot(free_plot(&oscillator, a, exact)));
@@ -215,6 +231,22 @@ impl DuffingOscillator {
             sheet.answer(("amplitude", n), "Amplitude of the first harmonic", amplitude);
             let lag = sheet.found(("φ", n), "deg", one.lag, "The motion lags the force by");
             sheet.answer(("phase", n), "Phase lag", lag);
+            sheet.verify(|| {
+                let size =
+                    (self.stiffness + self.mass * w * w + 0.75 * self.cubic.abs() * one.amplitude.powi(2))
+                        * one.amplitude;
+                sheet.check_zero(
+                    "spring and inertia are held by the force in phase with the motion",
+                    held * amplitude - force * lag.cos(),
+                    size.max(f),
+                );
+                sheet.check_sum(
+                    "work of the force in a cycle = work of the damper, πFA sin φ = πcωA²",
+                    force * lag.sin(),
+                    damping * frequency * amplitude,
+                    size.max(f),
+                );
+            });
             if let Some(both) = oscillator.two_harmonics(f, w, one) {
                 let [_, third] = both.amplitudes();
                 let largest = sheet.found(
@@ -233,6 +265,9 @@ impl DuffingOscillator {
                 );
                 let third = sheet.found(("A‴", n), "mm", third, "Amplitude of the third harmonic");
                 sheet.answer(("third_harmonic", n), "Amplitude of the third harmonic", third);
+                sheet.verify(|| {
+                    checks::two_harmonics(oscillator, [f, w], one.amplitude, &both, [largest, third], sheet);
+                });
             }
         }
         if steady.len() > 1 {
@@ -289,6 +324,21 @@ impl DuffingOscillator {
             sheet.answer(("jump_frequency", n), "Frequency of a jump", at);
             let amplitude = sheet.found(("A_J", n), "mm", *amplitude, "Amplitude from which it jumps");
             sheet.answer(("jump_amplitude", n), "Amplitude before the jump", amplitude);
+            sheet.verify(|| {
+                let hardening = given.cubic * amplitude.powi(2) * 0.75;
+                let held = given.stiffness - given.mass * at.powi(2) + hardening;
+                let damped = (damping * at).powi(2);
+                sheet.check(
+                    "at the jump spring, inertia and damper balance the force",
+                    (held.powi(2) + damped) * amplitude.powi(2),
+                    force.powi(2),
+                );
+                sheet.check_zero(
+                    "at the jump a small change of the amplitude needs no change of the force",
+                    held * (held + hardening * 2.0) + damped,
+                    damped.value(),
+                );
+            });
         }
         sheet.show(|| Exhibit::Plot(response_plot(oscillator, f, (w, &steady), &jumps)));
         sheet.show(|| Exhibit::Table(table(&steady)));

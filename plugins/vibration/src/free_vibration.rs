@@ -6,6 +6,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{Real, sdof, vibration::free::FreeMotion};
 
+mod checks;
 mod damping;
 mod form;
 
@@ -170,13 +171,17 @@ impl Analysis for FreeVibration {
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("damping_ratio", "Damping ratio", zeta);
         let form = Form::of(natural, zeta, [x0, v0], &units, sheet);
+        sheet.verify(|| checks::amplitude(&form, &motion, sheet));
         let largest = events(&form, &motion, &units, x0, sheet);
         if zeta.value() > 0.0 {
             settling(given.settled, largest, &form, &motion, sheet);
         }
         let there = given.time.map(|time| at_time(time, &form, &motion, &units, sheet));
         if let Some((mass, stiffness)) = elastic {
-            energy(mass, stiffness, [x0, v0], there, sheet);
+            let lost = energy(mass, stiffness, [x0, v0], there, sheet);
+            if let (Some([start, lost]), Some(time)) = (lost, self.time) {
+                sheet.verify(|| checks::energy_lost([start, lost], mass, time, &motion, sheet));
+            }
         }
         if zeta.value() < 0.0 {
             let twice = sheet.step("ρ", "1", W::Num::from(2.0), "Twice the amplitude");
@@ -187,6 +192,7 @@ impl Analysis for FreeVibration {
                 "Time in which the envelope of the motion doubles",
             );
             sheet.answer("doubling_time", "Time to double", growth);
+            sheet.verify(|| checks::doubling(growth, &motion, sheet));
             sheet.warn(|| {
                 Text::new(
                     "the damping is negative: it feeds energy into the motion, which grows until something not in \
@@ -334,6 +340,7 @@ fn events<W: Worksheet>(
             "Displacement at the first turning point",
         );
         sheet.answer("turning_displacement", "Displacement at that turning point", displacement);
+        sheet.verify(|| checks::turning([time, displacement], motion, sheet));
         (time, displacement)
     });
     // Without damping, and while it grows, no turning point is the largest; the first one still says most.
@@ -376,6 +383,7 @@ fn settling<W: Worksheet>(
 ) {
     if let Some(envelope) = form.settling_of_envelope(share * largest, sheet) {
         sheet.answer("settling_envelope", "Settling time by the envelope", envelope);
+        sheet.verify(|| checks::settling_of_envelope(envelope, share * largest, motion, sheet));
     }
     let level = share.value() * largest.value();
     let Some(time) = motion.settling_time(level) else { return };
@@ -386,6 +394,7 @@ fn settling<W: Worksheet>(
         "Settling time, exact: the last time that the displacement is the share p of the largest one",
     );
     if time > 0.0 {
+        let time = settled.value();
         let there = motion.integrated(time).map_or(motion.state(time)[0], |state| state[0]);
         sheet.check(
             "the displacement at the settling time, by integration of the equation of motion",
@@ -407,6 +416,10 @@ fn at_time<W: Worksheet>(
     let [x, v, a] = form.state(time, units, sheet);
     if let Some(envelope) = form.envelope(time, units, sheet) {
         sheet.answer("envelope", "Envelope at that time", envelope);
+        sheet.verify(|| {
+            let what = "envelope: displacement, and velocity without that of the decay over ω_d, as two legs";
+            sheet.check(what, form.radius_squared([x, v]), envelope.powi(2));
+        });
     }
     sheet.verify(|| {
         let size = motion.displacement.abs() + motion.velocity.abs() / motion.natural_frequency;
@@ -425,6 +438,13 @@ fn at_time<W: Worksheet>(
                 size * motion.natural_frequency * (1.0 + motion.damping_ratio.abs()),
             );
         }
+        let rate = motion.natural_frequency * (1.0 + motion.damping_ratio.abs());
+        sheet.check_sum(
+            "acceleration as the second derivative of the displacement",
+            a,
+            form.second_derivative(time),
+            size * rate * rate,
+        );
     });
     sheet.answer("displacement", "Displacement at that time", x);
     sheet.answer("velocity", "Velocity at that time", v);
@@ -439,14 +459,14 @@ fn energy<W: Worksheet>(
     [x0, v0]: [W::Num; 2],
     there: Option<[W::Num; 2]>,
     sheet: W,
-) {
+) -> Option<[W::Num; 2]> {
     let of = |x: W::Num, v: W::Num| stiffness * x.powi(2) / 2.0 + mass * v.powi(2) / 2.0;
     let start = sheet.step("E₀", "J", of(x0, v0), ("Energy at the start", RAO.at("§2.2")));
     sheet.answer("energy", "Energy at the start", start);
-    if let Some([x, v]) = there {
-        let lost = sheet.step("ΔE", "J", start - of(x, v), "Energy that the damper has taken by that time");
-        sheet.answer("energy_lost", "Energy lost by that time", lost);
-    }
+    let [x, v] = there?;
+    let lost = sheet.step("ΔE", "J", start - of(x, v), "Energy that the damper has taken by that time");
+    sheet.answer("energy_lost", "Energy lost by that time", lost);
+    Some([start, lost])
 }
 
 /// The time that is drawn: until little is left, or some cycles.

@@ -1,7 +1,10 @@
 //! Loads in the course of time: steps, ramps, pulses, tables; what transients and shock spectra share.
 
 use dalembert_core::{Inputs, Refusal};
-use dalembert_mechanics::vibration::transient::{Law, Piece};
+use dalembert_mechanics::vibration::{
+    quadrature::integral,
+    transient::{Law, Oscillator, Output, Piece, State, UnitResponses},
+};
 
 /// How a load runs in time.
 #[derive(Clone, Debug, Inputs)]
@@ -142,4 +145,44 @@ pub(crate) fn scaled(pieces: &[Piece], factor: f64) -> Vec<Piece> {
 
 fn few() -> Refusal {
     Refusal::because("the table has fewer than two points: write at least its start and its end")
+}
+
+/// What is looked at, at a time, by the integrals of displacement and velocity over unit impulses (Duhamel), by
+/// quadrature: the motion begins in a state under a load of pieces. `None` where too much would have to be added up.
+pub(crate) fn by_impulses(
+    oscillator: Oscillator,
+    begun: State,
+    pieces: &[Piece],
+    output: Output,
+    time: f64,
+) -> Option<f64> {
+    const MOST: f64 = 2000.0;
+    let Oscillator { natural, ratio } = oscillator;
+    let weighed = |x: f64, rate: f64| output.displacement * x + output.velocity * rate;
+    let unit = UnitResponses::at(ratio, natural * time);
+    let (x, rate) = (begun.displacement, begun.velocity / natural);
+    let free = [unit.release * x + unit.impulse * rate, unit.release_rate() * x + unit.impulse_rate * rate];
+    let (mut sum, mut parts) = (weighed(free[0], free[1]), 0.0);
+    for (n, piece) in pieces.iter().enumerate() {
+        let end = pieces.get(n + 1).map_or(time, |next| next.from).min(time);
+        if end <= piece.from || piece.law == (Law::Line { start: 0.0, slope: 0.0 }) {
+            continue;
+        }
+        let fastest = match piece.law {
+            Law::Line { .. } => 0.0,
+            Law::Sine { frequency, .. } => frequency,
+            Law::Decay { rate, .. } => rate,
+        };
+        let here = (2.0 * (end - piece.from) * (natural * (1.0 + 2.0 * ratio) + fastest)).ceil().max(1.0);
+        parts += here;
+        if parts.is_nan() || parts > MOST {
+            return None;
+        }
+        let of = |at: f64| {
+            let unit = UnitResponses::at(ratio, natural * (time - at));
+            weighed(unit.impulse, unit.impulse_rate) * piece.law.at(at - piece.from)
+        };
+        sum += natural * integral(of, [piece.from, end], here as u32);
+    }
+    Some(sum)
 }

@@ -279,6 +279,15 @@ impl<N: Real> AtFrequency<N> {
     }
 }
 
+/// What spring, damper and inertia put up to a steady motion `X cos(ωt − φ)`, over the stiffness: in phase with the
+/// drive, and a quarter of a turn ahead of it; and the size of what is added up.
+pub(crate) fn put_up<N: Real>([ratio, zeta]: [N; 2], amplitude: N, lag: N) -> ([N; 2], f64) {
+    let (held, damped) = (N::from(1.0) - ratio.powi(2), zeta * ratio * 2.0);
+    let size = amplitude.value().abs() * (1.0 + ratio.value().powi(2) + damped.value());
+    let in_phase = amplitude * (held * lag.cos() + damped * lag.sin());
+    ([in_phase, amplitude * (damped * lag.cos() - held * lag.sin())], size)
+}
+
 /// Whether a ratio is one, to within the rounding of the units it came in.
 pub(crate) fn is_one(ratio: f64) -> bool {
     (ratio - 1.0).abs() < 1e-10

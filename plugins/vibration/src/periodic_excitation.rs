@@ -9,11 +9,12 @@ use dalembert_mechanics::{
     vibration::periodic::{self, Drive, Piece, Steady},
 };
 
+mod checks;
 mod waveform;
 
 use self::waveform::{Waveform, WaveformGiven};
 use crate::{
-    oscillator::{Damping, Elasticity, Loss, Mass, is_one, mass, plots, suspension},
+    oscillator::{Damping, Elasticity, Loss, Mass, is_one, mass, plots, put_up, suspension},
     sources::{RAO, THOMSON},
 };
 
@@ -91,6 +92,10 @@ impl Analysis for PeriodicExcitation {
                  as much",
             ));
         };
+        if let (Loss::Viscous(zeta, Some(damping)), Some(body)) = (suspension.loss, suspension.body) {
+            let what = "damping coefficient by mass and natural frequency, 2ζmωₙ";
+            sheet.check(what, damping, zeta * body.mass * suspension.natural * 2.0);
+        }
         let pieces = self.waveform.pieces()?;
         let ratio = sheet.step(
             "r",
@@ -261,6 +266,22 @@ impl<N: Real> System<N> {
         if row == 0 {
             sheet.answer("phase", "Phase lag of the first of them", lag);
         }
+        sheet.verify(|| {
+            let ([in_phase, across], size) = put_up([ratio, self.zeta], amplitude, lag);
+            let [drive, ahead] = match self.excited {
+                Excited::Mass { stiffness } => [source / stiffness, N::from(0.0)],
+                Excited::Base => [source, source * self.zeta * ratio * 2.0],
+            };
+            let what =
+                Text::new("harmonic {n}: equation of motion, in phase with the wave").with("n", n as usize);
+            sheet.check_sum(what, in_phase, drive, size);
+            let what = Text::new("harmonic {n}: equation of motion, a quarter of a turn ahead");
+            let what = what.with("n", n as usize);
+            match self.excited {
+                Excited::Mass { .. } => sheet.check_zero(what, across, size),
+                Excited::Base => sheet.check_sum(what, across, ahead, size),
+            }
+        });
     }
 
     /// Table and line spectrum of the harmonics.
@@ -366,17 +387,17 @@ impl PeriodicExcitation {
         };
         let how = "Root mean square over the static deflection, of the exact motion: piece by piece, closed over a period";
         let share = sheet.found("q_rms", "1", square.sqrt(), (how, RAO.at("§4.3")));
+        let rms = sheet.step("x_rms", "mm", height * share, "Root mean square of the displacement");
         sheet.verify(|| {
             let (sum, whole) = parseval(system, pieces);
             if whole {
                 sheet.check(
                     "mean square of the exact motion = half the sum of the squares of all harmonics",
-                    share.powi(2),
+                    (rms / height).powi(2),
                     W::Num::from(sum),
                 );
             }
         });
-        let rms = sheet.step("x_rms", "mm", height * share, "Root mean square of the displacement");
         let why = "Largest displacement of the exact motion, over the static deflection";
         let largest = sheet.found("q_max", "1", largest, (why, RAO.at("§4.3")));
         let least = sheet.found(
@@ -390,6 +411,16 @@ impl PeriodicExcitation {
         sheet.answer("rms", "Root mean square of the displacement", rms);
         sheet.answer("largest", "Largest displacement", largest);
         sheet.answer("least", "Least displacement", least);
+        let circle = checks::Circle {
+            zeta: system.zeta.value(),
+            angle: std::f64::consts::TAU / system.ratio.value(),
+            drive: system.drive(),
+            pieces,
+        };
+        sheet.verify(|| {
+            let shown = [largest, least].map(|x| x.value() / height.value());
+            checks::extremes(&circle, steady, shown, sheet);
+        });
         let period = std::f64::consts::TAU / self.frequency;
         if let Some(time) = time {
             let share = (time.value() / period).fract();
@@ -397,6 +428,7 @@ impl PeriodicExcitation {
             let at = sheet.found("q", "1", steady.displacement(share), (why, RAO.at("§4.3")));
             let x = sheet.step("x", "mm", height * at, "Displacement at that time");
             sheet.answer("displacement", "Displacement at that time", x);
+            sheet.verify(|| checks::displacement(&circle, share, x.value() / height.value(), sheet));
         }
         let height = height.value();
         sheet.show(|| {

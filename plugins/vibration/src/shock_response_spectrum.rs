@@ -8,7 +8,10 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    vibration::transient::{Motion, Oscillator, Output, Piece, State},
+    vibration::{
+        quadrature::integral,
+        transient::{Motion, Oscillator, Output, Piece, State},
+    },
 };
 
 use crate::{
@@ -139,6 +142,10 @@ impl Analysis for ShockResponseSpectrum {
             };
             let change = sheet.step("ΔV", "m/s", change, why);
             sheet.answer("velocity_change", "Change of the velocity", change);
+            sheet.verify(|| {
+                let what = "change of the velocity: the acceleration added up piece by piece, by quadrature";
+                sheet.check(what, change, W::Num::from(shock.area()));
+            });
         }
         for (n, &frequency) in given.frequencies.iter().enumerate() {
             self.at(frequency, n + 1, &spectrum, pulse, sheet)?;
@@ -157,6 +164,17 @@ struct Pieces {
     end: f64,
 }
 
+impl Pieces {
+    /// What the base gains in velocity.
+    fn area(&self) -> f64 {
+        let ends = self.pieces.iter().skip(1).map(|next| next.from).chain([self.end]);
+        let of = |(piece, end): (&Piece, f64)| {
+            integral(|time| piece.law.at(time - piece.from), [piece.from, end], 8)
+        };
+        self.pieces.iter().zip(ends).map(of).sum()
+    }
+}
+
 /// What is computed at each frequency.
 struct Spectrum<'s> {
     shock: &'s Pieces,
@@ -170,8 +188,8 @@ struct Ordinate {
     frequency: f64,
     primary: f64,
     residual: f64,
-    /// When the primary is reached.
-    time: f64,
+    /// When primary and residual are reached.
+    times: [f64; 2],
 }
 
 impl Ordinate {
@@ -202,8 +220,33 @@ impl Spectrum<'_> {
             frequency,
             primary: primary.value.abs() * size,
             residual: residual.value.abs() * size,
-            time: primary.time,
+            times: [primary.time, residual.time],
         })
+    }
+
+    /// Primary and residual of an ordinate by the integral over impulses. `None` where that is too much.
+    fn by_impulses(&self, ordinate: &Ordinate) -> Option<[f64; 2]> {
+        let oscillator = Oscillator { natural: ordinate.frequency, ratio: self.ratio };
+        let at =
+            |time| load::by_impulses(oscillator, State::default(), &self.shock.pieces, self.output(), time);
+        let [primary, residual] = ordinate.times;
+        Some([at(primary)?.abs(), at(residual)?.abs()])
+    }
+
+    /// How far, as a part of the frequency, the spectrum is from being level, and what rounding makes of that; by
+    /// differences of sixth order.
+    fn off_level(&self, frequency: f64) -> Option<[f64; 2]> {
+        let step = 2e-3;
+        let at = |n: f64| self.at(frequency * (1.0 + n * step)).map(|ordinate| ordinate.maximax()).ok();
+        let here = at(0.0)?;
+        let [mut slope, mut bend] = [0.0, -490.0 * here];
+        for (n, odd, even) in [(1.0, 45.0, 270.0), (2.0, -9.0, -27.0), (3.0, 1.0, 2.0)] {
+            let [right, left] = [at(n)?, at(-n)?];
+            slope += odd * (right - left);
+            bend += even * (right + left);
+        }
+        let bend = bend / (180.0 * step * step);
+        Some([slope / (60.0 * step) / bend, 1e-14 * here / (step * bend)])
     }
 
     /// The spectrum at frequencies of equal ratios.
@@ -315,11 +358,22 @@ impl ShockResponseSpectrum {
         sheet.answer(("primary", n), "Primary at frequency", primary);
         sheet.answer(("residual", n), "Residual at frequency", residual);
         sheet.answer(("maximax", n), "Maximax at frequency", maximax);
+        let integrals = spectrum.by_impulses(&ordinate);
+        sheet.verify(|| {
+            let Some(integrals) = integrals else { return };
+            let what = [
+                "primary, by the integral over unit impulses to its moment",
+                "residual, by the integral over unit impulses to its moment",
+            ];
+            for ((what, shown), other) in what.into_iter().zip([primary, residual]).zip(integrals) {
+                sheet.check_zero(what, W::Num::from(shown.value() - other), ordinate.maximax());
+            }
+        });
         let motion = spectrum.motion(frequency.value())?;
         sheet.verify(|| {
             let end = spectrum.shock.end;
             let size = frequency.value().powi(2);
-            for time in [ordinate.time, end] {
+            for time in [ordinate.times[0], end] {
                 if let Some(integral) = motion.duhamel(time) {
                     let x = motion.at(time).displacement;
                     let scale = ordinate.maximax() / size;
@@ -339,6 +393,10 @@ impl ShockResponseSpectrum {
             let amplification = sheet.step(row("A"), "1", maximax / acceleration, why);
             sheet.answer(("amplification", n), "Amplification at frequency", amplification);
             sheet.verify(|| {
+                if let Some([one, other]) = integrals {
+                    let what = "amplification, by the integrals over unit impulses";
+                    sheet.check(what, amplification, W::Num::from(one.max(other) / acceleration.value()));
+                }
                 if self.ratio == 0.0
                     && let Some([closed_primary, closed_residual]) = self.closed(cycles.value())
                 {
@@ -416,7 +474,19 @@ fn largest<W: Worksheet>(
         let why = ("Greatest amplification over the range", RAO.at("§4.6"));
         let amplification = sheet.step("Aₘ", "1", greatest_value / acceleration, why);
         sheet.answer("largest_amplification", "Greatest amplification over the range", amplification);
+        sheet.verify(|| {
+            if let Some([one, other]) = spectrum.by_impulses(&greatest) {
+                let what = "greatest amplification, by the integrals over unit impulses";
+                sheet.check(what, amplification, W::Num::from(one.max(other) / acceleration.value()));
+            }
+        });
     }
+    sheet.verify(|| {
+        if let Some([one, other]) = spectrum.by_impulses(&greatest) {
+            let what = "greatest ordinate, by the integral over unit impulses to its moment";
+            sheet.check(what, greatest_value, W::Num::from(one.max(other)));
+        }
+    });
     if let Some(frequency) = peak {
         let frequency = sheet.found("fₘ", "Hz", frequency, "Its natural frequency");
         sheet.answer("largest_frequency", "Natural frequency of the greatest ordinate", frequency);
@@ -432,6 +502,10 @@ fn largest<W: Worksheet>(
             let higher = beside(0.99).max(beside(1.01)) - greatest.maximax();
             let what = "the spectrum is lower at both sides of its greatest ordinate";
             sheet.check_zero(what, higher.max(0.0).into(), greatest.maximax());
+            if let Some([off, rounding]) = spectrum.off_level(frequency.value()) {
+                let what = "the slope of the spectrum is zero at its greatest ordinate";
+                sheet.check_residual(what, off.into(), 1.0, rounding);
+            }
         });
     } else if at == 0 || at + 1 == curve.len() {
         sheet.warn(|| {

@@ -216,7 +216,7 @@ impl TransientResponse {
         let why = "Time of the largest displacement: the first zero of the velocity at which it is reached";
         let time = sheet.found("tₘ", "s", largest.time, why);
         let x = superposition.displacement(&Instant::largest(time), sheet)?;
-        let at = model.motion.at(largest.time);
+        let at = model.motion.at(time.value());
         sheet.check_zero(
             "the velocity is zero at the largest displacement",
             (at.velocity / system.natural.value()).into(),
@@ -228,12 +228,14 @@ impl TransientResponse {
             let why = ("Largest displacement over the static one: the dynamic load factor", RAO.at("§4.6"));
             let factor = sheet.step("D", "1", x / size, why);
             sheet.answer("amplification", "Dynamic load factor", factor);
+            let mut beyond = None;
             if model.is_held {
                 let why = "How far the largest displacement goes beyond the one that stays";
                 let overshoot = sheet.step("M_p", "%", (x - size) / size, why);
                 sheet.answer("overshoot", "Overshoot", overshoot);
+                beyond = Some(overshoot);
             }
-            self.closed_form(system, factor, sheet);
+            self.closed_form(system, factor, beyond, sheet);
         }
         if let Some(end) = model.end {
             let residual =
@@ -261,7 +263,13 @@ impl TransientResponse {
     }
 
     /// Closed forms of the largest displacement, where there is one.
-    fn closed_form<W: Worksheet>(&self, system: &System<W::Num>, factor: W::Num, sheet: W) {
+    fn closed_form<W: Worksheet>(
+        &self,
+        system: &System<W::Num>,
+        factor: W::Num,
+        overshoot: Option<W::Num>,
+        sheet: W,
+    ) {
         let ratio = system.ratio.value();
         sheet.verify(|| match self.course() {
             Some(Course::Step) if ratio < 1.0 => {
@@ -271,6 +279,14 @@ impl TransientResponse {
                     factor,
                     (1.0 + (-PI * ratio / damped).exp()).into(),
                 );
+                if let Some(overshoot) = overshoot {
+                    sheet.check_sum(
+                        "overshoot of a step: what half a cycle leaves of a release, e^(−πζ/√(1 − ζ²))",
+                        overshoot,
+                        (-PI * ratio / damped).exp().into(),
+                        1.0,
+                    );
+                }
             }
             Some(Course::RampStep { rise }) if ratio == 0.0 => {
                 let half = system.natural.value() * rise / 2.0;
@@ -294,6 +310,9 @@ impl TransientResponse {
         let output = Output::support(system.ratio.value());
         let found = model.motion.extremes(output, [0.0, f64::INFINITY]).map_err(cannot)?.farthest();
         let natural = system.natural.value();
+        let state = model.motion.at(found.time);
+        let rate = 2.0 * system.ratio.value() * state.velocity / natural;
+        let scale = found.value.abs().max(state.displacement.abs()).max(rate.abs());
         let level = |sheet: W| {
             let State { displacement, velocity } = model.motion.at(found.time);
             let load = model.motion.load(found.time);
@@ -308,12 +327,28 @@ impl TransientResponse {
         if self.is_relative() {
             let why = "Largest acceleration of the mass itself, −2ζωₙż − ωₙ²z, where its rate is zero";
             let largest = sheet.found("aₘ", "m/s^2", found.value.abs() * natural * natural, why);
-            sheet.verify(|| level(sheet));
+            sheet.verify(|| {
+                level(sheet);
+                if let Some(by_impulses) = model.by_impulses(natural, system.ratio.value(), found.time) {
+                    let what = "largest acceleration, by the integral over unit impulses to its moment";
+                    let other = by_impulses.abs() * natural * natural;
+                    sheet.check_sum(what, largest, other.into(), scale * natural * natural);
+                }
+            });
             sheet.answer("acceleration", "Largest absolute acceleration", largest);
         } else if let Some(body) = system.body {
             let why = "Largest force of spring and damper on the support, kx + cẋ, where its rate is zero";
             let largest = sheet.found("F_T", "kN", found.value.abs() * body.stiffness.value(), why);
-            sheet.verify(|| level(sheet));
+            sheet.verify(|| {
+                level(sheet);
+                if let Some(by_impulses) = model.by_impulses(natural, system.ratio.value(), found.time) {
+                    let what =
+                        "largest force on the support, by the integral over unit impulses to its moment";
+                    let stiffness = body.stiffness.value();
+                    let other = by_impulses.abs() * stiffness;
+                    sheet.check_sum(what, largest, other.into(), scale * stiffness);
+                }
+            });
             sheet.answer("support_force", "Largest force on the support", largest);
         }
         Ok(())

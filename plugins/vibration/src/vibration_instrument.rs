@@ -14,7 +14,7 @@ use dalembert_mechanics::{
 mod record;
 
 use crate::{
-    oscillator::{is_one, plots},
+    oscillator::{is_one, plots, put_up},
     sources::{RAO, THOMSON},
 };
 
@@ -259,6 +259,29 @@ impl VibrationInstrument {
         sheet.answer("error", "Error of the amplitude", error);
         sheet.answer("phase", "Phase lag", lag);
         sheet.answer("delay", "Delay of the record", delay);
+        sheet.verify(|| {
+            let one = W::Num::from(1.0);
+            let what = "the error by the force of inertia, spring and damper for a reading of one";
+            let square = self.factor_of_square(ratio, zeta).powi(2);
+            sheet.check(what, (error + 1.0).powi(2), square);
+            let drive = match self.instrument {
+                Instrument::Vibrometer => ratio.powi(2),
+                Instrument::Accelerometer => one,
+            };
+            let ([in_phase, across], size) = put_up([ratio, zeta], factor, frequency * delay);
+            let what = "equation of the relative motion so much later: in phase with the motion of the case";
+            sheet.check_sum(what, in_phase, drive, size);
+            let what = "equation of the relative motion so much later: a quarter of a turn ahead";
+            sheet.check_zero(what, across, size);
+        });
+        let natural = given.natural_frequency;
+        let held_to = |relative: W::Num, motion: W::Num, acceleration: W::Num| {
+            let ([in_phase, _], _) = put_up([ratio, zeta], relative, lag);
+            let what = "equation of the relative motion under the true acceleration";
+            sheet.check(what, in_phase * natural.powi(2), acceleration);
+            let what = "equation of the relative motion under the true displacement";
+            sheet.check(what, in_phase, motion * ratio.powi(2));
+        };
         match (&given.reading, self.instrument) {
             (None, _) => {}
             (Some(ReadingGiven::Displacement { amplitude }), Instrument::Vibrometer) => {
@@ -268,6 +291,7 @@ impl VibrationInstrument {
                 let acceleration = sheet.step("A", "m/s^2", motion * frequency.powi(2), why);
                 sheet.answer("amplitude", "True amplitude", motion);
                 sheet.answer("acceleration", "True acceleration", acceleration);
+                sheet.verify(|| held_to(*amplitude, motion, acceleration));
             }
             (Some(ReadingGiven::Acceleration { acceleration }), Instrument::Accelerometer) => {
                 let why = ("True acceleration behind the reading", RAO.at("§10.3"));
@@ -276,6 +300,7 @@ impl VibrationInstrument {
                 let motion = sheet.step("Y", "mm", truth / frequency.powi(2), why);
                 sheet.answer("amplitude", "True amplitude", motion);
                 sheet.answer("acceleration", "True acceleration", truth);
+                sheet.verify(|| held_to(*acceleration / natural.powi(2), motion, truth));
             }
             (Some(_), Instrument::Vibrometer) => {
                 return Err(Refusal::because("a vibrometer reads a displacement: write the reading as one"));
@@ -349,12 +374,18 @@ impl VibrationInstrument {
         };
         let frequency = sheet.step(symbol, "Hz", limit * natural, why);
         sheet.answer(name, label, frequency);
+        let rounding = "the reading at that frequency is off by the allowed error";
+        sheet.check(rounding, self.factor_of_square(frequency / natural, zeta), reached);
         let needed = given.frequency.map(|frequency| {
             let why = "Natural frequency of an instrument of this damping that just reads this frequency within the error";
             sheet.step("ω_p", "Hz", frequency / limit, why)
         });
         if let Some(needed) = needed {
             sheet.answer("needed_natural_frequency", "Natural frequency needed at this frequency", needed);
+        }
+        if let (Some(frequency), Some(needed)) = (given.frequency, needed) {
+            let what = "an instrument of the needed natural frequency reads this one with the allowed error";
+            sheet.check(what, self.factor_of_square(frequency / needed, zeta), reached);
         }
         let most = sheet.step("Λ", "1", error + 1.0, "Largest reading over true value that is allowed");
         let best = sdof::damping_ratio_from_peak(most);
@@ -400,6 +431,15 @@ impl VibrationInstrument {
             sheet.step("ωₚ", "Hz", natural * ratio, ("Frequency of the largest reading", RAO.at("§10.3")));
         let peak = sheet.step("Mₚ", "1", sdof::peak_magnification(zeta), "Largest reading over true value");
         sheet.check("largest reading at its frequency", self.factor(at / natural, zeta), peak);
+        let square = match self.instrument {
+            Instrument::Vibrometer => (natural / at).powi(2),
+            Instrument::Accelerometer => (at / natural).powi(2),
+        };
+        sheet.check_zero(
+            "largest reading: there the slope of the reading over the frequency is zero",
+            square + zeta.powi(2) * 2.0 - 1.0,
+            1.0,
+        );
         sheet.answer("peak_frequency", "Frequency of the largest reading", at);
         sheet.answer("peak", "Largest reading over true value", peak);
     }

@@ -46,7 +46,7 @@ const DOUBLE: f64 = 1e-12;
 /// The free motion, by the roots of its characteristic equation.
 pub(super) enum Form<N> {
     /// `x₀ cos ωₙt + B sin ωₙt`
-    Harmonic { natural: N, x0: N, v0: N, b: N },
+    Harmonic { natural: N, x0: N, v0: N, b: N, size: N },
     /// `e^(−ζωₙt) (x₀ cos ω_d t + B sin ω_d t)`
     Oscillating { natural: N, zeta: N, damped: N, x0: N, v0: N, b: N, size: N },
     /// `(x₀ + B t) e^(−ζωₙt)`, `ζ = ±1`
@@ -86,7 +86,7 @@ impl<N: Real> Form<N> {
                 ("Amplitude: it stays", RAO.at("§2.2")),
             );
             sheet.answer("amplitude", "Amplitude", size);
-            return Form::Harmonic { natural, x0, v0, b };
+            return Form::Harmonic { natural, x0, v0, b, size };
         }
         if ((z - 1.0) * (z + 1.0)).abs() < DOUBLE {
             let b = sheet.step(
@@ -178,6 +178,7 @@ impl<N: Real> Form<N> {
                 "Overshoot of a release from rest: what half a cycle leaves of the amplitude",
             );
             sheet.answer("overshoot", "Overshoot of a release from rest", overshoot);
+            sheet.verify(|| super::checks::cycle(zeta, lost, overshoot, sheet));
         }
         let b = sheet.step(
             "B",
@@ -225,6 +226,49 @@ impl<N: Real> Form<N> {
             Form::Exponentials { roots, shares, .. } => {
                 shares[0] * roots[0] * (roots[0] * t).exp() + shares[1] * roots[1] * (roots[1] * t).exp()
             }
+        }
+    }
+
+    /// `ẍ(t)`, with the square of each root.
+    pub(super) fn second_derivative(&self, t: N) -> N {
+        match *self {
+            Form::Harmonic { natural, x0, b, .. } => {
+                -(natural.powi(2) * x0 * (natural * t).cos()) - natural.powi(2) * b * (natural * t).sin()
+            }
+            Form::Oscillating { natural, zeta, damped, x0, b, .. } => {
+                let rate = zeta * natural;
+                let (cosine, sine) = ((damped * t).cos(), (damped * t).sin());
+                (-(rate * t)).exp()
+                    * ((rate.powi(2) - damped.powi(2)) * (x0 * cosine + b * sine)
+                        + rate * damped * 2.0 * (x0 * sine - b * cosine))
+            }
+            Form::Double { natural, zeta, x0, b, .. } => {
+                let rate = zeta * natural;
+                (rate.powi(2) * (x0 + b * t) - rate * b * 2.0) * (-(rate * t)).exp()
+            }
+            Form::Exponentials { roots, shares, .. } => {
+                shares[0] * roots[0].powi(2) * (roots[0] * t).exp()
+                    + shares[1] * roots[1].powi(2) * (roots[1] * t).exp()
+            }
+        }
+    }
+
+    /// Size of the oscillation at the start, where there is one.
+    pub(super) fn size(&self) -> Option<N> {
+        match *self {
+            Form::Oscillating { size, .. } | Form::Harmonic { size, .. } => Some(size),
+            _ => None,
+        }
+    }
+
+    /// Square of the envelope at a state: `x² + ((v + ζωₙ x)/ω_d)²`, once the motion oscillates.
+    pub(super) fn radius_squared(&self, [x, v]: [N; 2]) -> N {
+        match *self {
+            Form::Oscillating { natural, zeta, damped, .. } => {
+                x.powi(2) + ((v + zeta * natural * x) / damped).powi(2)
+            }
+            Form::Harmonic { natural, .. } => x.powi(2) + (v / natural).powi(2),
+            Form::Double { .. } | Form::Exponentials { .. } => N::from(f64::NAN),
         }
     }
 

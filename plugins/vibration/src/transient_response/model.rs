@@ -3,7 +3,7 @@
 use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{
     Real,
-    vibration::transient::{Law, Motion, Oscillator, Piece, State},
+    vibration::transient::{Law, Motion, Oscillator, Output, Piece, State},
 };
 
 use super::{Excitation, ExcitationGiven, ForceSizeGiven, cannot};
@@ -74,6 +74,12 @@ impl<N: Real> Model<N> {
             _ => piece.from,
         });
         if last.is_finite() { last } else { 0.0 }
+    }
+
+    /// What spring and damper hold at a time, as a displacement, by the integral over unit impulses.
+    pub(super) fn by_impulses(&self, natural: f64, ratio: f64, time: f64) -> Option<f64> {
+        let begun = self.motion.at(0.0);
+        load::by_impulses(Oscillator { natural, ratio }, begun, &self.pieces, Output::support(ratio), time)
     }
 
     /// Whether the load jumps, or bends, at a time.

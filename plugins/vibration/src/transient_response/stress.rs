@@ -21,19 +21,25 @@ pub(super) fn stress<W: Worksheet>(
     };
     let why = "Force that would bend the beam as far statically";
     let force = sheet.step("Fₘ", "kN", stiffness * largest, why);
-    let (moment, section, why) = match given {
-        SpringGiven::Cantilever { length, section, .. } => {
-            (force * *length, section, "Bending moment at the clamp")
+    let (moment, section, curvature, why) = match given {
+        SpringGiven::Cantilever { length, section, young } => {
+            let curvature = largest * 3.0 / length.powi(2) * *young;
+            (force * *length, section, curvature, "Bending moment at the clamp")
         }
-        SpringGiven::SimplySupported { length, distance: None, section, .. } => {
-            (force * *length / 4.0, section, "Bending moment at the middle of the beam, under the mass")
+        SpringGiven::SimplySupported { length, distance: None, section, young } => {
+            let curvature = largest * 12.0 / length.powi(2) * *young;
+            let why = "Bending moment at the middle of the beam, under the mass";
+            (force * *length / 4.0, section, curvature, why)
         }
-        SpringGiven::SimplySupported { length, distance: Some(distance), section, .. } => {
+        SpringGiven::SimplySupported { length, distance: Some(distance), section, young } => {
+            let curvature = largest * 3.0 / (*distance * (*length - *distance)) * *young;
             let moment = force * *distance * (*length - *distance) / *length;
-            (moment, section, "Bending moment under the mass")
+            (moment, section, curvature, "Bending moment under the mass")
         }
-        SpringGiven::Clamped { length, distance: None, section, .. } => {
-            (force * *length / 8.0, section, "Bending moment at the middle and at the clamps")
+        SpringGiven::Clamped { length, distance: None, section, young } => {
+            let curvature = largest * 24.0 / length.powi(2) * *young;
+            let why = "Bending moment at the middle and at the clamps";
+            (force * *length / 8.0, section, curvature, why)
         }
         _ => return Err(unknown()),
     };
@@ -42,6 +48,7 @@ pub(super) fn stress<W: Worksheet>(
     let why = ("Bending stress at the extreme fibre", BEER.at("§4.4"));
     let stress = sheet.step("σ", "MPa", moment.abs() * fibre / second_moment, why);
     sheet.answer("stress", "Largest bending stress", stress);
+    sheet.check("bending stress by the curvature of the bent beam, E c w″", curvature.abs() * fibre, stress);
     Ok(())
 }
 

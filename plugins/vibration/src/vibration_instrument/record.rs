@@ -6,7 +6,10 @@ use dalembert_core::{Axis, Cell, Column, Exhibit, Plot, Refusal, Series, TableEx
 use dalembert_mechanics::{Real, sdof};
 
 use super::{Instrument, Tone, VibrationInstrument};
-use crate::{oscillator::is_one, sources::RAO};
+use crate::{
+    oscillator::{is_one, put_up},
+    sources::RAO,
+};
 
 /// The most tones that are recorded.
 const MOST: usize = 8;
@@ -48,6 +51,20 @@ pub(super) fn solve<W: Worksheet>(
         let delay = sheet.step(("t", n), "ms", lag / frequency, "Delay of this tone");
         sheet.answer(("tone_factor", n), "Reading over true value of tone", factor);
         sheet.answer(("tone_delay", n), "Delay of tone", delay);
+        sheet.verify(|| {
+            // A vibrometer shows the relative motion turned over.
+            let drive = match instrument.instrument {
+                Instrument::Vibrometer => -ratio.powi(2),
+                Instrument::Accelerometer => W::Num::from(1.0),
+            };
+            let ([in_phase, across], size) = put_up([ratio, zeta], factor, frequency * delay);
+            let what = Text::new("tone {n}: equation of the relative motion so much later, in phase");
+            sheet.check_sum(what.with("n", n), in_phase, drive, size);
+            let what = Text::new(
+                "tone {n}: equation of the relative motion so much later, a quarter of a turn ahead",
+            );
+            sheet.check_zero(what.with("n", n), across, size);
+        });
         delays.push((factor.value(), delay));
     }
     let by_size = |a: &&(f64, W::Num), b: &&(f64, W::Num)| a.1.value().total_cmp(&b.1.value());

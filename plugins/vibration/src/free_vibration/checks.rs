@@ -1,0 +1,126 @@
+//! Second ways to the answers of a free motion: its equation integrated, and the work of the damper.
+
+use std::f64::consts::{LN_2, PI};
+
+use dalembert_core::Worksheet;
+use dalembert_mechanics::{
+    Real,
+    vibration::{free::FreeMotion, quadrature::integral},
+};
+
+use super::form::Form;
+
+/// The most parts of a quadrature.
+const PARTS: f64 = 4000.0;
+
+/// A release from rest: what is left of it half a cycle later and after a whole one.
+pub(super) fn cycle<W: Worksheet>(zeta: W::Num, lost: W::Num, overshoot: W::Num, sheet: W) {
+    let motion =
+        FreeMotion { natural_frequency: 1.0, damping_ratio: zeta.value(), displacement: 1.0, velocity: 0.0 };
+    let half = PI / motion.damped_frequency();
+    if let Some([across, _]) = motion.integrated(half) {
+        sheet.check_sum(
+            "a release from rest: the displacement half a cycle later, by integration of the equation of motion",
+            overshoot,
+            W::Num::from(-across),
+            1.0,
+        );
+    }
+    if let Some([x, v]) = motion.integrated(2.0 * half) {
+        sheet.check_sum(
+            "a release from rest: the energy a cycle later, by integration of the equation of motion",
+            W::Num::from(1.0) - lost,
+            W::Num::from(x * x + v * v),
+            1.0,
+        );
+    }
+}
+
+/// The envelope at the start, from the motion an eighth of a cycle later.
+pub(super) fn amplitude<W: Worksheet>(form: &Form<W::Num>, motion: &FreeMotion, sheet: W) {
+    let Some(size) = form.size() else { return };
+    let time = PI / 4.0 / motion.damped_frequency();
+    if let Some(squared) = envelope_squared(motion, time) {
+        let grown = (2.0 * motion.damping_ratio * motion.natural_frequency * time).exp();
+        sheet.check(
+            "envelope at the start: from the motion an eighth of a cycle later, by integration of its equation",
+            size.powi(2),
+            W::Num::from(squared * grown),
+        );
+    }
+}
+
+/// The displacement at the first turning point.
+pub(super) fn turning<W: Worksheet>([time, displacement]: [W::Num; 2], motion: &FreeMotion, sheet: W) {
+    if let Some([x, _]) = motion.integrated(time.value()) {
+        sheet.check_sum(
+            "displacement at the first turning point, by integration of the equation of motion",
+            displacement,
+            W::Num::from(x),
+            size(motion, time.value()),
+        );
+    }
+}
+
+/// The time in which the envelope has fallen.
+pub(super) fn settling_of_envelope<W: Worksheet>(time: W::Num, level: W::Num, motion: &FreeMotion, sheet: W) {
+    if let Some(squared) = envelope_squared(motion, time.value()) {
+        sheet.check(
+            "envelope at its settling time, by integration of the equation of motion",
+            W::Num::from(squared),
+            level.powi(2),
+        );
+    }
+}
+
+/// The energy that is gone, by the work of the damper.
+pub(super) fn energy_lost<W: Worksheet>(
+    [start, lost]: [W::Num; 2],
+    mass: W::Num,
+    time: f64,
+    motion: &FreeMotion,
+    sheet: W,
+) {
+    let (natural, zeta) = (motion.natural_frequency, motion.damping_ratio);
+    let parts = (2.0 * natural * time * (1.0 + 2.0 * zeta.abs())).ceil().max(1.0);
+    if parts.is_nan() || parts > PARTS {
+        return;
+    }
+    let squared_rate = |at: f64| motion.state(at)[1].powi(2);
+    let work = 2.0 * zeta * natural * mass.value() * integral(squared_rate, [0.0, time], parts as u32);
+    sheet.check_sum(
+        "energy that is gone = work of the damper, ∫cv²dt by quadrature",
+        lost,
+        W::Num::from(work),
+        start.value().max((start - lost).value()),
+    );
+}
+
+/// The time to double, by the area of the phase plane that a bundle of motions covers (Liouville).
+pub(super) fn doubling<W: Worksheet>(time: W::Num, motion: &FreeMotion, sheet: W) {
+    let natural = motion.natural_frequency;
+    let from = |displacement: f64, velocity: f64| {
+        FreeMotion { displacement, velocity, ..*motion }.integrated(time.value())
+    };
+    if let (Some([x1, v1]), Some([x2, v2])) = (from(1.0, 0.0), from(0.0, natural)) {
+        sheet.check_sum(
+            "motions that begin side by side cover four times the area of the phase plane at the time to double",
+            W::Num::from((x1 * v2 - x2 * v1) / natural),
+            W::Num::from((2.0 * LN_2).exp()),
+            (x1 * v2 / natural).abs().max(4.0),
+        );
+    }
+}
+
+/// The square of the envelope that a motion has at a time.
+fn envelope_squared(motion: &FreeMotion, time: f64) -> Option<f64> {
+    let [x, v] = motion.integrated(time)?;
+    let rate = motion.damping_ratio * motion.natural_frequency;
+    Some(x * x + ((v + rate * x) / motion.damped_frequency()).powi(2))
+}
+
+/// The size of a motion at a time, or at its start.
+fn size(motion: &FreeMotion, time: f64) -> f64 {
+    let size = motion.displacement.abs() + motion.velocity.abs() / motion.natural_frequency;
+    size * (-motion.damping_ratio * motion.natural_frequency * time).exp().max(1.0)
+}
