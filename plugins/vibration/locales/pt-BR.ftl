@@ -235,6 +235,9 @@ radius-of-gyration-of-the-body = Raio de giração do corpo
 about-the-axis-of-the-shaft = Em relação à linha de centro do eixo.
 mass-on-a-shaft = Massa sobre um eixo
 longitudinal-transverse-and-torsional-natural-frequencies-of-a-mass-or-flywheel-on-a-light-shaft = Frequências naturais longitudinal, transversal e torcional de uma massa ou volante sobre um eixo leve.
+transverse-largest-kinetic-energy-largest-elastic-energy-of-the-bending-moments = transversal: maior energia cinética = maior energia elástica dos momentos fletores
+torsional-largest-kinetic-energy-largest-elastic-energy-of-the-parts-of-the-shaft = torcional: maior energia cinética = maior energia elástica dos trechos do eixo
+longitudinal-largest-kinetic-energy-largest-elastic-energy-of-the-parts-of-the-shaft = longitudinal: maior energia cinética = maior energia elástica dos trechos do eixo
 stiffness-along-the-shaft = Rigidez ao longo do eixo
 stiffness-along-the-shaft-its-two-parts-are-deflected-alike = Rigidez ao longo do eixo: as suas duas partes têm a mesma deflexão
 longitudinal-natural-frequency = Frequência natural longitudinal
@@ -479,6 +482,8 @@ from-crest-to-crest = De crista a crista.
 speed-of-the-vehicle = Velocidade do veículo
 after-the-base-sets-in = Contado do início do movimento da base.
 shaking-base = Excitação pela base
+from-wave-to-wave-at-the-critical-speed-it-takes-a-natural-period = de onda a onda, na velocidade crítica, passa um período natural
+at-this-speed-the-slope-of-the-transmissibility-is-zero-2-r-r-1 = nesta velocidade a inclinação da transmissibilidade é zero, 2ζ²r⁴ + r² = 1
 absolute-and-relative-motion-acceleration-and-force-of-a-mass-on-a-base-that-shakes-harmonically-a = Movimento absoluto e relativo, aceleração e força de uma massa sobre uma base em movimento harmônico, inclusive uma estrada ondulada.
 the-amplitude-is-unbounded-it-grows-with-t-each-second-by = A amplitude é ilimitada: cresce com t, a cada segundo de
 growth-of-the-amplitude-at-the-frequency-of-the-base = crescimento da amplitude na frequência da base
@@ -525,6 +530,8 @@ mean-power = Potência média
 after-the-force-sets-in = Contado do início da força.
 harmonic-force = Força harmônica
 steady-amplitude-phase-forces-and-power-of-one-mass-under-a-harmonic-force-and-its-motion-from-rest = Amplitude em regime permanente, fase, forças e potência de uma massa sob uma força harmônica, e o seu movimento a partir do repouso.
+work-of-the-force-in-a-cycle-energy-that-the-damper-takes-f-x-sin = trabalho da força em um ciclo = energia que o amortecedor consome, πF₀X sen φ
+largest-acceleration-there-its-slope-over-the-frequency-is-zero-1-2 = maior aceleração: ali a sua inclinação na frequência é zero, (ωₙ/ω)² = 1 − 2ζ²
 deflection-under-a-constant-force-f = Deflexão sob uma força constante F₀
 the-motion-from-rest-takes-the-hysteretic-damping-as-a-dashpot-that-loses-as-much-in-a-cycle-at-this = o movimento a partir do repouso toma o amortecimento histerético como um amortecedor viscoso que dissipa o mesmo por ciclo nesta frequência
 displacement-at-that-time = Deslocamento nesse instante
@@ -1030,6 +1037,7 @@ least-damping-ratio = Menor razão de amortecimento
 largest-damping-ratio = Maior razão de amortecimento
 the-least-damping-ratio-is-above-the-largest-one-write-the-smaller-one-as-the-least = a menor razão de amortecimento está acima da maior: escreva o menor valor como a menor
 steady-amplitude-with-the-largest-damping = Amplitude em regime permanente com o maior amortecimento
+amplitude-with-the-largest-damping-from-the-dynamic-stiffness = amplitude com o maior amortecimento pela rigidez dinâmica
 amplitude-with-the-largest-damping = Amplitude com o maior amortecimento
 known-by-its-deflection-under-a-load = Conhecida pela deflexão sob uma carga
 deflection = Deflexão
@@ -1054,6 +1062,12 @@ both-resonances-at-once-natural-frequency-of-the-main-system-since-the-product-o
 by-itself-on-a-fixed-base-the-speed-it-is-tuned-to = Isolado, sobre base fixa: a rotação em que está sintonizado.
 by-itself-without-the-absorber = Isolado, sem o absorvedor.
 damped-vibration-absorber = Absorvedor de vibrações amortecido
+without-the-absorber-the-magnification-where-the-slope-of-the-response-is-zero = sem o absorvedor: a amplificação onde a inclinação da resposta é zero
+the-slope-of-the-response-is-zero-at-the-peak = a inclinação da resposta é zero no pico
+stroke-of-the-absorber-from-the-equations-of-motion-in-full = curso do absorvedor, pelas equações de movimento completas
+motion-of-the-main-mass-at-its-natural-frequency-from-spring-and-damper-in-full = movimento da massa principal na sua frequência natural, por mola e amortecedor completos
+motion-of-the-absorber-at-that-frequency-from-spring-and-damper-in-full = movimento do absorvedor nessa frequência, por mola e amortecedor completos
+amplitude-of-the-main-mass-at-the-peak-from-the-equations-of-motion-in-full = amplitude da massa principal no pico, pelas equações de movimento completas
 damping-coefficient-of-the-absorber = Coeficiente de amortecimento do absorvedor
 damping-coefficient-of-the-absorber-2-m-a-m = Coeficiente de amortecimento do absorvedor, 2 m_a ω_m γ
 damping-of-the-least-peak = Amortecimento do menor pico
@@ -1151,6 +1165,7 @@ mass-ratio-that-puts-the-lower-resonance-at-the-lower-end = Razão de massas que
 mass-ratio-that-puts-the-lower-resonance-there-by-the-frequency-equation = Razão de massas que leva a ressonância inferior até ali, pela equação das frequências
 mass-ratio-that-puts-the-upper-resonance-at-the-upper-end = Razão de massas que leva a ressonância superior ao extremo superior
 mass-ratio-that-puts-the-upper-resonance-there-by-the-frequency-equation = Razão de massas que leva a ressonância superior até ali, pela equação das frequências
+without-the-absorber-inertia-and-spring-balance-the-excitation-m-m-x-f = sem o absorvedor: inércia e mola equilibram a excitação, m|ω_m² − ω²|X = F₀
 mass-ratio-from-the-sum-of-the-squares-of-the-two-resonances = Razão de massas, pela soma dos quadrados das duas ressonâncias
 mass-ratio-absorber-over-machine = Razão de massas: absorvedor sobre máquina
 mass-ratio-absorber-over-main-mass = Razão de massas: absorvedor sobre massa principal
@@ -1239,6 +1254,8 @@ tuning-of-the-least-peak-exactly-two-peaks-of-one-height-as-low-as-can-be = Sint
 tuning-absorber-over-main-system-each-by-itself = Sintonia: absorvedor sobre sistema principal, cada um isolado
 tuning-the-absorber-at-the-speed-over-the-main-system = Sintonia: o absorvedor, na rotação, sobre o sistema principal
 undamped-vibration-absorber = Absorvedor de vibrações sem amortecimento
+moment-of-the-springs-about-the-centre-for-a-turn-of-one-one-by-one = momento das molas em torno do centro para uma rotação unitária, uma a uma
+main-system-by-the-mean-sum-of-the-squares-of-its-resonances-with-the-trial-absorber-as-eigenvalues = sistema principal pela média: soma dos quadrados das suas ressonâncias com o absorvedor de ensaio, como autovalores
 upper-end-of-the-range-over-the-frequency-of-the-absorber = Extremo superior da faixa, sobre a frequência do absorvedor
 upper-end-of-the-range-over-the-speed = Extremo superior da faixa, sobre a rotação
 upper-fixed-point = Ponto fixo superior
@@ -1860,6 +1877,9 @@ equivalent-viscous-damping-8a-x-3 = Amortecimento viscoso equivalente, 8aωX/(3�
 equivalent-viscous-damping-at-this-frequency = Amortecimento viscoso equivalente nesta frequência
 equivalent-viscous-damping-loss-factor-and-steady-amplitude-of-an-oscillator-whose-damping-is-known = Amortecimento viscoso equivalente, fator de perda e amplitude permanente de um oscilador cujo amortecimento se conhece pelo laço.
 hysteretic-and-other-equivalent-damping = Amortecimento histerético e outros equivalentes
+the-loss-factor-at-this-frequency-is-2-r = o fator de perda nesta frequência é 2ζr
+largest-amplitude-from-the-dynamic-stiffness-at-the-natural-frequency = maior amplitude pela rigidez dinâmica na frequência natural
+amplitude-from-the-frequency-ratio-and-the-loss-factor-1-r = amplitude pela razão de frequências e pelo fator de perda, δ/√((1 − r²)² + η²)
 hysteretic-area-of-the-loop-given = Histerético: área do laço dada
 largest-amplitude-exactly-at-the-natural-frequency-unlike-that-of-viscous-damping = Maior amplitude, exatamente na frequência natural, ao contrário do amortecimento viscoso
 loop-of-force-and-displacement-over-a-cycle = Laço de força e deslocamento em um ciclo
@@ -1911,6 +1931,10 @@ force-on-a-viscous-oscillator-with-that-damping = força sobre um oscilador visc
 force-over-stiffness = força sobre rigidez
 force-with-the-part-4f-that-the-equivalent-damping-takes-a-quarter-cycle-ahead = Força: com a parte 4F/π que o amortecimento equivalente absorve, um quarto de ciclo adiantada
 harmonic-force-with-dry-friction = Força harmônica com atrito seco
+exact-motion-work-of-the-force-in-a-cycle-with-that-lag-is-that-of-the-friction = movimento exato: o trabalho da força em um ciclo, com esse atraso, é o do atrito
+exact-motion-spring-and-inertia-of-its-first-harmonic-are-held-by-the-force-in-phase-with-its = movimento exato: mola e inércia do seu primeiro harmônico são sustentadas pela força em fase com os seus extremos
+equivalent-damping-the-force-brings-in-what-friction-takes-in-a-cycle-f-x-sin-4fx = amortecimento equivalente: a força fornece o que o atrito consome em um ciclo, πF₀X sen φ = 4FX
+equivalent-damping-spring-and-inertia-are-held-by-the-force-in-phase-with-the-motion = amortecimento equivalente: mola e inércia são sustentadas pela força em fase com o movimento
 how-far-the-equivalent-damping-is-off = Erro do amortecimento equivalente
 lag-of-its-extremes-behind-those-of-the-force = Atraso dos seus extremos em relação aos da força
 lag-of-the-motion-behind-the-force-above-90-beyond-resonance = Atraso do movimento em relação à força, acima de 90° além da ressonância
@@ -2066,6 +2090,8 @@ without-the-element = sem o elemento
 critical-damping-the-quickest-return-without-oscillation = Amortecimento crítico: o retorno mais rápido sem oscilação
 displacement-up-to-which-the-return-is-timed = Deslocamento até o qual o retorno é cronometrado
 distance-of-recoil = Distância de recuo
+with-critical-damping-both-roots-c-2m-are = com amortecimento crítico as duas raízes −c/2m valem −ωₙ
+displacement-at-the-end-of-both-by-integration-of-the-return-after-a-quarter-of-the-period = deslocamento no fim de ambos, por integração do retorno depois de um quarto do período
 end-of-the-recoil = fim do recuo
 end-of-the-timed-return = fim do retorno cronometrado
 mass-or-weight-of-what-recoils = Massa ou peso do que recua
@@ -2815,7 +2841,9 @@ coefficient-of-the-stiffness = Coeficiente da rigidez
 frequency-of-the-least-damping-ratio = Frequência da menor razão de amortecimento
 the-least-damping-ratio-where-both-terms-are-equal = A menor razão de amortecimento, onde os dois termos são iguais
 least-damping-ratio-from-the-sum-of-both-terms = menor razão de amortecimento pela soma dos dois termos
+the-damping-ratio-is-the-same-an-octave-above-its-least-one-and-an-octave-below = a razão de amortecimento é a mesma uma oitava acima da mínima e uma oitava abaixo
 frequency-of-the-least-damping = Frequência do menor amortecimento
+damping-ratio-from-the-line-of-2-over-through-both-modes = razão de amortecimento pela reta de 2ζω em função de ω² pelos dois modos
 a-coefficient-is-negative-at-very-low-or-very-high-frequencies-the-damping-ratio-would-be-negative = um coeficiente é negativo: em frequências muito baixas ou muito altas a razão de amortecimento seria negativa e tais modos cresceriam
 damping-ratio-at-the-asked-frequency = Razão de amortecimento na frequência pedida
 damping-ratio-at-the-frequency = Razão de amortecimento na frequência
@@ -3978,6 +4006,7 @@ the-wires-are-too-short-to-reach-from-one-circle-to-the-other-write-a-larger-len
 vertical-distance-of-the-two-ends-of-a-wire = Distância vertical entre as duas extremidades de um fio
 the-wires-lean-as-the-body-turns-and-lift-it-j-m-g-r-r-h = Os fios inclinam-se quando o corpo gira e o levantam: J ω² = m g r R/h
 moment-of-inertia-of-the-platform-alone = Momento de inércia da plataforma sozinha
+period-of-the-platform-alone-from-the-height-by-which-it-is-lifted-as-it-turns = período da plataforma sozinha pela altura em que se eleva ao girar
 moment-of-inertia-of-the-platform = Momento de inércia da plataforma
 the-platform-with-the-body-has-no-larger-moment-of-inertia-than-the-platform-alone-look-at-the = a plataforma com o corpo não tem momento de inércia maior que a plataforma sozinha: confira os períodos
 what-the-body-adds-to-the-platform = O que o corpo acrescenta à plataforma

@@ -203,6 +203,11 @@ fn critical_speed<W: Worksheet>(suspension: &Suspension<W::Num>, wavelength: W::
         ("Critical speed: the waves come at the natural frequency", RAO.at("§3.6")),
     );
     sheet.answer("critical_speed", "Critical speed", critical);
+    sheet.check(
+        "from wave to wave at the critical speed it takes a natural period",
+        wavelength / critical,
+        W::Num::from(2.0) * PI / suspension.natural,
+    );
     if let Loss::Viscous(zeta, _) = suspension.loss
         && zeta.value() > 0.0
     {
@@ -219,6 +224,14 @@ fn critical_speed<W: Worksheet>(suspension: &Suspension<W::Num>, wavelength: W::
             W::Num::from(1.0) / largest.powi(2) - (W::Num::from(1.0) - peak.powi(4)),
             1.0,
         );
+        sheet.verify(|| {
+            let square = (worst * 2.0 * PI / (wavelength * suspension.natural)).powi(2);
+            sheet.check_zero(
+                "at this speed the slope of the transmissibility is zero, 2ζ²r⁴ + r² = 1",
+                (zeta * square).powi(2) * 2.0 + square - 1.0,
+                1.0,
+            );
+        });
         sheet.answer("worst_speed", "Speed of the largest amplitude", worst);
         sheet.answer("largest_transmissibility", "Largest transmissibility at any speed", largest);
     }

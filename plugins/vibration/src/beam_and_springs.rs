@@ -183,6 +183,7 @@ fn excite<W: Worksheet>(
         transmitted,
     );
     sheet.answer("amplitude", "Steady amplitude", amplitude);
+    sheet.check("phase lag from stiffness, mass and damping", sdof::phase_lag(k, mass, c, frequency), phase);
     sheet.answer("phase", "Phase lag", phase);
     sheet.answer("transmitted_force", "Force on the support", transmitted);
     Ok(Some(amplitude.value()))

@@ -4,8 +4,10 @@ use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet,
 use dalembert_mechanics::{Real, sdof, vibration::absorber::DampedAbsorber as Kernel};
 
 mod exhibits;
+mod full;
 mod optimum;
 
+use self::full::{InFull, off_level};
 use crate::{
     oscillator::{Mass, mass},
     sources::{BROCK, DEN_HARTOG, NISHIHARA, RAO},
@@ -347,24 +349,40 @@ fn assess<W: Worksheet>(
     sheet: W,
 ) -> Result<(), Refusal> {
     let kernel = system.kernel(chosen);
+    let mut full = None;
     if let Some(body) = &system.body {
+        let mut spring = None;
         if let Some(tuning) = chosen.tuning {
             let own = tuning * body.natural;
             let own = sheet.step("ω_a", "rad/s", own, "Natural frequency of the chosen absorber by itself");
             let stiffness = sdof::stiffness_from_natural_frequency(body.absorber, own);
             let stiffness = sheet.step("k_a", "N/m", stiffness, ("Its stiffness", RAO.at("§2.2")));
             sheet.answer("absorber_stiffness", "Stiffness of the absorber", stiffness);
+            spring = Some(stiffness);
         }
         let damping = chosen.damping * body.absorber * body.natural * 2.0;
         let damping = sheet.step("c_a", "N*s/m", damping, "Damping coefficient of the absorber, 2 m_a ω_m γ");
         sheet.answer("absorber_damping", "Damping coefficient of the absorber", damping);
+        let masses = InFull::of(body, system.zeta.value(), spring.map_or(0.0, Real::value), damping.value());
+        sheet.verify(|| {
+            let [main, relative] = masses.motion(body.stiffness.value(), body.natural.value());
+            let [by_ratios, stroke] = [kernel.magnification(1.0), kernel.relative_motion(1.0)];
+            let size = by_ratios.max(stroke);
+            if size.is_finite() {
+                let what = "motion of the main mass at its natural frequency, from spring and damper in full";
+                sheet.check_sum(what, W::Num::from(main), W::Num::from(by_ratios), size);
+                let what = "motion of the absorber at that frequency, from spring and damper in full";
+                sheet.check_sum(what, W::Num::from(relative), W::Num::from(stroke), size);
+            }
+        });
+        full = Some(masses);
     }
     if kernel.damping == 0.0 && kernel.main_damping == 0.0 {
         sheet.warn(|| {
             Text::new("nothing is damped: at both resonances the motion grows with time without bound, and there is no peak")
         });
     } else {
-        peak(system, &kernel, sheet);
+        peak(system, &kernel, full.as_ref(), sheet);
     }
     if let Some(at) = at {
         motion_at(system, chosen, &kernel, at, sheet)?;
@@ -380,7 +398,7 @@ fn assess<W: Worksheet>(
 }
 
 /// The largest motions over all frequencies.
-fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, sheet: W) {
+fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, full: Option<&InFull>, sheet: W) {
     let Some(peak) = kernel.largest_peak() else {
         sheet.warn(|| Text::new("the response of the main system has no peak: at rest it is largest"));
         return;
@@ -402,11 +420,21 @@ fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, sheet: W) {
     });
     sheet.answer("peak", "Largest magnification", height);
     sheet.answer("peak_ratio", "Frequency ratio of the peak", ratio);
+    sheet.verify(|| {
+        if let Some([off, error]) = off_level(|g| kernel.magnification(g), ratio.value()) {
+            sheet.check_residual("the slope of the response is zero at the peak", off.into(), 1.0, error);
+        }
+    });
     let before = kernel.main_damping;
     if before > 0.0 && before < 0.5f64.sqrt() {
         let why = ("Largest magnification without the absorber", RAO.at("§3.4"));
         let before = sheet.step("H₀", "1", sdof::peak_magnification(system.zeta), why);
         sheet.answer("peak_before", "Largest magnification without the absorber", before);
+        sheet.check(
+            "without the absorber: the magnification where the slope of the response is zero",
+            sdof::magnification(sdof::magnification_peak_ratio(system.zeta), system.zeta),
+            before,
+        );
     } else if before == 0.0 {
         sheet.warn(|| {
             Text::new("without the absorber and without damping the resonance grows with time without bound")
@@ -421,7 +449,7 @@ fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, sheet: W) {
             sheet.check("relative motion from the equations of both masses", W::Num::from(found), stroke);
         });
         sheet.answer("stroke_ratio", "Largest relative motion over the static deflection", stroke);
-        stroke
+        (stroke, relative.ratio)
     });
     if let Some((body, force)) = system.body.as_ref().and_then(|body| Some((body, body.force?))) {
         let still = sheet.step(
@@ -432,7 +460,15 @@ fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, sheet: W) {
         );
         let largest = sheet.step("Xₚ", "mm", height * still, "Largest amplitude of the main mass");
         sheet.answer("amplitude", "Largest amplitude of the main mass", largest);
-        if let Some(stroke) = stroke {
+        let motion = |ratio: f64| {
+            full.map(|masses| masses.motion(force.value(), ratio * body.natural.value())).unwrap_or_default()
+        };
+        sheet.verify(|| {
+            let [main, _] = motion(peak.ratio);
+            let what = "amplitude of the main mass at the peak, from the equations of motion in full";
+            sheet.check(what, largest, W::Num::from(main));
+        });
+        if let Some((stroke, at)) = stroke {
             let stroke = sheet.step(
                 "Yₚ",
                 "mm",
@@ -440,6 +476,11 @@ fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, sheet: W) {
                 "Largest stroke of the absorber: room that it needs to each side",
             );
             sheet.answer("stroke", "Largest stroke of the absorber", stroke);
+            sheet.verify(|| {
+                let [_, relative] = motion(at);
+                let what = "stroke of the absorber, from the equations of motion in full";
+                sheet.check(what, stroke, W::Num::from(relative));
+            });
         }
     }
 }

@@ -201,6 +201,15 @@ impl Analysis for EquivalentDamping {
             sdof::damping_ratio(damping, stiffness, mass),
             ("Equivalent damping ratio; for hysteretic damping at resonance η/2", RAO.at("§2.10")),
         );
+        sheet.verify(|| {
+            let (one, over) = (W::Num::from(1.0), frequency / natural);
+            sheet.check(
+                "amplitude from the frequency ratio and the loss factor, δ/√((1 − r²)² + η²)",
+                force / stiffness / ((one - over.powi(2)).powi(2) + loss.powi(2)).sqrt(),
+                amplitude,
+            );
+            sheet.check("the loss factor at this frequency is 2ζr", ratio * over * 2.0, loss);
+        });
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("loss_factor", "Loss factor", loss);
         sheet.answer("amplitude", "Amplitude at this frequency", amplitude);
@@ -222,6 +231,14 @@ impl Analysis for EquivalentDamping {
                 ),
             );
             sheet.answer("largest_amplitude", "Largest amplitude at any frequency", largest);
+            sheet.verify(|| {
+                let damping = loss * stiffness / natural;
+                sheet.check(
+                    "largest amplitude from the dynamic stiffness at the natural frequency",
+                    sdof::forced_amplitude(force, stiffness, mass, damping, natural),
+                    largest,
+                );
+            });
         }
         let numbers = Numbers {
             mass: mass.value(),

@@ -8,7 +8,10 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real, sdof,
-    vibration::dry_forced::{self, DryForced, Steady},
+    vibration::{
+        dry_forced::{self, DryForced, Steady},
+        quadrature::integral,
+    },
 };
 
 use crate::{
@@ -198,6 +201,20 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
             sheet.step("φ_eq", "deg", lag, "Lag of the motion behind the force, above 90° beyond resonance");
         sheet.answer("amplitude", "Amplitude by equivalent damping", amplitude);
         sheet.answer("phase", "Phase lag by equivalent damping", lag);
+        sheet.verify(|| {
+            let one = W::Num::from(1.0);
+            sheet.check_zero(
+                "equivalent damping: spring and inertia are held by the force in phase with the motion",
+                stiffness * amplitude * (one - ratio.powi(2)) - force * lag.cos(),
+                force.value(),
+            );
+            sheet.check_sum(
+                "equivalent damping: the force brings in what friction takes in a cycle, πF₀X sin φ = 4FX",
+                force * amplitude * lag.sin() * PI,
+                friction * amplitude * 4.0,
+                PI * force.value() * amplitude.value(),
+            );
+        });
         Some(amplitude)
     } else {
         sheet.warn(|| {
@@ -220,6 +237,7 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
             });
             let lag = sheet.found("φ", "deg", *lag, "Lag of its extremes behind those of the force");
             sheet.answer("exact_phase", "Phase lag, exact", lag);
+            sheet.verify(|| held_by(&shaken, lag.value(), sheet));
             amplitude
         }
         Steady::Stopping { amplitude, slides } => {
@@ -269,6 +287,32 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
         }
     }
     Ok(exact.value())
+}
+
+/// Holds the lag of the motion without stops to its first harmonic, by quadrature over a half cycle: in phase, the force
+/// holds spring and inertia, and a quarter of a cycle ahead, it does the work of the friction.
+fn held_by<W: Worksheet>(shaken: &DryForced, lag: f64, sheet: W) {
+    let DryForced { ratio, deflection, offset } = *shaken;
+    let parts = (8.0 + 8.0 / ratio).ceil();
+    if parts.is_nan() || parts > 400.0 {
+        return;
+    }
+    let over = |of: &dyn Fn(f64) -> f64| integral(of, [0.0, 1.0], parts as u32);
+    let cosine = 2.0 * over(&|part| shaken.sliding_at(part) * (PI * part).cos());
+    let size = deflection.max((1.0 + ratio * ratio) * cosine.abs());
+    sheet.check_zero(
+        "exact motion: spring and inertia of its first harmonic are held by the force in phase with its extremes",
+        W::Num::from((1.0 - ratio) * (1.0 + ratio) * cosine - deflection * lag.cos()),
+        size,
+    );
+    let work = 2.0 * PI * over(&|part| deflection * (PI * part + lag).sin() * shaken.sliding_at(part));
+    let way = 4.0 * shaken.sliding_at(0.0);
+    sheet.check_sum(
+        "exact motion: work of the force in a cycle, with that lag, is that of the friction",
+        W::Num::from(work),
+        W::Num::from(offset * way),
+        2.0 * PI * deflection * shaken.sliding_at(0.0),
+    );
 }
 
 fn stuck() -> Refusal {
@@ -323,6 +367,7 @@ fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) 
             ("Exact force: X² = (F₀V/k)² − (fU)² solved for F₀", DEN_HARTOG_1931.at("")),
         );
         sheet.verify(|| {
+            let exact = DryForced { deflection: exact_force.value() / stiffness.value(), ..exact };
             sheet.check(
                 "the work of the force in a cycle, summed along the exact motion, is that of the friction, 4FX",
                 W::Num::from(exact.sliding_work() * stiffness.value()),

@@ -144,6 +144,17 @@ impl Analysis for GunRecoil {
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("speed", "Speed at the start of the recoil", speed);
         sheet.answer("distance", "Distance of recoil", distance);
+        sheet.verify(|| {
+            sheet.check("with critical damping both roots −c/2m are −ωₙ", critical / (mass * 2.0), natural);
+            let since = total.value() - PI / 2.0 / natural.value();
+            if let Some([there, _]) = motion.integrated(since) {
+                sheet.check(
+                    "displacement at the end of both, by integration of the return after a quarter of the period",
+                    W::Num::from(there),
+                    given.remaining,
+                );
+            }
+        });
         sheet.answer("critical_damping", "Critical damping", critical);
         sheet.answer("recoil_time", "Time of the recoil", out);
         sheet.answer("return_time", "Time of the return", back);

@@ -102,8 +102,8 @@ impl Analysis for HarmonicForce {
             ("The motion lags the force by", RAO.at("§3.4")),
         );
         sheet.answer("phase", "Phase lag", phase);
-        let forces = system.forces(force, amplitude, sheet);
-        system.power(force, amplitude, phase, sheet);
+        let (velocity, forces) = system.forces(force, amplitude, sheet);
+        system.power(force, amplitude, (velocity, phase), sheet);
         resonances(&suspension, body, force, sheet);
         if let Some(start) = &given.start {
             let wave = self.start.as_ref().map_or(Wave::Sine, |start| start.wave);
@@ -206,9 +206,9 @@ fn strength<W: Worksheet>(
 }
 
 impl<N: Real> System<N> {
-    /// Velocity, acceleration and the forces in spring, damper and ground; the sizes of those of spring, damper and
-    /// inertia.
-    fn forces<W: Worksheet<Num = N>>(&self, force: N, amplitude: N, sheet: W) -> [f64; 3] {
+    /// Velocity, acceleration and the forces in spring, damper and ground; the velocity, and the sizes of the forces of
+    /// spring, damper and inertia.
+    fn forces<W: Worksheet<Num = N>>(&self, force: N, amplitude: N, sheet: W) -> (N, [f64; 3]) {
         let System { frequency, body: Body { mass, stiffness: k }, c, .. } = *self;
         let velocity = sheet.step("V", "mm/s", amplitude * frequency, "Amplitude of the velocity");
         let acceleration =
@@ -238,10 +238,10 @@ impl<N: Real> System<N> {
         sheet.answer("spring_force", "Force in the spring", spring);
         sheet.answer("damper_force", "Force in the damper", damper);
         sheet.answer("transmitted_force", "Force on the foundation", transmitted);
-        [spring, damper, mass * acceleration].map(Real::value)
+        (velocity, [spring, damper, mass * acceleration].map(Real::value))
     }
 
-    fn power<W: Worksheet<Num = N>>(&self, force: N, amplitude: N, phase: N, sheet: W) {
+    fn power<W: Worksheet<Num = N>>(&self, force: N, amplitude: N, (velocity, phase): (N, N), sheet: W) {
         let System { frequency, c, .. } = *self;
         let work = sheet.step(
             "E",
@@ -259,8 +259,14 @@ impl<N: Real> System<N> {
         sheet.verify(|| {
             sheet.check_zero(
                 "mean power from force, velocity and the angle between them",
-                force * frequency * amplitude * phase.sin() / 2.0 - power,
+                force * velocity * phase.sin() / 2.0 - power,
                 largest,
+            );
+            sheet.check_sum(
+                "work of the force in a cycle = energy that the damper takes, πF₀X sin φ",
+                force * amplitude * phase.sin() * PI,
+                work,
+                PI * force.value() * amplitude.value(),
             );
         });
         sheet.answer("work", "Energy lost in a cycle", work);
@@ -307,6 +313,11 @@ fn resonances<W: Worksheet>(suspension: &Suspension<W::Num>, body: Body<W::Num>,
             );
             sheet.answer("displacement_resonance", "Frequency of the largest displacement", displacement);
             sheet.answer("acceleration_resonance", "Frequency of the largest acceleration", acceleration);
+            sheet.check_zero(
+                "largest acceleration: there its slope over the frequency is zero, (ωₙ/ω)² = 1 − 2ζ²",
+                (natural / acceleration).powi(2) + zeta.powi(2) * 2.0 - 1.0,
+                1.0,
+            );
             sheet.answer("largest_amplitude", "Largest amplitude at any frequency", largest);
         }
         Loss::Hysteretic(eta) if eta.value() > 0.0 => {

@@ -181,6 +181,11 @@ impl Analysis for MassOnShaft {
             let frequency = sheet.step("f_l", "Hz", natural, COUNTED);
             sheet.answer("longitudinal_stiffness", "Longitudinal stiffness", k);
             sheet.answer("longitudinal", "Longitudinal frequency", frequency);
+            sheet.check(
+                "longitudinal: largest kinetic energy = largest elastic energy of the parts of the shaft",
+                mass * frequency.powi(2),
+                given.young * area / held.compliant_length(),
+            );
             found.push(("longitudinal", frequency.value()));
         }
         found.push(("transverse", transverse(given, mass, sheet).value()));
@@ -294,16 +299,21 @@ fn transverse<W: Worksheet>(given: &MassOnShaftGiven<W>, mass: W::Num, sheet: W)
         sdof::natural_frequency(k, mass),
         ("Transverse natural frequency", RAO.at("§2.2")),
     );
+    let frequency = sheet.step("f_q", "Hz", natural, COUNTED);
     sheet.verify(|| {
         let squares =
             moments.into_iter().map(|(length, p, q)| length * (p.powi(2) + p * q + q.powi(2)) / 3.0);
         sheet.check(
             "transverse stiffness from the elastic energy of the bending moments",
-            young * moment / W::Num::sum(squares.collect::<Vec<_>>()),
+            young * moment / W::Num::sum(squares.clone().collect::<Vec<_>>()),
             k,
         );
+        sheet.check(
+            "transverse: largest kinetic energy = largest elastic energy of the bending moments",
+            mass * frequency.powi(2),
+            young * moment / W::Num::sum(squares.collect::<Vec<_>>()),
+        );
     });
-    let frequency = sheet.step("f_q", "Hz", natural, COUNTED);
     sheet.answer("transverse_stiffness", "Transverse stiffness", k);
     sheet.answer("transverse", "Transverse frequency", frequency);
     frequency
@@ -359,6 +369,11 @@ fn torsional<W: Worksheet>(
     let frequency = sheet.step("f_t", "Hz", natural, COUNTED);
     sheet.answer("torsional_stiffness", "Torsional stiffness", k);
     sheet.answer("torsional", "Torsional frequency", frequency);
+    sheet.check(
+        "torsional: largest kinetic energy = largest elastic energy of the parts of the shaft",
+        mass * (torsion.radius * frequency).powi(2),
+        shear * polar / held.compliant_length(),
+    );
     frequency
 }
 

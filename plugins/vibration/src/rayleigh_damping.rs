@@ -101,6 +101,11 @@ impl Analysis for RayleighDamping {
                 rayleigh::damping_ratio(alpha, beta, at),
                 zeta,
             );
+            sheet.check(
+                "the damping ratio is the same an octave above its least one and an octave below",
+                rayleigh::damping_ratio(alpha, beta, at * 2.0),
+                rayleigh::damping_ratio(alpha, beta, at / 2.0),
+            );
             sheet.answer("least_frequency", "Frequency of the least damping", at);
             sheet.answer("least_damping_ratio", "Least damping ratio", zeta);
             least = Some((at.value(), zeta.value()));
@@ -120,6 +125,21 @@ impl Analysis for RayleighDamping {
                 ("Damping ratio at the asked frequency", CLOUGH.at("§12-6")),
             );
             sheet.answer("damping_ratio", "Damping ratio at the frequency", zeta);
+            sheet.verify(|| {
+                // 2ζω is a straight line over ω², through both modes.
+                let [low, here, high] = [first.frequency, asked, second.frequency].map(|w| w.powi(2));
+                let parts = [
+                    first.frequency * first.damping_ratio * (high - here) / (high - low),
+                    second.frequency * second.damping_ratio * (here - low) / (high - low),
+                ];
+                let size = parts.map(|part| part.value().abs()).iter().sum::<f64>();
+                sheet.check_sum(
+                    "damping ratio from the line of 2ζω over ω² through both modes",
+                    zeta * asked,
+                    parts[0] + parts[1],
+                    size.max((zeta * asked).value().abs()),
+                );
+            });
             if zeta.value() < 0.0 {
                 sheet.warn(|| {
                     Text::new("at the asked frequency the damping ratio is negative: such a mode grows")

@@ -210,6 +210,14 @@ impl Analysis for RotatingUnbalance {
                 given.unbalance / given.mass * sdof::unbalance_magnification(ratio, *most),
                 ("Steady amplitude with the largest damping", RAO.at("§3.7")),
             );
+            sheet.verify(|| {
+                let c = *most * given.mass * natural * 2.0;
+                sheet.check(
+                    "amplitude with the largest damping from the dynamic stiffness",
+                    sdof::unbalance_amplitude(given.unbalance, k, given.mass, c, given.speed),
+                    least,
+                );
+            });
             sheet.answer("least_amplitude", "Amplitude with the largest damping", least);
         }
         if zeta.value() > 0.0 && zeta.value() < FRAC_1_SQRT_2 {

@@ -1,5 +1,7 @@
 //! The undamped absorber: a mass on a spring that holds a machine still at one speed.
 
+use std::f64::consts::TAU;
+
 use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
 use dalembert_mechanics::Real;
 
@@ -328,6 +330,21 @@ impl Analysis for VibrationAbsorber {
                     let why = "Stiffness of each spring: at the radius ρ a turn θ stretches it by ρθ, and its force acts at ρ";
                     let each = sheet.step("k_s", "N/m", each, why);
                     sheet.answer("stiffness_each", "Stiffness of each spring", each);
+                    sheet.verify(|| {
+                        let (radius, each) = (given.radius.value(), each.value());
+                        // A spring at the angle of its place is pulled across the radius.
+                        let moment = |n: u32| {
+                            let (sine, cosine) = (TAU * f64::from(n) / f64::from(springs.count)).sin_cos();
+                            let arm = [radius * cosine, radius * sine];
+                            let force = [-each * radius * sine, each * radius * cosine];
+                            arm[0] * force[1] - arm[1] * force[0]
+                        };
+                        sheet.check(
+                            "moment of the springs about the centre for a turn of one, one by one",
+                            stiffness,
+                            W::Num::from((0..springs.count).map(moment).sum::<f64>()),
+                        );
+                    });
                 }
                 Ok(())
             }

@@ -56,6 +56,15 @@ pub(super) fn on_wires<W: Worksheet>(
                 of(given.mass * gravity, empty),
                 "Moment of inertia of the platform alone",
             );
+            sheet.verify(|| {
+                let lifted = lifted(radius.value(), above.value(), height.value());
+                let stiffness = given.mass.value() * gravity.value() * lifted;
+                sheet.check(
+                    "period of the platform alone from the height by which it is lifted as it turns",
+                    W::Num::from((alone.value() / stiffness).sqrt() * TAU),
+                    empty,
+                );
+            });
             let both = sheet.step("J_s", "kg*m^2", of((mass + given.mass) * gravity, time), why);
             if alone.value() >= both.value() {
                 return Err(Refusal::because(
@@ -139,6 +148,13 @@ pub(super) fn on_torsion_wire<W: Worksheet>(
         }
         _ => return Err(Refusal::because("what is known of the wire is missing: write it")),
     };
+    let stiffness = if matches!(wire, Wire::Stiffness { .. }) {
+        stiffness
+    } else {
+        let stiffness = sheet.step("k_t", "N*m/rad", stiffness, "Torsional stiffness of the wire");
+        sheet.answer("stiffness", "Torsional stiffness of the wire", stiffness);
+        stiffness
+    };
     sheet.verify(|| {
         sheet.check(
             "period of the body on the stiffness of the wire",
@@ -146,10 +162,6 @@ pub(super) fn on_torsion_wire<W: Worksheet>(
             time,
         );
     });
-    if !matches!(wire, Wire::Stiffness { .. }) {
-        let stiffness = sheet.step("k_t", "N*m/rad", stiffness, "Torsional stiffness of the wire");
-        sheet.answer("stiffness", "Torsional stiffness of the wire", stiffness);
-    }
     Ok(inertia)
 }
 

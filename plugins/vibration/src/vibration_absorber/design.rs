@@ -266,6 +266,11 @@ impl<N: Real> Main<N> {
             let why = ("Amplitude without the absorber", RAO.at("§3.3"));
             let before = sheet.step(motion.before(), unit, before, why);
             sheet.answer("amplitude_before", "Amplitude without the absorber", before);
+            sheet.check(
+                "without the absorber: inertia and spring balance the excitation, m|ω_m² − ω²|X = F₀",
+                self.mass * before * (self.natural.powi(2) - self.speed.powi(2)).abs(),
+                force,
+            );
         }
         let still = tuned || is_one(sdof::natural_frequency(stiffness, mass).value() / self.speed.value());
         let determinant = absorber::determinant(self.mass, self.stiffness, mass, stiffness, self.speed);

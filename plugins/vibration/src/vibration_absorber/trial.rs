@@ -123,6 +123,19 @@ pub(super) fn solve<W: Worksheet>(
             sheet.check("upper resonance, as an eigenvalue of both masses", upper, found[1]);
         }
     });
+    sheet.verify(|| {
+        let found = eigenvalues(&averaged, trial.value(), trial_stiffness.value());
+        if let Some(found) = found {
+            // p² + 1/p² = 2 + μ of both resonances, averaged.
+            let tuned = tuned.value().powi(2);
+            let sum = [first, second].map(|p| p.value().powi(2) + p.value().powi(-2)).iter().sum::<f64>() / 2.0;
+            sheet.check(
+                "main system by the mean: sum of the squares of its resonances with the trial absorber, as eigenvalues",
+                W::Num::from((found[0].powi(2) + found[1].powi(2)) / tuned),
+                W::Num::from(sum),
+            );
+        }
+    });
     let off = ratio.value() / mean.value() - 1.0;
     if off.abs() > 0.05 {
         sheet.warn(|| {
