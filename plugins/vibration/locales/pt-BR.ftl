@@ -709,6 +709,9 @@ mass-damping-and-stiffness-matrices = Matrizes de massa, amortecimento e rigidez
 masses = Massas
 masses-on-a-stretched-string = Massas em uma corda tracionada
 modal-analysis = Análise modal
+mode-mode-modal-stiffness-from-the-stiffness-matrix-k = modo { $mode }: rigidez modal pela matriz de rigidez, φᵀKφ
+mode-mode-i-d-is-a-root-of-det-m-c-k-0 = modo { $mode }: −ζω + iω_d é raiz de det(λ²M + λC + K) = 0
+damped-mode-place-powers-of-inertia-damping-and-stiffness-in-its-shape-v-m-c-k-v-0 = modo amortecido { $place }: potências de inércia, amortecimento e rigidez na sua forma, vᵀ(λ²M + λC + K)v = 0
 modal-mass = Massa modal
 nodes-counted-in-masses = Nós, contados em massas
 from-the-table-of-frequencies = Da tabela de frequências
@@ -734,6 +737,9 @@ moment-of-inertia-of-the-small-mass-about-the-pivot = Momento de inércia da peq
 moment-of-spring-and-weight-for-a-unit-turn-of-this-pendulum-the-other-held = Momento da mola e do peso para uma rotação unitária deste pêndulo, com o outro fixo
 moment-on-one-for-a-unit-turn-of-the-other-the-spring-pulls-it-along = Momento em um para uma rotação unitária do outro: a mola o arrasta
 motion-of-many-degrees-of-freedom-in-time = Movimento de vários graus de liberdade no tempo
+velocity-at-at-time-place-by-taylor-series-of-m-c-k-x-f-step-by-step = velocidade { $at } no instante { $place } por série de Taylor de M ẍ + C ẋ + K x = f, passo a passo
+the-velocity-at-is-zero-at-its-largest-displacement-by-taylor-series = a velocidade { $at } é zero no seu maior deslocamento, por série de Taylor
+largest-displacement-at-by-taylor-series-of-m-c-k-x-f-to-its-time = maior deslocamento { $at }, por série de Taylor de M ẍ + C ẋ + K x = f até o seu instante
 natural-frequencies-of-bounce-and-pitch-of-a-rigid-body-on-two-springs-and-the-nodes-about-which-it = Frequências naturais de salto vertical e arfagem de um corpo rígido sobre duas molas, e os nós em torno dos quais oscila.
 natural-frequencies-amplitude-ratios-and-beats-of-two-rods-or-pendulums-joined-by-a-spring = Frequências naturais, razões de amplitude e batimentos de duas barras ou pêndulos unidos por uma mola.
 natural-frequencies-mode-shapes-modal-masses-participation-and-damping-ratios-of-a-chain-of-masses-on = Frequências naturais, formas modais, massas modais, participação e razões de amortecimento de uma cadeia, de massas em uma corda ou de matrizes dadas.
@@ -1313,6 +1319,9 @@ without-the-absorber-and-without-damping-the-resonance-grows-with-time-without-b
 c-2-m-a-m-as-den-hartog-has-it = γ = c/(2 m_a ω_m), como em Den Hartog.
 # rotor-dynamics
 rotor-on-bearings-by-finite-elements = Rotor sobre mancais por elementos finitos
+area-of-the-orbit-over-the-squares-of-its-amplitudes-b-a-a-b = área da órbita sobre os quadrados das suas amplitudes, b a/(a² + b²)
+amplitude-and-phase-along-x-the-part-in-phase = amplitude e fase ao longo de x: a parte em fase
+amplitude-and-phase-along-x-a-quarter-turn-ahead = amplitude e fase ao longo de x: um quarto de volta à frente
 natural-frequencies-with-direction-of-whirl-and-damping-critical-speeds-unbalance-response-and = Frequências naturais com sentido da precessão e amortecimento, velocidades críticas, resposta ao desbalanceamento e limiar de estabilidade de um eixo escalonado com discos sobre mancais.
 shaft-segments = Trechos do eixo
 from-left-to-right = Da esquerda para a direita.
@@ -2934,6 +2943,9 @@ mass-place = massa { $place }
 
 # vibration/random-response
 random-response = Resposta aleatória
+the-square-of-the-rate-of-crossings-is-the-second-moment-of-the-response-over-that-of-order-zero = o quadrado da taxa de cruzamentos é o segundo momento da resposta sobre o de ordem zero
+root-mean-square-of-the-force-k-ic-of-spring-and-damper-on-the-displacement = valor eficaz da força k + icω de mola e amortecedor sobre o deslocamento
+force-of-the-spring-over-the-mass-under-white-noise-by-integration-over-all-frequencies = força da mola sobre a massa sob ruído branco, por integração em todas as frequências
 root-mean-square-of-displacement-and-acceleration-crossing-rate-and-three-sigma-values-of-one-degree = Valor eficaz do deslocamento e da aceleração, taxa de cruzamentos e valores de três sigmas de um grau de liberdade sob uma densidade espectral.
 stationary-gaussian-with-a-mean-of-zero = Estacionária, gaussiana, de média nula.
 spectral-density = Densidade espectral
@@ -3466,6 +3478,7 @@ bending-stiffness-in-the-plane-xy = Rigidez à flexão no plano xy
 bending-stiffness-in-the-plane-xz = Rigidez à flexão no plano xz
 bending-shear-and-rotary-inertia-timoshenko-with-cowper-s-shear-coefficient = Flexão, cisalhamento e inércia de rotação (Timoshenko), com o coeficiente de cisalhamento de Cowper
 cantilever-with-a-rigid-body-at-its-tip = Viga em balanço com um corpo rígido na ponta
+the-moments-of-the-masses-about-their-centre-cancel = os momentos das massas em torno do seu centro se anulam
 frequencies-and-coupled-motions-bending-in-two-planes-stretching-torsion-of-a-cantilever-with-masses = Frequências e movimentos acoplados (flexão em dois planos, alongamento, torção) de uma viga em balanço com massas em braços rígidos na ponta.
 mass-centre-of-the-body = Centro de massa do corpo
 mass-centre-of-the-body-what-of-it-stands-beside-the-axis-couples-the-motions = Centro de massa do corpo: o que está fora do eixo acopla os movimentos

@@ -184,7 +184,7 @@ impl Analysis for BeamWithTipBody {
                 sheet.check_zero(
                     Text::new("vibration {n}: the forces of beam and body at the tip hold each other")
                         .with("n", n),
-                    W::Num::from(mode.residual),
+                    W::Num::from(beam.left_over(&body, omega.value(), &mode.tip).unwrap_or(f64::NAN)),
                     1.0,
                 );
             });
@@ -194,6 +194,12 @@ impl Analysis for BeamWithTipBody {
         }
         sheet.answer("mass", "Mass of the body", total);
         sheet.answer_vector("centre", "Mass centre of the body", centre);
+        sheet.verify(|| {
+            let about = given.masses.iter().map(|mass| (mass.place - centre) * mass.mass);
+            let moment = W::Vec::sum(about).magnitude();
+            let size = self.masses.iter().map(|mass| mass.mass * mass.place.norm()).sum();
+            sheet.check_zero("the moments of the masses about their centre cancel", moment, size);
+        });
         sheet.show(|| motions(&modes));
         sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())

@@ -147,7 +147,7 @@ impl Analysis for HalfCar {
         if damped.any() && damped.proportional {
             ratios(&found, &damped, sheet);
         } else if damped.any() {
-            complex(&found, &damped, sheet)?;
+            complex(&system, &damped, &found, sheet)?;
         }
         sheet.show(|| {
             Exhibit::Drawing(Drawing { title: "The half-car".into(), shapes: self.shapes([0.0; 4]) })

@@ -10,6 +10,8 @@ use dalembert_mechanics::{
 };
 use nalgebra::{Complex, DMatrix, DVector};
 
+mod checks;
+
 use crate::{
     sources::{EWINS, RAO},
     system::{
@@ -87,7 +89,7 @@ impl Analysis for ModalAnalysis {
         if damped.any() && damped.proportional {
             ratios(&found, &damped, sheet);
         } else if damped.any() {
-            complex(&found, &damped, sheet)?;
+            complex(&system, &damped, &found, sheet)?;
         }
         self.exhibits(&system, &found, &damped, &shapes, sheet);
         Ok(())
@@ -140,6 +142,7 @@ pub(crate) fn masses<W: Worksheet>(
                 ("Modal stiffness φᵀKφ = ω²φᵀMφ", RAO.at("§6.11")),
             );
             sheet.answer(("modal_stiffness", mode + 1), "Modal stiffness", stiffness);
+            sheet.verify(|| checks::stiffness(system, &shape, mode + 1, stiffness, sheet));
         }
         if system.parallel {
             let excitation = unit.dot(&momenta);
@@ -167,6 +170,7 @@ pub(crate) fn masses<W: Worksheet>(
 
 /// Damping ratios where the damping leaves the modes alone.
 pub(crate) fn ratios<W: Worksheet>(found: &Found<W::Num>, damped: &ModalDamping, sheet: W) {
+    let mut shown = Vec::new();
     for (mode, frequency) in found.frequencies.iter().enumerate() {
         if frequency.value() == 0.0 {
             continue;
@@ -186,6 +190,7 @@ pub(crate) fn ratios<W: Worksheet>(found: &Found<W::Num>, damped: &ModalDamping,
         sheet.answer(("damping_ratio", mode + 1), "Damping ratio", ratio);
         if ratio.value() < 1.0 {
             let one = W::Num::from(1.0);
+            let natural = *frequency;
             let frequency = sheet.step(
                 ("ω_d", mode + 1),
                 "rad/s",
@@ -193,6 +198,7 @@ pub(crate) fn ratios<W: Worksheet>(found: &Found<W::Num>, damped: &ModalDamping,
                 ("Frequency of the free damped motion", RAO.at("§2.6")),
             );
             sheet.answer(("damped_frequency", mode + 1), "Damped frequency", frequency);
+            shown.push((mode + 1, [natural, ratio, frequency].map(Real::value)));
         } else {
             sheet.warn(|| {
                 Text::new("mode {mode} is overdamped: it returns without oscillating").with("mode", mode + 1)
@@ -204,6 +210,9 @@ pub(crate) fn ratios<W: Worksheet>(found: &Found<W::Num>, damped: &ModalDamping,
         if let Ok(all) = complex_modes(&found.modes, &damped.physical)
             && found.modes.squares[0] > 0.0
         {
+            for (mode, numbers) in shown {
+                checks::root(numbers, mode, &all, sheet);
+            }
             let lowest =
                 all.iter().filter(|mode| mode.root.im > 0.0).map(ComplexMode::natural).reduce(f64::min);
             if let (Some(lowest), true) = (lowest, damped.decay(0) < 1.99 * found.modes.squares[0].sqrt()) {
@@ -219,8 +228,9 @@ pub(crate) fn ratios<W: Worksheet>(found: &Found<W::Num>, damped: &ModalDamping,
 
 /// Complex modes, for damping that couples the modes.
 pub(crate) fn complex<W: Worksheet>(
+    system: &Assembled<W::Num>,
+    damping: &ModalDamping,
     found: &Found<W::Num>,
-    damped: &ModalDamping,
     sheet: W,
 ) -> Result<(), Refusal> {
     sheet.warn(|| {
@@ -229,7 +239,7 @@ pub(crate) fn complex<W: Worksheet>(
              damped modes are complex",
         )
     });
-    let all = complex_modes(&found.modes, &damped.physical).map_err(modes::refusal)?;
+    let all = complex_modes(&found.modes, &damping.physical).map_err(modes::refusal)?;
     let mut oscillations = 0;
     for (at, mode) in all.iter().take(SHOWN).enumerate() {
         let size = mode.natural();
@@ -264,6 +274,11 @@ pub(crate) fn complex<W: Worksheet>(
         sheet.answer(("complex_frequency", place), "Natural frequency of the damped mode", natural);
         sheet.answer(("damped_frequency", place), "Damped frequency", damped);
         sheet.answer(("damping_ratio", place), "Damping ratio", ratio);
+        sheet.verify(|| {
+            let shown = [natural, ratio, damped].map(Real::value);
+            let fastest = all[all.len() - 1].natural();
+            checks::complex((system, damping), shown, (place, mode), fastest, sheet);
+        });
         let lead = mode
             .shape
             .iter()
@@ -286,7 +301,7 @@ pub(crate) fn complex<W: Worksheet>(
     sheet.verify(|| {
         let sum: f64 =
             all.iter().map(|mode| if mode.root.im > 0.0 { 2.0 * mode.root.re } else { mode.root.re }).sum();
-        let trace = damped.matrix.trace();
+        let trace = damping.matrix.trace();
         sheet.check("the sum of all roots is −tr(M⁻¹C)", (-sum).into(), trace.into());
     });
     if oscillations == 0 {

@@ -3,11 +3,14 @@
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Inputs, Name, Plot, Refusal, Series, Symbol, Text, Worksheet, register,
 };
-use dalembert_mechanics::vibration::{
-    poles::Poles,
-    response::{Excitation, Harmonic, Motion, Piece, Push, by_series},
+use dalembert_mechanics::{
+    Real,
+    vibration::{
+        poles::Poles,
+        response::{Excitation, Harmonic, Motion, Piece, Push, state_by_series},
+    },
 };
-use nalgebra::{Complex, DVector};
+use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::{
     sources::RAO,
@@ -190,7 +193,8 @@ impl Analysis for MultiDegreeResponse {
         self.write(&system, &damped, &excitation, &poles, &motion, sheet)?;
         self.resonance(&found, &damped, sheet);
         sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
-        self.curves(&poles, &motion, duration, sheet)
+        let matrices = [&system.mass, &damped.physical, &system.stiffness];
+        self.curves(&poles, &motion, (matrices, &excitation), duration, sheet)
     }
 }
 
@@ -283,6 +287,7 @@ impl MultiDegreeResponse {
         for (place, asked) in self.times.iter().enumerate() {
             sheet.keep_going()?;
             let state = motion.state(asked.time);
+            let mut shown = Vec::with_capacity(self.observed.len());
             for row in &self.observed {
                 let at = row.coordinate;
                 let symbol = |base| Symbol::from(base).row(place + 1).row(at);
@@ -297,20 +302,28 @@ impl MultiDegreeResponse {
                 sheet.answer(("displacement", place + 1, at), "Displacement", x);
                 let v = sheet.found(symbol("v"), "m/s", v, "Velocity at that time");
                 sheet.answer(("velocity", place + 1, at), "Velocity", v);
+                shown.push([x.value(), v.value()]);
             }
             sheet.verify(|| {
                 if system.size() > 12 {
                     return;
                 }
                 let matrices = [&system.mass, &damped.physical, &system.stiffness];
-                let Ok(series) = by_series(matrices, excitation, asked.time, LIMIT) else { return };
-                for row in &self.observed {
+                let Ok([series, rates]) = state_by_series(matrices, excitation, asked.time, LIMIT) else { return };
+                for (row, [x, v]) in self.observed.iter().zip(shown) {
                     sheet.check_zero(
                         Text::new("displacement {at} at time {place} by Taylor series of M ẍ + C ẋ + K x = f, step by step")
                             .with("at", row.coordinate)
                             .with("place", place + 1),
-                        (poles.displacement(row.coordinate - 1, &state) - series[row.coordinate - 1]).into(),
+                        (x - series[row.coordinate - 1]).into(),
                         series.amax().max(excitation.position.amax()),
+                    );
+                    sheet.check_zero(
+                        Text::new("velocity {at} at time {place} by Taylor series of M ẍ + C ẋ + K x = f, step by step")
+                            .with("at", row.coordinate)
+                            .with("place", place + 1),
+                        (v - rates[row.coordinate - 1]).into(),
+                        rates.amax().max(excitation.velocity.amax()).max(series.amax() * fastest(poles)),
                     );
                 }
             });
@@ -343,6 +356,7 @@ impl MultiDegreeResponse {
         &self,
         poles: &Poles,
         motion: &Motion<'_>,
+        (matrices, excitation): ([&DMatrix<f64>; 3], &Excitation),
         duration: f64,
         sheet: W,
     ) -> Result<(), Refusal> {
@@ -369,6 +383,30 @@ impl MultiDegreeResponse {
             let time = sheet.found(("t_m", row.coordinate), "s", farthest.time, "Its time");
             sheet.answer(("largest", row.coordinate), "Largest displacement in the time shown", largest);
             sheet.answer(("largest_time", row.coordinate), "Time of the largest displacement", time);
+            sheet.verify(|| {
+                let at = time.value();
+                if matrices[0].nrows() > 12 {
+                    return;
+                }
+                let Ok([series, rates]) = state_by_series(matrices, excitation, at, LIMIT) else { return };
+                let size = series.amax().max(excitation.position.amax());
+                sheet.check_zero(
+                    Text::new(
+                        "largest displacement {at}, by Taylor series of M ẍ + C ẋ + K x = f to its time",
+                    )
+                    .with("at", row.coordinate),
+                    (largest.value() - series[row.coordinate - 1]).into(),
+                    size,
+                );
+                if farthest.time > 0.0 && farthest.time < duration {
+                    sheet.check_zero(
+                        Text::new("the velocity {at} is zero at its largest displacement, by Taylor series")
+                            .with("at", row.coordinate),
+                        rates[row.coordinate - 1].into(),
+                        rates.amax().max(size * fastest(poles)),
+                    );
+                }
+            });
         }
         sheet.show(|| {
             let series = self.observed.iter().take(4).map(|row| {
@@ -394,6 +432,11 @@ impl MultiDegreeResponse {
         });
         Ok(())
     }
+}
+
+/// The fastest root, rad/s.
+fn fastest(poles: &Poles) -> f64 {
+    poles.roots.iter().map(|root| root.norm()).fold(0.0, f64::max)
 }
 
 /// The pieces of a table of force.

@@ -179,10 +179,17 @@ impl<N: Real> Random<N> {
             let miles = sheet.step("σ_M", "m/s^2", random::miles(density, natural, ratio).sqrt(), why);
             let error =
                 sheet.step("ε_M", "%", (miles - acceleration) / acceleration, "How far Miles' value is off");
+            sheet.verify(|| {
+                let white = Random { spectrum: Spectrum::White(self.spectrum.at(wn)), scale: 1.0, system: self.system };
+                if let Ok(square) = white.integral(Weight { power: 0, constant: wn.powi(4), square: 0.0 }) {
+                    let what = "force of the spring over the mass under white noise, by integration over all frequencies";
+                    sheet.check(what, square.sqrt().into(), miles);
+                }
+            });
             sheet.answer("miles", "Acceleration by Miles' formula", miles);
             sheet.answer("miles_error", "Error of Miles' formula", error);
         }
-        crossings(displacement, velocity, sheet);
+        self.crossings(displacement, velocity, sheet);
         let why = "Three standard deviations: reached or passed 0.27 % of the time";
         let three = sheet.step("3σ_z", "mm", displacement * 3.0, why);
         sheet.answer("three_sigma_displacement", "Three-sigma relative displacement", three);
@@ -223,6 +230,15 @@ impl<N: Real> Random<N> {
         sheet.answer("displacement", "Root mean square of the displacement", displacement);
         sheet.answer("velocity", "Root mean square of the velocity", velocity);
         sheet.answer("support_force", "Root mean square of the force on the support", force);
+        sheet.verify(|| {
+            let stiffness = body.stiffness.value();
+            let damping = 2.0 * zeta * body.mass.value() * wn;
+            let weight = Weight { power: 0, constant: stiffness.powi(2), square: damping.powi(2) };
+            if let Some(square) = self.second(weight) {
+                let what = "root mean square of the force k + icω of spring and damper on the displacement";
+                sheet.check(what, square.sqrt().into(), force);
+            }
+        });
         if matches!(self.spectrum, Spectrum::White(_)) {
             sheet.warn(|| {
                 Text::new(
@@ -240,11 +256,29 @@ impl<N: Real> Random<N> {
             )?;
             sheet.answer("acceleration", "Root mean square of the acceleration", acceleration);
         }
-        crossings(displacement, velocity, sheet);
+        self.crossings(displacement, velocity, sheet);
         let why = "Three standard deviations: reached or passed 0.27 % of the time";
         let three = sheet.step("3σ_x", "mm", displacement * 3.0, why);
         sheet.answer("three_sigma_displacement", "Three-sigma displacement", three);
         Ok(())
+    }
+
+    /// How often the motion passes zero upwards.
+    fn crossings<W: Worksheet<Num = N>>(&self, displacement: N, velocity: N, sheet: W) {
+        let why = (
+            "Mean rate of crossings of zero upwards, by Rice: the frequency at which the motion seems to run",
+            RAO.at("ch. 14"),
+        );
+        let rate = sheet.step("ν₀", "Hz", velocity / displacement, why);
+        sheet.answer("crossing_rate", "Mean rate of upward crossings of zero", rate);
+        sheet.verify(|| {
+            let moment = |power| self.second(Weight { power, constant: 1.0, square: 0.0 });
+            if let (Some(zeroth), Some(second)) = (moment(0), moment(2)) {
+                let what =
+                    "the square of the rate of crossings is the second moment of the response over that of order zero";
+                sheet.check(what, (second / zeroth).into(), rate.powi(2));
+            }
+        });
     }
 
     /// A root mean square: by its closed form under white noise, else by adaptive integration.
@@ -290,6 +324,16 @@ impl<N: Real> Random<N> {
             }
         });
         Ok(value)
+    }
+
+    /// A mean square in the way that is not its first one.
+    fn second(&self, weight: Weight) -> Option<f64> {
+        if let Spectrum::White(_) = self.spectrum {
+            return self.integral(weight).ok();
+        }
+        let mode = self.resonance();
+        let about = [mode.natural, mode.natural * mode.ratio];
+        Some(integrate_about(|omega| self.integrand(weight, omega), &self.spectrum.ends(), about))
     }
 
     fn integrand(&self, weight: Weight, omega: f64) -> f64 {
@@ -352,14 +396,4 @@ impl<N: Real> Random<N> {
             vec![Series::line(labels[0], excitation), Series::line(labels[1], response)],
         )
     }
-}
-
-/// How often the motion passes zero upwards.
-fn crossings<W: Worksheet>(displacement: W::Num, velocity: W::Num, sheet: W) {
-    let why = (
-        "Mean rate of crossings of zero upwards, by Rice: the frequency at which the motion seems to run",
-        RAO.at("ch. 14"),
-    );
-    let rate = sheet.step("ν₀", "Hz", velocity / displacement, why);
-    sheet.answer("crossing_rate", "Mean rate of upward crossings of zero", rate);
 }

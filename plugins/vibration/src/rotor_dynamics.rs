@@ -387,10 +387,10 @@ impl RotorDynamics {
         sheet.answer(("damping_ratio", n), "Damping ratio", zeta);
         sheet.answer(("log_decrement", n), "Logarithmic decrement", decrement);
         if self.speed > 0.0 {
-            let orbit = (0..all.nodes())
-                .map(|node| exact.orbit(node))
-                .max_by(|a, b| a.major.total_cmp(&b.major))
-                .map_or(0.0, |orbit| orbit.minor / orbit.major);
+            let widest = (0..all.nodes())
+                .map(|node| (node, exact.orbit(node)))
+                .max_by(|(_, a), (_, b)| a.major.total_cmp(&b.major));
+            let orbit = widest.map_or(0.0, |(_, orbit)| orbit.minor / orbit.major);
             let ratio = if orbit.abs() < 1e-9 { 0.0 } else { orbit };
             let how = (
                 Text::new(
@@ -402,6 +402,16 @@ impl RotorDynamics {
             );
             let whirl = sheet.found(("b/a", n), "1", ratio, how);
             sheet.answer(("whirl", n), "Short over long axis of the orbit, + with the spin", whirl);
+            sheet.verify(|| {
+                let Some((node, _)) = widest else { return };
+                let [x, _, y, _] = exact.shape[node];
+                let (area, squares) = ((x * y.conj()).im, x.norm_sqr() + y.norm_sqr());
+                sheet.check_zero(
+                    "area of the orbit over the squares of its amplitudes, b a/(a² + b²)",
+                    (whirl.value() / (1.0 + whirl.value().powi(2)) - area / squares).into(),
+                    1.0,
+                );
+            });
         }
         Some(lambda)
     }
@@ -515,7 +525,7 @@ impl RotorDynamics {
                 (Text::new(words).with_text("direction", in_words(edge.mode.direction())), ZORZI.at(""));
             let speed = sheet.found(symbol, "rpm", edge.speed, how);
             sheet.verify(|| {
-                let there = modes::energy_eigenvalue(all, &edge.mode, edge.speed);
+                let there = modes::energy_eigenvalue(all, &edge.mode, speed.value());
                 sheet.check_zero(
                     "at the limit of stability the mode neither grows nor dies away",
                     W::Num::from(there.map_or(f64::NAN, |lambda| lambda.re)),
@@ -654,6 +664,19 @@ impl RotorDynamics {
                 "Phase of the motion along x ahead of the mark on the shaft",
             );
             sheet.answer("response_phase", "Phase along x, ahead of the mark", phase);
+            let size = along_x.value();
+            sheet.check_sum(
+                "amplitude and phase along x: the part in phase",
+                along_x * phase.cos(),
+                xc,
+                size,
+            );
+            sheet.check_sum(
+                "amplitude and phase along x: a quarter turn ahead",
+                along_x * phase.sin(),
+                xs,
+                size,
+            );
         }
         Ok(())
     }

@@ -136,6 +136,17 @@ impl Cantilever {
         Ok((stiffness, below))
     }
 
+    /// What is left of the forces at the tip that moves so at a frequency, over the size of the stiffness.
+    ///
+    /// # Errors
+    /// As for [`Cantilever::modes`].
+    pub fn left_over(&self, body: &[Point], frequency: f64, tip: &Vector6<f64>) -> Result<f64, BeamError> {
+        let inertia = self.mass_matrix(body)? * frequency.powi(2);
+        let (stiffness, _) = self.tip(frequency)?;
+        let size = stiffness.norm() + inertia.norm();
+        Ok(((stiffness - inertia) * tip).norm() / (size * tip.norm()))
+    }
+
     /// The directions of the tip that no force holds, so many of them, and what is left of the forces.
     fn shapes(
         &self,

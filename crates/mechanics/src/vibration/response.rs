@@ -233,11 +233,24 @@ fn later(poles: &Poles, state: &[Complex<f64>], law: &[[Complex<f64>; 2]], time:
 /// # Errors
 /// `Singular` mass; `TooLarge` when more than `limit` steps would be needed.
 pub fn by_series(
-    [m, c, k]: [&DMatrix<f64>; 3],
+    matrices: [&DMatrix<f64>; 3],
     excitation: &Excitation,
     time: f64,
     limit: usize,
 ) -> Result<DVector<f64>, LinalgError> {
+    state_by_series(matrices, excitation, time, limit).map(|[displacements, _]| displacements)
+}
+
+/// The displacements and the velocities at a time, as [`by_series`].
+///
+/// # Errors
+/// As for [`by_series`].
+pub fn state_by_series(
+    [m, c, k]: [&DMatrix<f64>; 3],
+    excitation: &Excitation,
+    time: f64,
+    limit: usize,
+) -> Result<[DVector<f64>; 2], LinalgError> {
     const TERMS: usize = 24;
     let n = m.nrows();
     let over_mass = |a: &DMatrix<f64>| -> Result<DMatrix<f64>, LinalgError> {
@@ -301,7 +314,7 @@ pub fn by_series(
                 .fold(DVector::zeros(n), |sum, (order, term)| sum + term * (order as f64 / h));
         }
     }
-    Ok(x)
+    Ok([x, v])
 }
 
 impl Push {
