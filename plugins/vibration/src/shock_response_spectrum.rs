@@ -233,10 +233,10 @@ impl Spectrum<'_> {
         Some([at(primary)?.abs(), at(residual)?.abs()])
     }
 
-    /// How far, as a part of the frequency, the spectrum is from being level, and what rounding makes of that; by
-    /// differences of sixth order.
-    fn off_level(&self, frequency: f64) -> Option<[f64; 2]> {
-        let step = 2e-3;
+    /// How far, as a part of the frequency, the spectrum is from its top, by differences of sixth order, and what rounding
+    /// makes of that; `None` where it has no top there. The step is relative to the frequency; it must be short enough for
+    /// its sixth power to vanish.
+    fn off_level(&self, frequency: f64, step: f64) -> Option<[f64; 2]> {
         let at = |n: f64| self.at(frequency * (1.0 + n * step)).map(|ordinate| ordinate.maximax()).ok();
         let here = at(0.0)?;
         let [mut slope, mut bend] = [0.0, -490.0 * here];
@@ -246,7 +246,7 @@ impl Spectrum<'_> {
             bend += even * (right + left);
         }
         let bend = bend / (180.0 * step * step);
-        Some([slope / (60.0 * step) / bend, 1e-14 * here / (step * bend)])
+        (bend < 0.0).then(|| [slope / (60.0 * step) / bend, 1e-14 * here / (step * bend)])
     }
 
     /// The spectrum at frequencies of equal ratios.
@@ -266,35 +266,41 @@ impl Spectrum<'_> {
             .collect()
     }
 
+    /// Whether the larger of primary and residual is the same one over the reach of differences, at its ends and a little
+    /// beyond.
+    fn is_smooth(&self, frequency: f64, step: f64) -> bool {
+        let residual = |n: f64| {
+            self.at(frequency * (1.0 + n * step)).is_ok_and(|ordinate| ordinate.residual > ordinate.primary)
+        };
+        let here = residual(0.0);
+        [-4.0, -2.0, 2.0, 4.0].into_iter().all(|n| residual(n) == here)
+    }
+
     /// The frequency of the greatest ordinate between two, by Newton's steps on differences of sixth order from a start
-    /// between them; `None` where the spectrum has a corner there.
-    fn peak(&self, [below, start, above]: [f64; 3]) -> Option<f64> {
-        let mut frequency = start;
-        let mut last = f64::INFINITY;
-        for _ in 0..6 {
-            // Relative to the frequency; short enough for the sixth power to vanish.
-            let step = 4e-3;
-            let at = |n: f64| {
-                self.at(frequency * (1.0 + n * step)).map_or(f64::NAN, |ordinate| ordinate.maximax())
-            };
-            let sides = [1.0, 2.0, 3.0].map(|n| [at(n), at(-n)]);
-            let [one, two, three] = sides.map(|[right, left]| right - left);
-            let slope = (45.0 * one - 9.0 * two + three) / (60.0 * step);
-            let [one, two, three] = sides.map(|[right, left]| right + left);
-            let bend = (270.0 * one - 27.0 * two + 2.0 * three - 490.0 * at(0.0)) / (180.0 * step * step);
-            if bend.is_nan() || bend >= 0.0 {
-                return None;
+    /// between them, and the step of the last differences; `None` where the spectrum has a corner there. Shorter steps
+    /// follow as long as rounding lets them: they leave out a corner near by.
+    fn peak(&self, [below, start, above]: [f64; 3]) -> Option<[f64; 2]> {
+        let newton = |mut frequency: f64, step: f64| {
+            for _ in 0..6 {
+                let [off, rounding] = self.off_level(frequency, step)?;
+                frequency *= 1.0 - off;
+                if !(below..=above).contains(&frequency) {
+                    return None;
+                }
+                if off.abs() < 1e-7 {
+                    return Some((frequency, rounding.abs()));
+                }
             }
-            last = -slope / bend;
-            frequency *= 1.0 + last;
-            if !(below..=above).contains(&frequency) {
-                return None;
-            }
-            if last.abs() < 1e-7 {
-                break;
+            None
+        };
+        let mut found = [newton(start, 4e-3)?.0, 4e-3];
+        for step in [1e-3, 2.5e-4] {
+            match newton(found[0], step) {
+                Some((frequency, rounding)) if rounding < 1e-9 => found = [frequency, step],
+                _ => break,
             }
         }
-        (last.abs() < 1e-7).then_some(frequency)
+        Some(found)
     }
 }
 
@@ -461,7 +467,7 @@ fn largest<W: Worksheet>(
         spectrum.peak([at - 1, at, at + 1].map(|n| curve[n].frequency))
     };
     let greatest = match peak {
-        Some(frequency) => spectrum.at(frequency)?,
+        Some([frequency, _]) => spectrum.at(frequency)?,
         None => curve[at],
     };
     let why = match peak {
@@ -487,7 +493,7 @@ fn largest<W: Worksheet>(
             sheet.check(what, greatest_value, W::Num::from(one.max(other)));
         }
     });
-    if let Some(frequency) = peak {
+    if let Some([frequency, step]) = peak {
         let frequency = sheet.found("fₘ", "Hz", frequency, "Its natural frequency");
         sheet.answer("largest_frequency", "Natural frequency of the greatest ordinate", frequency);
         if let Some((_, duration)) = pulse {
@@ -502,7 +508,11 @@ fn largest<W: Worksheet>(
             let higher = beside(0.99).max(beside(1.01)) - greatest.maximax();
             let what = "the spectrum is lower at both sides of its greatest ordinate";
             sheet.check_zero(what, higher.max(0.0).into(), greatest.maximax());
-            if let Some([off, rounding]) = spectrum.off_level(frequency.value()) {
+            // With a longer step there is a corner near by, which differences do not see.
+            if step < 1e-3
+                && spectrum.is_smooth(frequency.value(), step)
+                && let Some([off, rounding]) = spectrum.off_level(frequency.value(), 0.7 * step)
+            {
                 let what = "the slope of the spectrum is zero at its greatest ordinate";
                 sheet.check_residual(what, off.into(), 1.0, rounding);
             }
