@@ -231,8 +231,8 @@ pub fn instability(reduced: &Reduced<'_>, campbell: &Campbell) -> Result<Instabi
     // Where the last of the lowest modes is one of a pair, either may be the one that is looked at, and what grows would
     // come and go: then more of them are.
     for more in 0..MOST_MORE {
-        let (found, jumps) = bands(reduced, &campbell.speeds, reduced.count + more)?;
-        if !jumps {
+        let (found, settled) = bands(reduced, &campbell.speeds, reduced.count + more)?;
+        if settled {
             return Ok(found);
         }
     }
@@ -242,9 +242,9 @@ pub fn instability(reduced: &Reduced<'_>, campbell: &Campbell) -> Result<Instabi
 /// So many modes more are looked at for stability at most.
 const MOST_MORE: usize = 4;
 
-/// The bands of the lowest modes, and whether a change of sign was no zero.
+/// The bands of the lowest modes, and whether every change of sign was a zero.
 fn bands(reduced: &Reduced<'_>, speeds: &[f64], count: usize) -> Result<(Instability, bool), RotorError> {
-    let mut jumps = false;
+    let mut settled = true;
     let of = |spectrum: &Spectrum| (spectrum.speed, growth(most_unstable(spectrum)));
     let look = |speed: f64| Ok::<_, RotorError>(of(&reduced.lowest(speed, count)?));
     let mut seen: Vec<(f64, f64)> = speeds.iter().map(|&speed| look(speed)).collect::<Result<_, _>>()?;
@@ -273,11 +273,12 @@ fn bands(reduced: &Reduced<'_>, speeds: &[f64], count: usize) -> Result<(Instabi
         let end = match zero(reduced, ends, at, function, |lambda, _| lambda.re)? {
             Found::Refined(critical) => Some(critical),
             Found::Lost(speed) => {
+                settled = false;
                 all.lost.push(speed);
                 None
             }
             Found::Jump => {
-                jumps = true;
+                settled = false;
                 all.lost.push(0.5 * (ends[0].0 + ends[1].0));
                 None
             }
@@ -290,7 +291,7 @@ fn bands(reduced: &Reduced<'_>, speeds: &[f64], count: usize) -> Result<(Instabi
     if let Some(from) = open {
         all.bands.push(Band { from, to: None });
     }
-    Ok((all, jumps))
+    Ok((all, settled))
 }
 
 /// A step between two speeds of a diagram is divided so many times at most.

@@ -111,6 +111,12 @@ fn random_rotors_are_answered_and_their_checks_hold() {
     answered(0..24);
 }
 
+/// The third and the fourth mode of this one have the same frequency at a low speed, and the one of them grows.
+#[test]
+fn a_mode_that_grows_beside_the_last_one_is_looked_at() {
+    answered(127..128);
+}
+
 /// The same of many more, as `cargo xtask soak rotors` runs it.
 #[test]
 #[ignore = "takes minutes"]
