@@ -2012,7 +2012,7 @@ envelope-displacement-and-velocity-without-that-of-the-decay-over-d-as-two-legs 
 acceleration-as-the-second-derivative-of-the-displacement = aceleração como derivada segunda do deslocamento
 a-release-from-rest-the-displacement-half-a-cycle-later-by-integration-of-the-equation-of-motion = soltura do repouso: o deslocamento meio ciclo depois, por integração da equação de movimento
 a-release-from-rest-the-energy-a-cycle-later-by-integration-of-the-equation-of-motion = soltura do repouso: a energia um ciclo depois, por integração da equação de movimento
-envelope-at-the-start-from-the-motion-an-eighth-of-a-cycle-later-by-integration-of-its-equation = envoltória no início: pelo movimento um oitavo de ciclo depois, por integração da sua equação
+envelope-at-the-start-from-the-motion-a-little-later-by-integration-of-its-equation = envoltória no início: pelo movimento um pouco depois, integrando a sua equação
 displacement-at-the-first-turning-point-by-integration-of-the-equation-of-motion = deslocamento no primeiro ponto de retorno, por integração da equação de movimento
 envelope-at-its-settling-time-by-integration-of-the-equation-of-motion = envoltória no seu tempo de acomodação, por integração da equação de movimento
 energy-that-is-gone-work-of-the-damper-cv-dt-by-quadrature = energia que se foi = trabalho do amortecedor, ∫cv²dt por quadratura

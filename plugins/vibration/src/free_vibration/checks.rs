@@ -36,14 +36,16 @@ pub(super) fn cycle<W: Worksheet>(zeta: W::Num, lost: W::Num, overshoot: W::Num,
     }
 }
 
-/// The envelope at the start, from the motion an eighth of a cycle later.
+/// The envelope at the start, from the motion an eighth of a cycle later, or as soon as it has fallen to `1/e`: near
+/// critical damping a cycle is so long that nothing is left.
 pub(super) fn amplitude<W: Worksheet>(form: &Form<W::Num>, motion: &FreeMotion, sheet: W) {
     let Some(size) = form.size() else { return };
-    let time = PI / 4.0 / motion.damped_frequency();
+    let rate = motion.damping_ratio * motion.natural_frequency;
+    let time = (PI / 4.0 / motion.damped_frequency()).min(1.0 / rate.abs());
     if let Some(squared) = envelope_squared(motion, time) {
-        let grown = (2.0 * motion.damping_ratio * motion.natural_frequency * time).exp();
+        let grown = (2.0 * rate * time).exp();
         sheet.check(
-            "envelope at the start: from the motion an eighth of a cycle later, by integration of its equation",
+            "envelope at the start: from the motion a little later, by integration of its equation",
             size.powi(2),
             W::Num::from(squared * grown),
         );
