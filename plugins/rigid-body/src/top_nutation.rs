@@ -455,7 +455,7 @@ fn precession_over_time(motion: &Nutation) -> Plot {
         vec![
             Series::line("φ", times.clone().map(|t| (t, motion.at(t).precession)).collect())
                 .of("precession_angle"),
-            Series::line("on average", times.map(|t| (t, motion.mean_precession() * t)).collect()),
+            Series::line("on average", times.map(|t| (t, motion.advance() * t / motion.period())).collect()),
         ],
     )
     .over("instant")

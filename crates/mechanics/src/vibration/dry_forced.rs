@@ -157,9 +157,8 @@ impl DryForced {
         let mut slides: Vec<Slide> = Vec::new();
         for n in 1..=400u32 {
             slides.clear();
-            let end = cycle * f64::from(n);
             let (mut least, mut most) = (x, x);
-            while tau < end {
+            while tau < cycle {
                 pieces += 1;
                 if pieces > 4000 {
                     return Steady::NotSettled;
@@ -173,7 +172,7 @@ impl DryForced {
                     tau = leave;
                     direction
                 };
-                if tau >= end {
+                if tau >= cycle {
                     break;
                 }
                 let Some((at, to)) = self.slide(x, tau, direction) else { return Steady::NotSettled };
@@ -185,8 +184,50 @@ impl DryForced {
                 return Steady::Stopping { amplitude: (most - least) / 2.0, slides };
             }
             before = [least, most];
+            // Time is counted from the beginning of the cycle, so that its rounding does not grow.
+            tau -= cycle;
+            // Close to the largest friction that lets the mass move, a motion gains on its limit by ever smaller shares.
+            if n >= 40
+                && let Some(steady) = self.two_stops(-least, most)
+            {
+                return steady;
+            }
         }
         Steady::NotSettled
+    }
+
+    /// The motion that rests once at each extreme, a slide's end being the opposite of its start: the fixed point of the
+    /// half cycle near its last two extremes, m. `None` where there is no such motion.
+    fn two_stops(&self, one: f64, other: f64) -> Option<Steady> {
+        let Self { ratio: r, deflection: s, offset: f } = *self;
+        let up = |x: f64| {
+            let from = -((f - x) / s).acos() / r;
+            let (until, end) = self.slide(-x, from, 1.0)?;
+            Some(Slide { from, start: -x, direction: 1.0, until, end })
+        };
+        let gain = |x: f64| up(x).map_or(f64::NAN, |slide| slide.end - x);
+        let [mut low, mut high] = [one.min(other), one.max(other)];
+        let mut step = (high - low).max(1e-9 * s);
+        while gain(low) < 0.0 {
+            low -= step;
+            step *= 2.0;
+        }
+        while gain(high) > 0.0 {
+            high += step;
+            step *= 2.0;
+        }
+        let found = roots::find(gain, [low, high], |_| ControlFlow::Continue(())).ok()?;
+        let up = up(found)?;
+        let half = PI / r;
+        let rests = up.until <= up.from + half;
+        let down = Slide {
+            from: up.from + half,
+            start: up.end,
+            direction: -1.0,
+            until: up.until + half,
+            end: -up.end,
+        };
+        rests.then(|| Steady::Stopping { amplitude: found, slides: vec![up, down] })
     }
 
     /// When a mass at rest at `x` since `from` begins to move, and which way.
@@ -206,21 +247,27 @@ impl DryForced {
         [next(1.0), next(-1.0)].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// Displacement and velocity (over `τ`) in a slide.
+    /// Displacement and velocity (over `τ`) in a slide: free vibration about the offset from the start at rest, and the
+    /// response to the force, `(cos rt − cos t)/(1 − r²)` and `(sin rt − r sin t)/(1 − r²)` written so that nothing
+    /// cancels near resonance.
     pub fn sliding_from(&self, slide: &Slide, tau: f64) -> [f64; 2] {
         let Self { ratio: r, deflection: s, offset: f } = *self;
-        let steady = |at: f64| {
-            if r == 1.0 {
-                [s * at / 2.0 * at.sin(), s / 2.0 * (at.sin() + at * at.cos())]
-            } else {
-                let q = s * response_function(r);
-                [q * (r * at).cos(), -q * r * (r * at).sin()]
-            }
-        };
+        let t = tau - slide.from;
+        let detuning = 1.0 - r;
+        // sin((1 − r)t/2) over (1 − r)/2
+        let beat = if detuning == 0.0 { t } else { 2.0 * (detuning * t / 2.0).sin() / detuning };
+        let [mean_sine, mean_cosine] = [((1.0 + r) * t / 2.0).sin(), ((1.0 + r) * t / 2.0).cos()];
+        let cosine = mean_sine * beat / (1.0 + r);
+        let cosine_rate = (mean_cosine * beat + (r * t).sin()) / (1.0 + r);
+        let sine = (t.sin() - mean_cosine * beat) / (1.0 + r);
+        let sine_rate = r * cosine;
+        let [in_phase, quadrature] = [s * (r * slide.from).cos(), -s * (r * slide.from).sin()];
         let centre = -slide.direction * f;
-        let ([p0, v0], [p, v]) = (steady(slide.from), steady(tau));
-        let (a, b, t) = (slide.start - centre - p0, -v0, tau - slide.from);
-        [centre + a * t.cos() + b * t.sin() + p, b * t.cos() - a * t.sin() + v]
+        let away = slide.start - centre;
+        [
+            centre + away * t.cos() + in_phase * cosine + quadrature * sine,
+            in_phase * cosine_rate + quadrature * sine_rate - away * t.sin(),
+        ]
     }
 
     /// Work of the force in a slide over `k`, m², by summation of `s cos rτ` along the way.

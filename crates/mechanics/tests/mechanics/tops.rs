@@ -218,7 +218,7 @@ fn traces_have_their_names() {
         let motion = found(body.released(theta, 0.0, steady, 160.0));
         let [high, low] = motion.limits();
         assert!((high - theta).abs() < 1e-7 && (low - theta).abs() < 1e-7, "{high} {low}");
-        close(motion.mean_precession(), steady, 1e-7);
+        close(motion.advance() / motion.period(), steady, 1e-7);
         let frequency = top::nutation_frequency(body.axial / body.transverse, 160.0, steady, theta);
         close(TAU / motion.period(), frequency, 1e-7);
     }

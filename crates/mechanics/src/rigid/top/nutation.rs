@@ -244,11 +244,6 @@ impl Nutation {
         self.in_span.0
     }
 
-    /// Precession on average, rad/s.
-    pub fn mean_precession(&self) -> f64 {
-        self.advance() / self.period()
-    }
-
     /// The precession `φ̇` at the highest and at the lowest position, rad/s.
     pub fn precession_at_limits(&self) -> [f64; 2] {
         [self.high, self.low].map(|at| self.precession_rate(at))
