@@ -29,6 +29,8 @@ const STEPS_OF_BODIES: usize = 1_000_000;
 const MOMENTS: usize = 241;
 /// An energy balance further off than this part of the energies is warned of.
 const DOUBTFUL: f64 = 1e-9;
+/// One further off than this part of them has lost more than digits at a singular position: it fails.
+const WRONG: f64 = 1e-5;
 
 /// A mechanism in the plane, drawn in x and y, and left to its loads; joints with friction stick and slip.
 ///

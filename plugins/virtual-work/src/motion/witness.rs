@@ -6,7 +6,7 @@ use dalembert_mechanics::{
     planar::{self, Braked, Contact, Frame, Run, State},
 };
 
-use super::{DOUBTFUL, STEPS, Solved};
+use super::{DOUBTFUL, STEPS, Solved, WRONG};
 use crate::parts::Load;
 
 impl Solved<'_> {
@@ -106,14 +106,16 @@ impl Solved<'_> {
         );
         sheet.answer("work", "Work done since the start", work);
         let left = self.moved.imbalance();
+        let what = "the energy balance T + V − W over the motion";
         if left > DOUBTFUL * size {
             sheet.warn(|| {
                 Text::new("the energy balance is held to {left} alone, of {size}: at a dead centre or change point the motion hangs on what is lost there")
                     .with_quantity("left", left, "J")
                     .with_quantity("size", size, "J")
             });
+            sheet.check_residual(what, left.into(), size, WRONG * size);
         } else {
-            sheet.check_zero("the energy balance T + V − W over the motion", left.into(), size);
+            sheet.check_zero(what, left.into(), size);
             let end = kinetic.value() + gained.value() - work.value();
             let what = "T + V − W at the end is the kinetic energy of the start";
             sheet.check_residual(what, (end - first.kinetic).into(), size, self.tolerance * size);
