@@ -53,7 +53,8 @@ fn a_number_alone_keeps_the_unit_of_its_field() {
         ("<del>600+600<enter>", "(600+600) rpm"),
         ("20 Hz<enter>", "20 Hz"),
         ("20 Hz<enter>30<enter>", "30 Hz"),
-        ("<del><enter>30<enter>", "30"),
+        ("<del><enter>30<enter>", "30 rad/s"),
+        ("<del><enter>1/2<enter>", "1/2 rad/s"),
     ] {
         let mut person = fan();
         person.types("<end>").types(typed);

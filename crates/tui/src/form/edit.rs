@@ -1,12 +1,12 @@
 //! Typing in a field.
 
-use dalembert_core::{Draft, Shape};
+use dalembert_core::Draft;
 use dalembert_units::{Decimal, Unit};
 use tui_input::Input;
 
 use super::{
     Change, Form, Line, Role, settled,
-    units::{with_unit, written_unit},
+    units::{own_unit, with_unit, written_unit},
 };
 
 /// A field that is being typed in.
@@ -18,7 +18,7 @@ pub struct Edit {
     pub input: Input,
     /// Everything as it was before.
     before: Draft,
-    /// The unit that the field showed: a number alone keeps it.
+    /// The unit of a number that is typed alone: the one that the field showed, or its own.
     unit: Option<Unit>,
 }
 
@@ -38,7 +38,7 @@ impl Form {
             return false;
         };
         let replaced = text.is_some();
-        let unit = written_unit(&old, &shape);
+        let unit = written_unit(&old, &shape).or_else(|| own_unit(&shape));
         let input = Input::new(text.unwrap_or(old));
         self.edit = Some(Edit { path, input, before: self.draft.clone(), unit });
         if replaced {
@@ -84,12 +84,10 @@ impl Form {
     /// The unit of a number that is typed alone on this line.
     pub fn unit_of_number(&self, line: &Line) -> Option<Unit> {
         let Role::Leaf { text, shape } = &line.role else { return None };
-        let (Shape::Quantity(measure) | Shape::Vector(measure, _)) = shape else { return None };
-        let kept = match self.edit.as_ref().filter(|edit| edit.path == line.path) {
+        match self.edit.as_ref().filter(|edit| edit.path == line.path) {
             Some(edit) => edit.unit.clone(),
-            None => written_unit(text, shape),
-        };
-        Some(kept.unwrap_or_else(|| measure.own_unit()))
+            None => written_unit(text, shape).or_else(|| own_unit(shape)),
+        }
     }
 
     /// A sign that is about to be taken for more or less.

@@ -71,6 +71,11 @@ fn is_number(text: &str, shape: &Shape) -> bool {
     read(text, shape, &Unit::ONE, Kind::Other).is_some_and(|(_, unit)| unit.text.is_empty())
 }
 
+/// The unit that a number alone is taken in; `None` for what has none.
+pub(super) fn own_unit(shape: &Shape) -> Option<Unit> {
+    asked(shape).map(|(own, _)| own).filter(|own| !own.text.is_empty())
+}
+
 /// The unit and the kind that are asked for.
 fn asked(shape: &Shape) -> Option<(Unit, Kind)> {
     match shape {
