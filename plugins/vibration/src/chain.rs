@@ -59,11 +59,6 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
             CHOPRA.at("§10.2"),
         );
         let natural = sheet.found(Symbol::from("ω").row(n + 1), "rad/s", numbers.natural, why);
-        sheet.verify(|| {
-            let residual = base_modes::holzer_residual(&weights, &springs, numbers.natural);
-            let what = "the base is at rest when Holzer's table walks the chain at this frequency";
-            sheet.check_zero(what, residual.into(), 1.0);
-        });
         let shares = numbers.shape.iter().enumerate().map(|(i, shape)| {
             let why = (
                 "Share of the mode in the motion of this mass when the base moves: Γφ, with Γ = Σmφ/Σmφ²",
@@ -81,13 +76,17 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
             let what = "the shares of all modes in the motion of a mass make one";
             sheet.check(what, shares.into(), W::Num::from(1.0));
         }
-        let effective: f64 = modes.iter().map(|mode| mode.numbers.participation.powi(2)).sum();
-        sheet.check("the effective masses of all modes make the whole mass", effective.into(), total.into());
     });
+    let mut together = W::Num::from(0.0);
     for (n, mode) in modes.iter().enumerate() {
         let frequency =
             sheet.step(Symbol::from("f").row(n + 1), "Hz", mode.natural, "The same in cycles a second");
         sheet.answer(("frequency", n + 1), "Natural frequency", frequency);
+        sheet.verify(|| {
+            let residual = base_modes::holzer_residual(&weights, &springs, frequency.value());
+            let what = "the base is at rest when Holzer's table walks the chain at this frequency";
+            sheet.check_zero(what, residual.into(), 1.0);
+        });
         let mass = mode.numbers.participation.powi(2) / total;
         let why = (
             "Effective mass of the mode over the whole mass: how much of it moves with the base",
@@ -95,6 +94,8 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
         );
         let mass = sheet.found(Symbol::from("μ").row(n + 1), "%", mass, why);
         sheet.answer(("effective_mass", n + 1), "Effective mass of the mode", mass);
+        together = together + mass;
     }
+    sheet.check("the shares of all modes in the whole mass make one", together, W::Num::from(1.0));
     Ok(modes)
 }

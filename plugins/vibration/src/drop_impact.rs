@@ -108,6 +108,11 @@ impl Analysis for DropImpact {
         };
         let why = "The weight of the body would press the spring down further by";
         let sag = sheet.step("δ", "mm", body * gravity / stiffness, why);
+        sheet.check(
+            "at the contact the force that the spring lacks is the weight of the body: ωₙ² δ = m g/m_t",
+            system.natural.powi(2) * sag,
+            body * gravity / total,
+        );
         let pan_sag = pan.map(|pan| {
             let why = "The spring is pressed already by the weight of the pan";
             sheet.step("δ_p", "mm", pan * gravity / stiffness, why)
@@ -119,7 +124,8 @@ impl Analysis for DropImpact {
             &[Piece { from: 0.0, law: Law::Line { start: sag.value(), slope: 0.0 } }],
         )
         .map_err(cannot)?;
-        let fall = Drop { body, sag, start, system, pan_sag, motion, free: FreeMotion::new(&system, sheet) };
+        let free = FreeMotion::new(&system, sheet);
+        let fall = Drop { body, pan, gravity, speed, sag, start, system, pan_sag, motion, free };
         sheet.answer("contact_speed", "Speed at the contact", speed);
         if let Some((_, time)) = contact {
             sheet.answer("contact_time", "Time of the contact", time);
@@ -140,6 +146,9 @@ impl Analysis for DropImpact {
 /// A drop, from the contact on.
 struct Drop<N> {
     body: N,
+    pan: Option<N>,
+    gravity: N,
+    speed: N,
     sag: N,
     start: N,
     system: System<N>,
@@ -171,9 +180,6 @@ impl<N: Real> Drop<N> {
         let deflection = sheet.step("yₘ", "mm", self.deflection(after), why);
         let natural = self.system.natural;
         sheet.verify(|| {
-            let scale = self.sag.value() + (self.start / natural).value();
-            let velocity = self.motion.at(found.time).velocity / natural.value();
-            sheet.check_zero("the velocity is zero at the largest deflection", velocity.into(), scale);
             if self.free.is_undamped() {
                 sheet.check(
                     "largest deflection by energy, δ + √(δ² + (v₀/ωₙ)²)",
@@ -185,14 +191,26 @@ impl<N: Real> Drop<N> {
             }
         });
         sheet.answer("deflection", "Largest deflection from the rest of the pan or cushion", deflection);
+        let mut since_contact = after;
         if let Some((height, fallen)) = contact {
             let why = "Time of the largest deflection, from the release";
             let time = sheet.step("tₘ", "s", fallen + after, why);
             sheet.answer("time_of_maximum", "Time of the largest deflection, from the release", time);
+            since_contact = time - fallen;
             let why = "Whole way of the body, from the release to the largest deflection";
             let way = sheet.step("sₘ", "mm", height + deflection, why);
             sheet.answer("way", "Whole way of the body", way);
+            sheet.check(
+                "whole way: that of the free fall in its time, and the deflection by the exact recurrence",
+                way,
+                self.gravity * fallen.powi(2) / 2.0 + found.value,
+            );
         }
+        sheet.verify(|| {
+            let scale = self.sag.value() + (self.start / natural).value();
+            let velocity = self.motion.at(since_contact.value()).velocity / natural.value();
+            sheet.check_zero("the velocity is zero at the largest deflection", velocity.into(), scale);
+        });
         let stiffness = self.system.body.expect("the mass is known").stiffness;
         let output = Output::support(self.system.ratio.value());
         let support = self.motion.extremes(output, [0.0, f64::INFINITY]).map_err(cannot)?.greatest.value;
@@ -209,15 +227,26 @@ impl<N: Real> Drop<N> {
         let deceleration = sheet.step("aₘ", "m/s^2", natural.powi(2) * (reached - self.sag), why);
         sheet.answer("force", "Largest force on the ground", force);
         sheet.answer("deceleration", "Largest deceleration of the body", deceleration);
-        let lost = self.system.body.expect("the mass is known").mass;
-        if self.pan_sag.is_some() {
+        let total = self.system.body.expect("the mass is known").mass;
+        sheet.check_sum(
+            "Newton's second law at the largest force: F_T − m_t g = m_t aₘ",
+            force - total * self.gravity,
+            total * deceleration,
+            force.value().abs().max((total * self.gravity).value()),
+        );
+        if let Some(pan) = self.pan {
             let why = ("Energy lost in the impact", MERIAM.at("§3/12"));
-            let before = self.start * lost / self.body;
             let energy = sheet.step(
                 "ΔE",
                 "J",
-                self.body * before.powi(2) / 2.0 - lost * self.start.powi(2) / 2.0,
+                self.body * self.speed.powi(2) / 2.0 - total * self.start.powi(2) / 2.0,
                 why,
+            );
+            sheet.check_sum(
+                "energy lost: that of the speed of approach in the reduced mass, m m_p v²/(2 m_t)",
+                energy,
+                self.body * pan * self.speed.powi(2) / (total * 2.0),
+                (self.body * self.speed.powi(2)).value() / 2.0,
             );
             sheet.answer("energy_lost", "Energy lost in the impact", energy);
         }
@@ -239,7 +268,7 @@ impl<N: Real> Drop<N> {
         };
         let why = "Time from the contact until the body is thrown off again: the force between body and pan is zero";
         let parting = sheet.found("τ_s", "s", time, why);
-        sheet.check_zero("the force is zero then", force(time).into(), found.greatest.value);
+        sheet.check_zero("the force is zero then", force(parting.value()).into(), found.greatest.value);
         sheet.answer("contact_duration", "Time in contact", parting);
         Ok(Some(parting))
     }
@@ -262,6 +291,10 @@ impl<N: Real> Drop<N> {
             if time.value() <= fallen {
                 let why = ("Still in free fall", MERIAM.at("§2/2"));
                 let way = sheet.step(symbol, "mm", gravity * time.powi(2) / 2.0, why);
+                if let Some((height, fallen)) = contact.filter(|(_, fallen)| fallen.value() > 0.0) {
+                    let what = "way in free fall: the height by the square of the share of its time";
+                    sheet.check(what, way, height * (time / fallen).powi(2));
+                }
                 sheet.answer(("way_at", n + 1), "Way of the body at time", way);
                 continue;
             }
@@ -292,8 +325,9 @@ impl<N: Real> Drop<N> {
             sheet.verify(|| {
                 let exact = self.motion.at(after.value()).displacement;
                 let scale = self.sag.value() + (self.start / self.system.natural).value();
-                let what = "deflection by the exact recurrence";
-                sheet.check_sum(what, deflection, exact.into(), scale);
+                let height = height.map_or(0.0, Real::value);
+                let what = "way by the exact recurrence";
+                sheet.check_sum(what, way, (height + exact).into(), scale + height);
             });
             sheet.answer(("way_at", n + 1), "Way of the body at time", way);
         }

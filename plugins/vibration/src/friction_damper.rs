@@ -85,6 +85,12 @@ impl Analysis for FrictionDamper {
             "Natural frequency far beyond slip: the element only rubs",
         );
         sheet.answer("slip_displacement", "Displacement at which it slips", slip);
+        sheet.check_sum(
+            "the element is what sticking adds to the stiffness, m (ω₁² − ω₂²)",
+            mass * (stuck.powi(2) - slipping.powi(2)),
+            given.element,
+            (given.stiffness + given.element).value(),
+        );
         sheet.answer("stuck_frequency", "Natural frequency, sticking", stuck);
         sheet.answer("slipping_frequency", "Natural frequency, slipping", slipping);
         let Some(peak) = oscillator.peak() else {

@@ -272,6 +272,19 @@ fn beats<W: Worksheet>(one: Resultant<W::Num>, other: Resultant<W::Num>, sheet: 
         (largest.powi(2) + least.powi(2)) / 2.0,
         one.amplitude.powi(2) + other.amplitude.powi(2),
     );
+    let turn = W::Num::from(TAU);
+    sheet.check_sum(
+        "from one of the largest amplitudes to the next the faster vector gains one turn on the slower one",
+        (fast.frequency - slow.frequency) * period,
+        turn,
+        fast.frequency.value() * period.value(),
+    );
+    let (a, b) = (W::Num::from(1.0), slow.frequency / fast.frequency);
+    sheet.check(
+        "two equal amplitudes are one of the mean frequency that beats, sin ω₁t + sin ω₂t = 2 sin ω_m t cos(ω_b t/2)",
+        a.sin() + b.sin(),
+        (mean / fast.frequency).sin() * (beat / fast.frequency / 2.0).cos() * 2.0,
+    );
     sheet.answer("largest", "Largest amplitude", largest);
     sheet.answer("least", "Least amplitude", least);
     sheet.answer("beat_frequency", "Beat frequency", beat);

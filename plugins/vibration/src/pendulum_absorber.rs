@@ -215,6 +215,7 @@ impl PendulumAbsorber {
             return Ok(());
         };
         let (pivot, speed, count) = (*pivot, *speed, f64::from(*count));
+        let limit = if let MassGiven::Swing { swing } = mass { Some(*swing) } else { None };
         let rotor = inertia::moment_of_inertia(inertia, sheet, "J".into());
         // Radius of gyration of a roller, and what of it swings: κ²/a² for each r².
         let (gyration, rolling) = match (pendulum, kind) {
@@ -235,8 +236,8 @@ impl PendulumAbsorber {
             }
             _ => (None, None),
         };
-        let arm = match arm {
-            ArmGiven::Given { arm } => *arm,
+        let (arm, wanted) = match arm {
+            ArmGiven::Given { arm } => (*arm, None),
             ArmGiven::Tuned { order } => {
                 let found = match (rolling, gyration) {
                     (Some((share, _)), _) => sheet.step(
@@ -271,7 +272,7 @@ impl PendulumAbsorber {
                     ),
                 };
                 sheet.answer("arm", "Arm", found);
-                found
+                (found, Some(*order))
             }
         };
         let swing = match (rolling, gyration) {
@@ -326,6 +327,14 @@ impl PendulumAbsorber {
             ),
         );
         sheet.answer("tuned_order", "Tuned order", tuned);
+        if let Some(order) = wanted {
+            sheet.check(
+                "the pull of the centrifugal field brings the pendulum back as often as the order asks, n² s² = R r",
+                order.powi(2) * swing,
+                pivot * arm,
+            );
+            sheet.check("tuned order of that arm", tuned, order);
+        }
         let antiresonance = sheet.step(
             "ω₀",
             "rad/s",
@@ -368,6 +377,13 @@ impl PendulumAbsorber {
         let coupled =
             sheet.step("J₁₂", "kg*m^2", mass * coupling * count, "Inertia that couples rotor and swing");
         let swinging = sheet.step("J₂", "kg*m^2", mass * swing * count, "Inertia of the swing");
+        if let (Some(limit), Some(torque)) = (limit, torque) {
+            sheet.check(
+                "on a rotor that stands still the pendulums at their limit hold the torque, J₁₂ ω₀² φ",
+                coupled * antiresonance.powi(2) * limit,
+                *torque,
+            );
+        }
         let motion = Coupled {
             on_rotor: true,
             body: together,

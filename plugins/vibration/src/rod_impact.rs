@@ -91,7 +91,20 @@ impl Analysis for RodImpact {
             sheet.check(
                 "the momentum for each area is turned round by the stress at the wall during the contact",
                 density * length * speed * 2.0,
-                stress * contact,
+                stress * contact * impact::stress(0.0, 0.5 * (contact * wave / length).value()),
+            );
+            sheet.check(
+                "the momentum for each area is taken by the stress until the rod is at rest",
+                density * length * speed,
+                stress * whole,
+            );
+            sheet.check("largest shortening: the same strain in all of the rod", shortening, strain * length);
+            let tau = (whole * wave / length).value();
+            let moved = impact::displacement(1.0, tau) - impact::displacement(0.0, tau);
+            sheet.check(
+                "largest shortening by d'Alembert's solution",
+                shortening,
+                length * speed / wave * moved,
             );
         });
         sheet.answer("wave_speed", "Wave speed", wave);
@@ -102,6 +115,11 @@ impl Analysis for RodImpact {
         if let Some(area) = given.area {
             let force = sheet.step("F", "kN", stress * area, "Force on the wall during the contact");
             sheet.answer("force", "Force on the wall", force);
+            sheet.check(
+                "impulse of the wall: the momentum of the rod is turned round",
+                force * contact,
+                density * length * area * speed * 2.0,
+            );
         }
         if let Some(strength) = given.strength {
             let limit = sheet.step(
@@ -111,6 +129,11 @@ impl Analysis for RodImpact {
                 ("Speed at which the stress reaches that of the material", TIMOSHENKO.at("ch. 5")),
             );
             sheet.answer("largest_speed", "Largest speed", limit);
+            sheet.check(
+                "kinetic energy at that speed is the strain energy at the strength, for each volume",
+                density * limit.powi(2) / 2.0,
+                strength.powi(2) / (young * 2.0),
+            );
             if speed.value() > limit.value() {
                 sheet.warn(|| {
                     Text::new(

@@ -241,7 +241,10 @@ impl TransientResponse {
             let residual =
                 model.motion.extremes(Output::DISPLACEMENT, [end, f64::INFINITY]).map_err(cannot)?;
             let why = "Largest displacement once the load is over, by the free motion from its end";
-            let residual = sheet.found("x_r", "mm", residual.farthest().value.abs(), why);
+            let left = residual.farthest().value.abs();
+            // A pulse of whole periods leaves nothing, and its rounding is no displacement.
+            let left = if left > 1e-13 * superposition.scale(end) { left } else { 0.0 };
+            let residual = sheet.found("x_r", "mm", left, why);
             sheet.verify(|| {
                 if system.ratio.value() == 0.0 {
                     let State { displacement, velocity } = model.motion.at(end);

@@ -302,6 +302,12 @@ impl<N: Real> Mounts<N> {
             let least = sheet.step("ω_min", "rpm", ratio * known.natural, why);
             sheet.answer("required_ratio", "Frequency ratio needed", ratio);
             sheet.answer("least_speed", "Lowest speed with the required isolation", least);
+            sheet.check(
+                "transmissibility at the lowest speed, from the dynamic stiffness",
+                (stiffness.powi(2) + (damping * least).powi(2)).sqrt()
+                    / sdof::dynamic_stiffness(stiffness, self.mass, damping, least),
+                transmissibility,
+            );
             transmissibility
         });
         self.assess(&known, wanted, speeds, disturbance, sheet)
@@ -450,6 +456,13 @@ impl<N: Real> Mounts<N> {
             ("Largest force on the floor", RAO.at("§9.10")),
         );
         sheet.answer("transmitted_force", "Force on the floor", transmitted);
+        let Known { stiffness, damping, .. } = *known;
+        sheet.check(
+            "force on the floor: that of springs and dampers in the motion of the machine",
+            sdof::forced_amplitude(force_at(speed), stiffness, self.mass, damping, speed)
+                * (stiffness.powi(2) + (damping * speed).powi(2)).sqrt(),
+            transmitted,
+        );
         let worst = isolation::worst_motion(shaking, zeta.value(), band.ratios)?;
         let (_, speed, ratio) = if worst == loudest.0 {
             loudest

@@ -241,7 +241,8 @@ impl DryForced {
             }
             // cos rises through a level at −arccos, falls at +arccos.
             let angle = -direction * level.acos();
-            let turns = ((r * from - angle) / TAU * (1.0 - 1e-13)).ceil();
+            // One that is reached just now is not passed.
+            let turns = ((r * from - angle) / TAU - 1e-13).ceil();
             Some(((angle + TAU * turns).max(r * from) / r, direction))
         };
         [next(1.0), next(-1.0)].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
@@ -288,17 +289,23 @@ impl DryForced {
     fn slide(&self, x: f64, from: f64, direction: f64) -> Option<(f64, f64)> {
         let slide = Slide { from, start: x, direction, until: from, end: x };
         let at = |t: f64| self.sliding_from(&slide, from + t);
+        let velocity = |t: f64| at(t)[1] * direction;
         let step = 0.05 * 1.0f64.min(1.0 / self.ratio);
-        let mut t = step;
-        for _ in 0..4000 {
-            if at(t)[1] * direction <= 0.0 {
-                let last = t - step;
-                if last > 0.0 {
-                    t = roots::find(|t| at(t)[1], [last, t], |_| ControlFlow::Continue(())).ok()?;
-                }
+        let mut moving = step;
+        while velocity(moving) <= 0.0 {
+            // Shorter than a step.
+            moving /= 2.0;
+            if moving < 1e-9 * step {
+                return Some((from + moving, x));
+            }
+        }
+        for n in 1..4000u16 {
+            let t = step * f64::from(n);
+            if t > moving && velocity(t) <= 0.0 {
+                let t = roots::find(velocity, [moving, t], |_| ControlFlow::Continue(())).ok()?;
                 return Some((from + t, at(t)[0]));
             }
-            t += step;
+            moving = moving.max(t);
         }
         None
     }

@@ -5,7 +5,11 @@ use std::f64::consts::PI;
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real, sdof,
-    vibration::friction::{FrictionDecay, Rest},
+    vibration::{
+        free::FreeMotion,
+        friction::{FrictionDecay, Rest},
+        transient::closed,
+    },
 };
 
 use super::CoulombDampingGiven;
@@ -93,6 +97,10 @@ pub(super) fn to_rest<W: Worksheet>(
                 first.amplitude.value() + decay.hold,
             );
         }
+        if more > 0.0 {
+            let end = [position, time].map(Real::value);
+            last_stroke(decay, end, [half.value(), system.offset.value()], sheet);
+        }
     });
     let cycles = sheet.step("N", "1", strokes / 2.0, "Cycles: two strokes each");
     sheet.answer("strokes", "Strokes after the first turning point", strokes);
@@ -100,6 +108,28 @@ pub(super) fn to_rest<W: Worksheet>(
     sheet.answer("stop_time", "Time until it rests", time);
     sheet.answer("rest_position", "Position of rest", position);
     (position, Some(first))
+}
+
+/// The middle of the last stroke, back from its end by the free vibration about the shifted position of rest, and by
+/// marching from the start.
+fn last_stroke<W: Worksheet>(
+    decay: &FrictionDecay,
+    [position, time]: [f64; 2],
+    [half, offset]: [f64; 2],
+    sheet: W,
+) {
+    let back = half / 2.0;
+    let Some([there, speed]) = decay.marched(time - back) else { return };
+    let FreeMotion { natural_frequency: natural, damping_ratio: ratio, displacement, velocity } =
+        decay.motion;
+    let centre = if speed > 0.0 { -offset } else { offset };
+    let damped = natural * (1.0 - ratio * ratio).sqrt();
+    let middle = centre + (position - centre) * closed::release_underdamped(natural, ratio, damped, -back);
+    sheet.check_zero(
+        "time of rest: the middle of the last stroke, back from its end and by marching from the start",
+        W::Num::from(there - middle),
+        displacement.abs() + velocity.abs() / natural + decay.hold,
+    );
 }
 
 /// The time of a stroke, what it takes of the amplitude, and what viscous damping leaves.
@@ -334,7 +364,27 @@ pub(super) fn fall<W: Worksheet>(
             W::Num::from(off),
             1.0,
         );
+        if let Some([_, speed]) = decay.marched(time.value()) {
+            sheet.check_zero(
+                "no velocity at that turning point, by marching",
+                W::Num::from(speed),
+                system.natural.value() * first.amplitude.value(),
+            );
+        }
     });
+    let [outer, inner] = [first.amplitude, asked];
+    match first.viscous {
+        None => sheet.check(
+            "the energy between the two amplitudes is the work of the friction on the way of those cycles",
+            (outer.powi(2) - inner.powi(2)) / 2.0,
+            system.offset * exact * (outer + inner) * 2.0,
+        ),
+        Some([kept, constant]) => sheet.check(
+            "Xₐ + C is what two strokes of each of those cycles leave of X₁ + C",
+            inner + constant,
+            (outer + constant) * ((kept.ln() * exact * 2.0).exp()),
+        ),
+    }
     sheet.answer("fall_cycles_exact", "Cycles of that fall, as a fraction", exact);
     sheet.answer("fall_cycles", "Cycles of that fall, whole strokes", cycles);
     sheet.answer("fall_time", "Time of that fall", time);

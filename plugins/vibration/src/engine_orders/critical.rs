@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{Symbol, Text, Worksheet};
-use dalembert_mechanics::Real;
+use dalembert_mechanics::{Real, vibration::quadrature::integral};
 
 use super::{
     Damping, DampingGiven, EngineOrders, EngineOrdersGiven, Order, TorquesGiven, Vibration, WORKED,
@@ -77,6 +77,18 @@ pub(super) fn work<W: Worksheet>(
         ("The order makes n vibrations in a turn: critical speed", DEN_HARTOG.at("ch. 5")),
     );
     sheet.answer(("critical_speed", row), "Critical speed", speed);
+    sheet.verify(|| {
+        let twisted = line
+            .stiffnesses
+            .iter()
+            .enumerate()
+            .map(|(at, stiffness)| *stiffness * (vibration.shape[at] - vibration.shape[at + 1]).powi(2));
+        sheet.check(
+            "critical speed: n vibrations in each turn, by Rayleigh's quotient Σ k (Δβ)²/Σ J β²",
+            (order * speed).powi(2) * vibration.inertia,
+            W::Num::sum(twisted),
+        );
+    });
     let arms = || vibration.arms.iter().zip(&cylinders.each).map(|(beta, one)| (*beta, one.angle));
     let cosines = sheet.step(
         ("X", row),
@@ -192,10 +204,31 @@ pub(super) fn work<W: Worksheet>(
         why,
     );
     sheet.answer(("shaft_torque", row), "Largest torque in the crankshaft", largest);
+    sheet.verify(|| {
+        let inertias = || line.inertias[..=most].iter().zip(&vibration.shape).map(|(j, beta)| *j * *beta);
+        let size: f64 = inertias().map(|part| part.value().abs()).sum();
+        let scale = steady * vibration.frequency.powi(2);
+        let turned = W::Num::sum(inertias());
+        sheet.check_sum(
+            "largest torque: that of the inertia of all masses before it, ω² Θ Σ J β",
+            largest,
+            scale * turned.abs(),
+            scale.value() * size,
+        );
+    });
     if let Some(diameter) = given.diameter {
         let stress = largest * 16.0 / (diameter.powi(3) * PI);
         let stress = sheet.step(("τ", row), "MPa", stress, "Shear stress of that torque in a round shaft");
         sheet.answer(("stress", row), "Shear stress in the crankshaft", stress);
+        sheet.verify(|| {
+            let radius = diameter.value() / 2.0;
+            let moment = |r: f64| stress.value() * r / radius * TAU * r * r;
+            sheet.check(
+                "moment of the shear stress, which grows with the radius, summed over the section",
+                W::Num::from(integral(moment, [0.0, radius], 4)),
+                largest,
+            );
+        });
     }
 }
 

@@ -1,9 +1,10 @@
 //! The work of `F₀ sin ωt` on the motion `X sin(ωt − φ)`.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use dalembert_core::{Axis, Exhibit, Plot, Series, Worksheet};
 use dalembert_mechanics::{Real, vibration::quadrature::integral};
+use nalgebra::Complex;
 
 use crate::sources::{RAO, THOMSON};
 
@@ -47,6 +48,26 @@ pub(super) fn solve<W: Worksheet>(
         let numbers = [force, amplitude, frequency, lag, time].map(Real::value);
         let scale = numbers[0] * numbers[1] * (1.0 + numbers[2] * numbers[4]);
         sheet.check_sum("work by numerical integration", work, integrated(numbers).into(), scale);
+        let [force, amplitude, frequency, lag, _] = numbers;
+        let size = force * amplitude;
+        let of_a_cycle = integrated([force, amplitude, 1.0, lag, TAU]);
+        sheet.check_sum("work of a cycle by numerical integration", cycle, of_a_cycle.into(), size);
+        sheet.check_sum(
+            "mean power: half the real part of force times conjugate velocity, as complex amplitudes",
+            power,
+            (0.5 * (force * (amplitude * Complex::new(0.0, frequency) * Complex::cis(-lag)).conj()).re)
+                .into(),
+            size * frequency,
+        );
+        // The power swings about its mean by half of force times velocity: where force and velocity rise alike.
+        let at = |angle: f64| force * angle.sin() * amplitude * frequency * (angle - lag).cos();
+        let quarter = if lag.sin() < 0.0 { FRAC_PI_4 + FRAC_PI_2 } else { FRAC_PI_4 };
+        sheet.check_sum(
+            "largest power: that of the instant midway between the extremes of force and velocity",
+            largest,
+            at(lag / 2.0 + quarter).abs().into(),
+            size * frequency,
+        );
     });
     sheet.answer("work", "Work up to that time", work);
     sheet.answer("work_of_a_cycle", "Work of a cycle", cycle);

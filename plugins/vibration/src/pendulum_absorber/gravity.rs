@@ -25,6 +25,7 @@ impl<N: Real> Hung<N> {
     ) -> Result<(), Refusal> {
         // A pendulum that is tuned, or as heavy as its swing asks for, is another one under another force.
         let is_given = matches!((length, mass), (LengthGiven::Given { .. }, MassGiven::Given { .. }));
+        let is_tuned = matches!(length, LengthGiven::Tuned {});
         let (length, gyration) = match length {
             LengthGiven::Given { length, gyration } => (*length, *gyration),
             LengthGiven::Tuned {} => {
@@ -52,6 +53,10 @@ impl<N: Real> Hung<N> {
         );
         let counted = sheet.step("f₀", "Hz", antiresonance, "The same frequency, counted in cycles");
         sheet.answer("antiresonance", "Frequency at which the mass stands still", counted);
+        if is_tuned {
+            sheet.check("the pendulum swings as often as the force", antiresonance, self.frequency);
+        }
+        let limit = if let MassGiven::Swing { swing } = mass { Some(*swing) } else { None };
         let mass = match mass {
             MassGiven::Given { mass } => *mass,
             MassGiven::Swing { swing } => {
@@ -83,6 +88,13 @@ impl<N: Real> Hung<N> {
             antiresonance,
             held: Some(self.stiffness),
         };
+        if let (Some(limit), Some(force)) = (limit, self.force) {
+            sheet.check(
+                "under a mass that stands still the pendulum at its limit holds the force, M₁₂ ω₀² φ",
+                motion.coupling * antiresonance.powi(2) * limit,
+                force,
+            );
+        }
         for (row, frequency) in motion.frequencies(sheet).into_iter().enumerate() {
             let counted =
                 sheet.step(("f", row + 1), "Hz", frequency, "The same frequency, counted in cycles");

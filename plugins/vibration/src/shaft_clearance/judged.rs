@@ -65,6 +65,18 @@ impl ShaftClearance {
             None => unbalance * speed.powi(2) / (k - given.mass * speed.powi(2)).abs(),
         };
         let amplitude = sheet.step("X_w", "mm", amplitude, ("Its largest amplitude", RAO.at("§3.7")));
+        sheet.verify(|| {
+            let ratio = speed / natural;
+            let magnification = match damping {
+                Some(c) => sdof::unbalance_magnification(ratio, c / (given.mass * natural * 2.0)),
+                None => ratio.powi(2) / (W::Num::from(1.0) - ratio.powi(2)).abs(),
+            };
+            sheet.check(
+                "largest amplitude by the magnification over the frequency ratio",
+                amplitude,
+                unbalance / given.mass * magnification,
+            );
+        });
         sheet.answer("worst_speed", "Worst speed of the shaft to be judged", speed);
         sheet.answer("worst_amplitude", "Largest amplitude of the shaft to be judged", amplitude);
         if amplitude.value() > self.clearance {

@@ -1,7 +1,7 @@
 //! Mounts that take up a shock: the velocity with which the machine arrives becomes travel.
 
 use dalembert_core::{Axis, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet};
-use dalembert_mechanics::{Real, intervals::IntervalSet};
+use dalembert_mechanics::{Real, intervals::IntervalSet, sdof};
 
 use super::Mounts;
 use crate::sources::RAO;
@@ -73,6 +73,11 @@ pub(super) fn solve<W: Worksheet>(
         let why = "Least stiffness, from the travel: ½ k d² = ½ m v₀²";
         let softest = sheet.step("k_d", "N/m", mass * (velocity / travel).powi(2), why);
         sheet.answer("least_stiffness", "Least stiffness of all mounts together", softest);
+        sheet.check(
+            "travel of the softest mounts: the amplitude v₀/ωₙ of the free vibration",
+            velocity / sdof::natural_frequency(softest, mass),
+            travel,
+        );
         softest
     });
     let lower = softest.map_or(0.0, Real::value);
