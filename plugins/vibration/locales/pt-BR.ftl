@@ -5526,3 +5526,7 @@ disc-off-the-middle-of-a-clamped-shaft-with-hysteretic-damping = Disco fora do m
 four-roots-s-of-det-m-s-i-g-s-c-k-0-of-the-disc-c-1-i-1-by-zorzi-and-nelson-k-of-the-clamped-parts = quatro raízes s de det (M s² − i Ω G s + c K) = 0 do disco, c = (1 + η − iη)/√(1 + η²) por Zorzi e Nelson, K das partes engastadas
 shape-n-its-strain-energy-over-its-kinetic-energy-is = modo { $n }: sua energia de deformação sobre sua energia cinética é ω²
 the-modes-are-orthogonal-by-way-of-the-stiffness-k-k-r-r-0 = os modos são ortogonais em relação à rigidez, K₁₁ + K₂₂ r₁ r₂ = 0
+at-that-order-inertia-of-the-rotor-effective-inertia-of-the-pendulums-and-shaft-are-in-balance = nessa ordem a inércia do rotor, a inércia efetiva dos pêndulos e o eixo estão em equilíbrio
+series-in-the-amplitude-from-that-of-the-elliptic-integral-in-the-modulus = série na amplitude a partir da série da integral elíptica no módulo
+torque-of-the-equivalent-shaft-from-its-shear-stress-over-the-section-for-a-twist-of-one = torque do eixo equivalente a partir da tensão de cisalhamento na seção, para uma torção unitária
+work-of-that-damper-in-a-cycle-added-up-over-equal-steps-friction-over-the-way-4x = trabalho desse amortecedor em um ciclo, somado em passos iguais = atrito ao longo do percurso 4X

@@ -178,6 +178,17 @@ impl Analysis for CoulombDamping {
                     RAO.at("§3.8"),
                 ),
             );
+            sheet.verify(|| {
+                // ∫ cẋ² dt of X cos ωt over a cycle; equal steps are exact for it.
+                let squares = (0..8u8).map(|n| (PI / 4.0 * f64::from(n)).sin().powi(2)).sum::<f64>();
+                let peak = (first.amplitude * natural).powi(2);
+                let step = W::Num::from(PI / 4.0) / natural;
+                sheet.check(
+                    "work of that damper in a cycle, added up over equal steps = friction over the way 4X",
+                    equivalent * peak * step * squares,
+                    force * first.amplitude * 4.0,
+                );
+            });
             sheet.answer(
                 "equivalent_damping",
                 "Equivalent viscous damping at the first amplitude",
@@ -245,7 +256,7 @@ fn friction<W: Worksheet>(given: &CoulombDampingGiven<W>, mass: W::Num, sheet: W
             sheet.check(
                 "the energy between the two amplitudes is the work of the friction on the way",
                 given.stiffness * (first.powi(2) - last.powi(2)) / 2.0,
-                force * cycles * (*first + *last) * 2.0,
+                coefficient * weight * cycles * (*first + *last) * 2.0,
             );
             sheet.answer("friction_coefficient", "Coefficient of friction", coefficient);
             force

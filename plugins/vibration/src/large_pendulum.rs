@@ -111,6 +111,14 @@ impl Analysis for LargePendulum {
                 (*gravity / *length * (W::Num::from(1.0) - amplitude.cos()) * 2.0).sqrt(),
                 fastest,
             );
+            // K = π/2 (1 + κ²/4 + 9κ⁴/64 + …), and κ² = θ₀²/4 − θ₀⁴/48 + ….
+            let square = amplitude.powi(2) / 4.0 - amplitude.powi(4) / 48.0;
+            let terms = [W::Num::from(1.0), square / 4.0, amplitude.powi(4) * (9.0 / 1024.0)];
+            sheet.check(
+                "series in the amplitude from that of the elliptic integral in the modulus",
+                W::Num::from(TAU) / small * W::Num::sum(terms),
+                series,
+            );
         });
         sheet.answer("period", "Period", period);
         sheet.answer("small_angle_period", "Period of small swings", small_period);

@@ -400,6 +400,20 @@ impl PendulumAbsorber {
             sheet.answer(("frequency", row + 1), "Natural frequency of rotor and pendulum", counted);
             let at =
                 sheet.step(("n_r", row + 1), "1", *frequency / speed, "Order that meets it at this speed");
+            sheet.verify(|| {
+                let effective = match stiffness {
+                    Some(held) => together - *held / (at * speed).powi(2),
+                    None => together,
+                };
+                let terms = [effective * swinging * (tuned.powi(2) - at.powi(2)), (coupled * at).powi(2)];
+                let held = stiffness.map_or(0.0, |held| held.value() / (at * speed).value().powi(2));
+                let squares = tuned.value().powi(2) + at.value().powi(2);
+                sheet.check_zero(
+                    "at that order inertia of the rotor, effective inertia of the pendulums and shaft are in balance",
+                    terms[0] + terms[1],
+                    (together.value() + held) * swinging.value() * squares + terms[1].value(),
+                );
+            });
             sheet.answer(("resonant_order", row + 1), "Order that resonates at this speed", at);
         }
         let order = order.unwrap_or(tuned);

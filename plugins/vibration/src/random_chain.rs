@@ -155,7 +155,7 @@ impl Shaken {
         sheet.verify(|| match self.partial_fractions(mass, response) {
             Some((closed, scale)) => sheet.check_zero(
                 "mean square by partial fractions, mode by mode with their cross terms",
-                value.powi(2) - closed,
+                (value.value().powi(2) - closed).into(),
                 scale,
             ),
             None if ends.iter().all(|end| end.is_finite()) => {

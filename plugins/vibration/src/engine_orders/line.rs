@@ -1,10 +1,13 @@
 //! The line of masses of an engine: what stands in front of the cranks, the cranks, what stands behind them.
 
+use std::f64::consts::TAU;
+
 use dalembert_core::{Inputs, Refusal, Symbol, Text, Worksheet};
 use dalembert_mechanics::{
     Real, section, spring as kernel,
     vibration::{
         crankshaft::{self, Parts},
+        quadrature::integral,
         torsional::{Shaft, Train, TrainError},
     },
 };
@@ -290,6 +293,15 @@ fn equivalent<W: Worksheet>(stiffness: W::Num, shear: W::Num, diameter: W::Num, 
         shear * polar / stiffness,
         "Equivalent length: a straight shaft that twists as much",
     );
+    sheet.verify(|| {
+        let radius = diameter / 2.0;
+        let share = integral(|share| TAU * share * share * share, [0.0, 1.0], 1);
+        sheet.check(
+            "torque of the equivalent shaft from its shear stress over the section, for a twist of one",
+            shear / length * radius.powi(4) * share,
+            stiffness,
+        );
+    });
     sheet.answer("equivalent_length", "Equivalent length of a throw", length);
     stiffness
 }

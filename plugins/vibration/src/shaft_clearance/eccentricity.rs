@@ -84,8 +84,8 @@ impl ShaftClearance {
             return Err(Refusal::because("these numbers lead beyond the range of numbers"));
         }
         sheet.check("the worst speed found by comparing ends and peak is the same", speed, worst.into());
+        let unbalance = sheet.step("U_R", "kg*mm", given.mass * largest, "The same as an unbalance");
         sheet.verify(|| {
-            let unbalance = given.mass * largest;
             let amplitude = match zeta {
                 Some(zeta) => {
                     let damping = sdof::damping_from_ratio(zeta, k, given.mass);
@@ -99,7 +99,6 @@ impl ShaftClearance {
                 given.clearance,
             );
         });
-        let unbalance = sheet.step("U_R", "kg*mm", given.mass * largest, "The same as an unbalance");
         let set = IntervalSet::interval(Included(0.0), Included(largest.value()));
         sheet.answer_set(
             "eccentricities",
