@@ -5530,3 +5530,30 @@ at-that-order-inertia-of-the-rotor-effective-inertia-of-the-pendulums-and-shaft-
 series-in-the-amplitude-from-that-of-the-elliptic-integral-in-the-modulus = série na amplitude a partir da série da integral elíptica no módulo
 torque-of-the-equivalent-shaft-from-its-shear-stress-over-the-section-for-a-twist-of-one = torque do eixo equivalente a partir da tensão de cisalhamento na seção, para uma torção unitária
 work-of-that-damper-in-a-cycle-added-up-over-equal-steps-friction-over-the-way-4x = trabalho desse amortecedor em um ciclo, somado em passos iguais = atrito ao longo do percurso 4X
+x-c-is-what-two-strokes-of-each-of-those-cycles-leave-of-x-c = Xₐ + C é o que dois cursos de cada um desses ciclos deixam de X₁ + C
+critical-speed-n-vibrations-in-each-turn-by-rayleigh-s-quotient-k-j = velocidade crítica: n vibrações em cada volta, pelo quociente de Rayleigh Σ k (Δβ)²/Σ J β²
+force-on-the-floor-that-of-springs-and-dampers-in-the-motion-of-the-machine = força no piso: a das molas e dos amortecedores no movimento da máquina
+from-one-of-the-largest-amplitudes-to-the-next-the-faster-vector-gains-one-turn-on-the-slower-one = de uma das maiores amplitudes à seguinte, o vetor mais rápido ganha uma volta sobre o mais lento
+impulse-of-the-wall-the-momentum-of-the-rod-is-turned-round = impulso da parede: a quantidade de movimento da barra é invertida
+kinetic-energy-at-that-speed-is-the-strain-energy-at-the-strength-for-each-volume = a energia cinética nessa velocidade é a energia de deformação na tensão de resistência, por unidade de volume
+largest-amplitude-by-the-magnification-over-the-frequency-ratio = maior amplitude pela amplificação em função da razão de frequências
+largest-power-that-of-the-instant-midway-between-the-extremes-of-force-and-velocity = maior potência: a do instante a meio caminho entre os extremos da força e da velocidade
+largest-shortening-by-d-alembert-s-solution = maior encurtamento pela solução de d'Alembert
+largest-shortening-the-same-strain-in-all-of-the-rod = maior encurtamento: a mesma deformação em toda a barra
+largest-torque-that-of-the-inertia-of-all-masses-before-it-j = maior torque: o da inércia de todas as massas antes dele, ω² Θ Σ J β
+mean-power-half-the-real-part-of-force-times-conjugate-velocity-as-complex-amplitudes = potência média: metade da parte real da força vezes o conjugado da velocidade, como amplitudes complexas
+moment-of-the-shear-stress-which-grows-with-the-radius-summed-over-the-section = momento da tensão de cisalhamento, que cresce com o raio, somado na seção
+no-velocity-at-that-turning-point-by-marching = velocidade nula nesse ponto de retorno, por integração passo a passo
+on-a-rotor-that-stands-still-the-pendulums-at-their-limit-hold-the-torque-j = com o rotor parado, os pêndulos no seu limite equilibram o torque, J₁₂ ω₀² φ
+the-energy-between-the-two-amplitudes-is-the-work-of-the-friction-on-the-way-of-those-cycles = a energia entre as duas amplitudes é o trabalho do atrito no percurso desses ciclos
+the-momentum-for-each-area-is-taken-by-the-stress-until-the-rod-is-at-rest = a quantidade de movimento por unidade de área é absorvida pela tensão até a barra ficar em repouso
+the-pendulum-swings-as-often-as-the-force = o pêndulo oscila na frequência da força
+the-pull-of-the-centrifugal-field-brings-the-pendulum-back-as-often-as-the-order-asks-n-s-r-r = a força do campo centrífugo traz o pêndulo de volta tantas vezes quanto a ordem pede, n² s² = R r
+the-shares-of-all-modes-in-the-whole-mass-make-one = as parcelas de todos os modos na massa total somam um
+time-of-rest-the-middle-of-the-last-stroke-back-from-its-end-and-by-marching-from-the-start = instante do repouso: o meio do último curso, a partir do seu fim e por integração passo a passo desde o início
+transmissibility-at-the-lowest-speed-from-the-dynamic-stiffness = transmissibilidade na menor velocidade, pela rigidez dinâmica
+travel-of-the-softest-mounts-the-amplitude-v-of-the-free-vibration = curso dos coxins mais macios: a amplitude v₀/ωₙ da vibração livre
+tuned-order-of-that-arm = ordem de sintonia desse braço
+two-equal-amplitudes-are-one-of-the-mean-frequency-that-beats-sin-t-sin-t-2-sin-m-t-cos-b-t-2 = dois movimentos de amplitudes iguais são um na frequência média que bate, sen ω₁t + sen ω₂t = 2 sen ω_m t cos(ω_b t/2)
+under-a-mass-that-stands-still-the-pendulum-at-its-limit-holds-the-force-m = com a massa parada, o pêndulo no seu limite equilibra a força, M₁₂ ω₀² φ
+work-of-a-cycle-by-numerical-integration = trabalho de um ciclo por integração numérica
