@@ -415,6 +415,17 @@ fn buckling<W: Worksheet>(
     );
     let critical = sheet.step("N_cr", "kN", ratio * bending / length.powi(2), "Buckling load");
     sheet.answer("buckling_load", "Buckling load", critical);
+    sheet.verify(|| {
+        let pressed = |by: f64| {
+            beam.buckles((critical * length.powi(2) / bending).value() * by).map_err(|err| refusal(&err))
+        };
+        let holds = matches!((pressed(1.0 - 1e-9), pressed(1.0 + 1e-9)), (Ok(false), Ok(true)));
+        sheet.check_zero(
+            "just below the buckling load all squares of frequencies are positive, just above it one is not",
+            W::Num::from(if holds { 0.0 } else { 1.0 }),
+            1.0,
+        );
+    });
     if -force.value() >= critical.value() {
         let text = Text::new("the beam buckles under this compression: write one below {load}")
             .with_quantity("load", critical.value(), "kN");

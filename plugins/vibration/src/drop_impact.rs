@@ -203,7 +203,7 @@ impl<N: Real> Drop<N> {
             sheet.check(
                 "whole way: that of the free fall in its time, and the deflection by the exact recurrence",
                 way,
-                self.gravity * fallen.powi(2) / 2.0 + found.value,
+                (self.gravity.value() * fallen.value().powi(2) / 2.0 + found.value).into(),
             );
         }
         sheet.verify(|| {

@@ -172,13 +172,13 @@ impl Analysis for PiecewiseSpring {
         sheet.answer("largest_force", "Largest force of the spring", largest_force);
         sheet.verify(|| {
             // Straight lines: from rest to the corner, and on to the largest displacement.
-            let corner = spring.corner.min(reach);
-            let at_corner = if corner < reach { W::Num::from(spring.force(corner)) } else { largest_force };
-            let area = at_corner * (corner / 2.0) + (at_corner + largest_force) * ((reach - corner) / 2.0);
+            let (corner, top) = (spring.corner.min(reach), largest_force.value());
+            let at_corner = if corner < reach { spring.force(corner) } else { top };
+            let area = at_corner * corner / 2.0 + (at_corner + top) * (reach - corner) / 2.0;
             sheet.check(
                 "area under the characteristic up to the largest displacement is the kinetic energy at rest",
-                area,
-                given.mass * speed.powi(2) / 2.0,
+                W::Num::from(area),
+                W::Num::from(self.mass * speed.value().powi(2) / 2.0),
             );
         });
         let period = period.value();

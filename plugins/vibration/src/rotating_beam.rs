@@ -12,6 +12,7 @@ use dalembert_mechanics::{
         rotating::Rotating,
         tapered::{Ritz, Shape},
     },
+    vibration::gauss,
 };
 
 use crate::{
@@ -174,6 +175,15 @@ impl Analysis for RotatingBeam {
                     W::Num::from(blade.moment_balance(shape)),
                     number.powi(2),
                 );
+                let lost = plane.map_or(0.0, |share| (speed * share).value().powi(2));
+                sheet.check(
+                    Text::new(
+                        "frequency {n}: with what the plane of rotation takes away, by the same balance",
+                    )
+                    .with("n", n),
+                    W::Num::from((frequency.value().powi(2) + lost) / unit.value().powi(2)),
+                    W::Num::from(blade.moment_balance(shape)),
+                );
             });
             let still_shape = &rest.shapes[n - 1];
             if eta.value() > 0.0 {
@@ -201,6 +211,15 @@ impl Analysis for RotatingBeam {
                 coefficient,
             );
             sheet.verify(|| {
+                sheet.check(
+                    Text::new(
+                        "shape {n}: work of the centrifugal forces on the shortening of the blade, over its kinetic \
+                         energy",
+                    )
+                    .with("n", n),
+                    W::Num::from(shortening_work(&blade, still_shape)),
+                    coefficient,
+                );
                 // At small speeds the coefficient is the slope of λ over η².
                 let slow = slow.get_or_init(|| ritz(&creeping, TERMS, self.modes).ok());
                 let slope =
@@ -229,6 +248,19 @@ impl Analysis for RotatingBeam {
         });
         Ok(())
     }
+}
+
+/// Work of the centrifugal forces of unit speed on the way by which each point comes nearer as the blade bends,
+/// `½ ∫₀ˢ φ′² dξ`, over half the kinetic energy of the shape.
+fn shortening_work(blade: &Rotating, shape: &Shape) -> f64 {
+    let points = gauss::legendre(TERMS + 4);
+    let over = |to: f64, of: &dyn Fn(f64) -> f64| -> f64 {
+        points.iter().map(|(xi, weight)| to * weight * of(to * xi)).sum()
+    };
+    let nearer = |s: f64| over(s, &|xi| shape.slope(xi).powi(2));
+    let work = over(1.0, &|s| (blade.hub + s) * nearer(s)) + blade.tip * (blade.hub + 1.0) * nearer(1.0);
+    let kinetic = over(1.0, &|s| shape.deflection(s).powi(2)) + blade.tip * shape.deflection(1.0).powi(2);
+    work / kinetic
 }
 
 impl RotatingBeam {

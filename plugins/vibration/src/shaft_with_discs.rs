@@ -127,7 +127,7 @@ impl Analysis for ShaftWithDiscs {
         let rayleigh = shaft.rayleigh(&influence, given.gravity, sheet);
         sheet.keep_going()?;
         let exact = match line {
-            None => shaft.lumped(&influence, sheet)?,
+            None => shaft.lumped(&influence, [dunkerley, rayleigh], sheet)?,
             Some(line) => shaft.distributed(line, sheet)?,
         };
         let omega = exact.frequency;
@@ -399,9 +399,15 @@ impl<W: Worksheet> Shaft<'_, W> {
     }
 
     /// The exact frequency of the discs on a shaft without mass, held by matrix iteration.
-    fn lumped(&self, influence: &[Vec<W::Num>], sheet: W) -> Result<Exact<W::Num>, Refusal> {
+    fn lumped(
+        &self,
+        influence: &[Vec<W::Num>],
+        [dunkerley, rayleigh]: [W::Num; 2],
+        sheet: W,
+    ) -> Result<Exact<W::Num>, Refusal> {
         let (rows, masses) = self.numbers(influence);
-        let lowest = lumped::lowest_frequency(&rows, &masses).map_err(|_| Refusal::because(NOT_FOUND))?;
+        let all = lumped::frequencies(&rows, &masses).map_err(|_| Refusal::because(NOT_FOUND))?;
+        let lowest = all[0];
         let frequency = sheet.found(
             "ω₁",
             "Hz",
@@ -411,9 +417,22 @@ impl<W: Worksheet> Shaft<'_, W> {
                 RAO.at("§6.4"),
             ),
         );
-        let last = lumped::matrix_iteration(&rows, &masses, 5000).pop();
-        let last = last.ok_or_else(|| Refusal::because(NOT_FOUND))?;
+        let rounds = lumped::matrix_iteration(&rows, &masses, 5000);
+        let [Some(first), Some(last)] = [rounds.first(), rounds.last()].map(|round| round.cloned()) else {
+            return Err(Refusal::because(NOT_FOUND));
+        };
         sheet.verify(|| {
+            let squares: f64 = all.iter().map(|frequency| frequency.powi(-2)).sum();
+            sheet.check(
+                "Dunkerley: the squares of the periods of all modes add up to the same",
+                W::Num::from(squares.sqrt().recip()),
+                dunkerley,
+            );
+            sheet.check(
+                "Rayleigh: the first round of matrix iteration, from equal deflections",
+                W::Num::from(first.frequency),
+                rayleigh,
+            );
             sheet.check(
                 "matrix iteration from equal deflections ends at the exact frequency",
                 W::Num::from(last.frequency),

@@ -347,7 +347,7 @@ fn residual<W: Worksheet>(reduced: &Reduced<W::Num>, trial: W::Num, sheet: W) {
     let torques: f64 = rows.iter().map(|row| row.inertia_torque).sum();
     sheet.check_zero(
         "the inertia torques of the Holzer table add up to the residual",
-        W::Num::from(last.shaft_torque - torques),
+        W::Num::from(left.value() - torques),
         size,
     );
     sheet.answer("residual_torque", "Residual torque at the trial frequency", left);
@@ -365,8 +365,10 @@ struct Node {
     shaft: usize,
     /// The part of the compliance of the shaft before it.
     share: f64,
-    /// From the first end of the shaft, where its lengths are known, and `θ l/k` of the parts to both sides.
+    /// From the first end of the shaft, where its lengths are known.
     distance: Option<f64>,
+    /// Length and compliance of each uniform part of the shaft, where they are known.
+    parts: Vec<(f64, f64)>,
     /// Amplitudes at the ends of the shaft.
     ends: [f64; 2],
 }
@@ -398,8 +400,9 @@ impl TorsionalTrain {
                 let share = ends[0] / (ends[0] - ends[1]);
                 let parts =
                     parts(&self.shafts[shaft].stiffness, &link.element.joined, link.element.stiffness);
-                let distance = parts.map(|parts| along(&parts, share));
-                nodes.push(Node { mode: mode + 1, shaft, share, distance, ends });
+                let distance = parts.as_deref().map(|parts| along(parts, share));
+                let parts = parts.unwrap_or_default();
+                nodes.push(Node { mode: mode + 1, shaft, share, distance, parts, ends });
             }
         }
         nodes
@@ -475,6 +478,17 @@ fn along(parts: &[(f64, f64)], share: f64) -> f64 {
     distance
 }
 
+/// The compliance of a shaft up to a distance from its first end.
+fn compliance(parts: &[(f64, f64)], distance: f64) -> f64 {
+    let mut left = distance;
+    let mut sum = 0.0;
+    for &(length, compliance) in parts {
+        sum += compliance * (left / length).clamp(0.0, 1.0);
+        left -= length;
+    }
+    sum
+}
+
 fn answer_nodes<W: Worksheet>(nodes: &[Node], sheet: W) {
     let (mut of_mode, mut first) = ((0, 0), true);
     for node in nodes.iter().filter(|node| node.mode <= MOST_FREQUENCIES).take(MOST_NODES) {
@@ -486,10 +500,12 @@ fn answer_nodes<W: Worksheet>(nodes: &[Node], sheet: W) {
         let why = if std::mem::take(&mut first) { why } else { "In the same way" };
         let distance = sheet.found(place, "m", distance, why);
         let [first, second] = node.ends;
+        let before = compliance(&node.parts, distance.value());
+        let after = compliance(&node.parts, f64::INFINITY) - before;
         sheet.check_zero(
             "both sides of the node are twisted by the same torque",
-            W::Num::from(first / node.share + second / (1.0 - node.share)),
-            first.abs() + second.abs(),
+            W::Num::from(first * after + second * before),
+            (first.abs() + second.abs()) * (before + after),
         );
         sheet.answer(("node", node.mode, of_mode.1), "Node from the first end of its shaft", distance);
     }

@@ -180,18 +180,13 @@ impl Beam {
     /// # Errors
     /// `TooSlender`, `NotConverged`.
     pub fn buckling_load(&self) -> Result<Option<f64>, BeamError> {
-        let mut beam = Beam { axial: 0.0, ..self.clone() };
+        let beam = Beam { axial: 0.0, ..self.clone() };
         if beam.rigid_motions() > 0 {
             return Ok(None);
         }
-        // In shear alone a beam buckles at κ G A.
-        let most = if self.shear > 0.0 { 1.0 / self.shear } else { f64::INFINITY };
-        let mut buckled = |load: f64| {
-            beam.axial = -load;
-            Ok(load >= most || beam.count(0.0)? > 0)
-        };
+        let most = self.shear_buckling_load();
         let (mut low, mut high) = (0.0, 1.0f64.min(most));
-        while !buckled(high)? {
+        while !beam.buckles(high)? {
             low = high;
             high *= 2.0;
         }
@@ -200,13 +195,28 @@ impl Beam {
                 return Ok(Some(0.5 * (low + high)));
             }
             let middle = if low == 0.0 { high / 8.0 } else { 0.5 * (low + high) };
-            if buckled(middle)? {
+            if beam.buckles(middle)? {
                 high = middle;
             } else {
                 low = middle;
             }
         }
         Err(BeamError::NotConverged)
+    }
+
+    /// Whether the beam buckles under a compression `P L²/(EI)`, in place of the axial force that it has: by the number
+    /// of `λ` below zero.
+    ///
+    /// # Errors
+    /// `TooSlender`.
+    pub fn buckles(&self, load: f64) -> Result<bool, BeamError> {
+        let pressed = Beam { axial: -load, ..self.clone() };
+        Ok(load >= self.shear_buckling_load() || pressed.count(0.0)? > 0)
+    }
+
+    /// In shear alone a beam buckles at `κ G A`.
+    fn shear_buckling_load(&self) -> f64 {
+        if self.shear > 0.0 { 1.0 / self.shear } else { f64::INFINITY }
     }
 
     /// A function of β that is zero at the roots and nowhere jumps: the determinant of the conditions at the

@@ -13,16 +13,21 @@ pub struct Round {
     pub shape: Vec<f64>,
 }
 
-/// The lowest frequency, rad/s, by the eigenvalues of `√m a √m`.
+/// Natural frequencies, rad/s, ascending, by the eigenvalues of `√m a √m`.
 ///
 /// # Errors
 /// Those of [`linalg::symmetric_eigen`]; `NotFinite` where no mass can move.
-pub fn lowest_frequency(influence: &[Vec<f64>], masses: &[f64]) -> Result<f64, LinalgError> {
+pub fn frequencies(influence: &[Vec<f64>], masses: &[f64]) -> Result<Vec<f64>, LinalgError> {
     let count = masses.len();
     let matrix = DMatrix::from_fn(count, count, |i, j| masses[i].sqrt() * influence[i][j] * masses[j].sqrt());
     let eigen = linalg::symmetric_eigen(&matrix)?;
-    let frequency = eigen.values.max().sqrt().recip();
-    if frequency.is_finite() && frequency > 0.0 { Ok(frequency) } else { Err(LinalgError::NotFinite) }
+    // An eigenvalue that is zero but for rounding is that of a motion without a frequency.
+    let mut found: Vec<f64> = eigen.values.iter().map(|value| value.max(0.0).sqrt().recip()).collect();
+    found.sort_by(f64::total_cmp);
+    match found.first() {
+        Some(lowest) if lowest.is_finite() && *lowest > 0.0 => Ok(found),
+        _ => Err(LinalgError::NotFinite),
+    }
 }
 
 /// Matrix iteration (Stodola) from equal deflections: at most so many rounds, fewer where it no longer changes.
@@ -70,7 +75,7 @@ mod tests {
             let coefficient = |x: f64, a: f64| influence::simply_supported(1.0, 1.0, x.min(a), x.max(a));
             let rows: Vec<Vec<f64>> =
                 discs.iter().map(|(x, _)| discs.iter().map(|(a, _)| coefficient(*x, *a)).collect()).collect();
-            let exact = lowest_frequency(&rows, &masses).unwrap();
+            let exact = frequencies(&rows, &masses).unwrap()[0];
             let dunkerley = (0..masses.len()).map(|n| rows[n][n] * masses[n]).sum::<f64>().sqrt().recip();
             let rounds = matrix_iteration(&rows, &masses, 2000);
             prop_assert!(dunkerley <= exact * (1.0 + 1e-12));

@@ -32,6 +32,8 @@ pub(super) fn forced<W: Worksheet>(
         DEN_HARTOG.at("ch. 5"),
     );
     let mut table = Vec::new();
+    // As they are answered, of the stations.
+    let mut answered = amplitudes.clone();
     for (disc, station) in reduced.station_of.iter().enumerate() {
         let Some(station) = *station else { continue };
         let actual = amplitudes[station] * reduced.speed(disc);
@@ -40,9 +42,10 @@ pub(super) fn forced<W: Worksheet>(
             let why = if table.len() == 1 { Why::from(why) } else { Why::from("In the same way") };
             let found = sheet.found(("Θ", disc + 1), "rad", actual, why);
             sheet.answer(("amplitude", disc + 1), "Amplitude of disc", found);
+            answered[station] = found.value() / reduced.speed(disc);
         }
     }
-    sheet.verify(|| verify(reduced, modes, &loads, &amplitudes, frequency, sheet));
+    sheet.verify(|| verify(reduced, modes, &loads, &answered, frequency, sheet));
     sheet.show(|| {
         let mut column = vec![Column { heading: "disc".into(), unit: "" }];
         column.push(Column { heading: "amplitude".into(), unit: "rad" });
