@@ -127,6 +127,23 @@ for rod, angle in [(0.375, 1e-2), (0.375, 1e-4), (0.375, 1e-6), (0.375, 1e-9), (
         "slider_velocity", slider, [0.25, rod, angle, 20.0],
     )
 
+
+
+def lower_node(m, j, front, rear, a, b):
+    up, mixed, turning = front + rear, rear * b - front * a, front * a**2 + rear * b**2
+    half = (up / m + turning / j) / 2
+    square = half - sqrt((up / m - turning / j) ** 2 / 4 + mixed**2 / (m * j))
+    return (turning - square * j) / mixed
+
+
+for apart in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, -1e-12]:
+    point(
+        "bar on springs that are nearly equal", "vibration/bar-on-two-springs",
+        'body.mass.mass = "{0} kg"\ninertia.moment.moment = "{1} kg*m^2"\nfront = "{2} N/m"\nrear = "{3} N/m"\n'
+        'front_distance = "{4} m"\nrear_distance = "{5} m"',
+        "node[1]", lower_node, [10.0, 3.0, 500.0, 500.0 + apart, 1.0, 1.0],
+    )
+
 print("# Written by near_singular.py: answers near singular points to 50 digits, and their condition numbers.")
 for family, analysis, inputs, answer, value, condition in points:
     print(f'\n[[point]]\nfamily = "{family}"\nanalysis = "{analysis}"\nanswer = "{answer}"')

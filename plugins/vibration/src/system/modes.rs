@@ -110,13 +110,10 @@ pub(crate) fn agreement<W: Worksheet>(two: &TwoModes<W::Num>, modes: &NaturalMod
         let shape = modes.shapes.column(mode);
         let second = ratio.value() * shape[0];
         // Rounding turns the modes into each other by its share of the gap between their eigenvalues, and the ratio loses
-        // as much again where its first coordinate has little share in the other mode.
+        // as much.
         let turned = f64::EPSILON / gap;
-        let share = (modes.shapes[(0, 1 - mode)] / modes.shapes.row(0).norm()).powi(2);
-        let error = turned
-            * (ratio.value().abs() * modes.shapes.row(0).norm()
-                + modes.shapes.row(1).norm()
-                + second.abs() / share);
+        let rows = [0, 1].map(|row| modes.shapes.row(row).norm());
+        let error = turned * (ratio.value().abs() * rows[0] + rows[1] + second.abs());
         sheet.check_residual(
             Text::new("shape {mode} from the eigenvectors of M⁻¹K").with("mode", mode + 1),
             (second - shape[1]).into(),

@@ -77,12 +77,15 @@ pub(crate) fn solve<W: Worksheet>(
     let highest = frequency(2, upper);
     let ratios = (k12.value() != 0.0).then(|| {
         [(1, lower), (2, upper)].map(|(place, square)| {
-            sheet.step(
-                ("r", place),
-                ratio_unit,
-                (k11 - square * masses[0]) / -k12,
-                ("First row of (K − λM) φ = 0: the second amplitude over the first", RAO.at("§5.3")),
-            )
+            let [own, other] = [k11 - square * masses[0], k22 - square * masses[1]];
+            // The row in which less cancels.
+            if (own / k11).value().abs() >= (other / k22).value().abs() {
+                let why = "First row of (K − λM) φ = 0: the second amplitude over the first";
+                sheet.step(("r", place), ratio_unit, own / -k12, (why, RAO.at("§5.3")))
+            } else {
+                let why = "Second row of (K − λM) φ = 0: the second amplitude over the first";
+                sheet.step(("r", place), ratio_unit, -k12 / other, (why, RAO.at("§5.3")))
+            }
         })
     });
     Ok(TwoModes { frequencies: [lowest, highest], ratios })

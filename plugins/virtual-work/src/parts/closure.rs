@@ -6,7 +6,7 @@ use dalembert_mechanics::planar::{Joint, Point, State, System};
 /// How far the two points of a pin are apart at most, and how their velocities and accelerations differ; each with the
 /// size of what it is the difference of.
 pub(crate) fn pins(system: &System, state: &State) -> [(f64, f64); 3] {
-    let mut worst = [(0.0f64, system.size()), (0.0, 0.0), (0.0, 0.0)];
+    let mut worst = rotation_sizes(system, state).map(|size| (0.0f64, size));
     for joint in &system.mechanism().joints {
         let &Joint::Pin { a, b } = joint else { continue };
         let [one, other] = [a, b].map(|point| system.point(point, state));
@@ -27,6 +27,15 @@ fn sizes(point: Point, state: &State) -> [f64; 3] {
     let ([x, y, _], [vx, vy, w]) = (state.positions[body], state.velocities[body]);
     let [ax, ay, turning] = state.accelerations[body];
     [x.hypot(y) + reach, vx.hypot(vy) + w.abs() * reach, ax.hypot(ay) + (turning.abs() + w * w) * reach]
+}
+
+/// What place, velocity and acceleration of points are of the size of, wherever on the bodies the points lie: a pin at
+/// rest closes as well as the mechanism that turns about it.
+fn rotation_sizes(system: &System, state: &State) -> [f64; 3] {
+    let arm = system.size();
+    let fastest = state.velocities.iter().fold(0.0f64, |most, [.., w]| most.max(w.abs()));
+    let hardest = state.accelerations.iter().fold(0.0f64, |most, [.., turning]| most.max(turning.abs()));
+    [arm, fastest * arm, (hardest + fastest * fastest) * arm]
 }
 
 /// Holds angles, angular velocities and angular accelerations of the bodies to the closure of all pins. `errors` are
@@ -92,7 +101,7 @@ pub(crate) fn check_point<W: Worksheet>(
         "velocity of {name} from the adjacent body, through their pin",
         "acceleration of {name} from the adjacent body, through their pin",
     ];
-    let least = [system.size(), 0.0, 0.0];
+    let least = rotation_sizes(system, state);
     let own = sizes(point, state);
     for (order, what) in whats.into_iter().enumerate() {
         let gap = [0, 1].map(|axis| end[order][axis] + against[order][axis] - shown[order][axis]);

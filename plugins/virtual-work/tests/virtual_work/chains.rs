@@ -1,18 +1,26 @@
 //! Chains of equal four-bars that fall through their singular positions, through the analysis.
 
-use dalembert_core::{AnswerValue, Number, Solution};
+use dalembert_core::{AnswerValue, Exhibit, Number, Solution};
 
 use crate::solved::solve;
 
 /// `n` four-bars in a row: upright and level rods of 1 m and 1 kg, pushed over at 1 rad/s.
 fn chain(n: usize) -> String {
-    let mut text = String::from("analysis = \"virtual-work/motion\"\n[inputs]\nduration = \"10 s\"\n");
+    String::from("analysis = \"virtual-work/motion\"\n[inputs]\nduration = \"10 s\"\n")
+        + &rods(n, 90)
+        + "[[inputs.starts]]\nname = \"push\"\n\
+           what.angle = { body = \"v0\", against = \"ground\", value = \"90 deg\", velocity = \"-1 rad/s\" }\n"
+}
+
+/// The rods and pins of `n` four-bars in a row, 1 m and 1 kg each, the upright ones drawn at an angle in degrees.
+fn rods(n: usize, upright: u32) -> String {
+    let mut text = String::new();
     let mut body = |name: String, angle: u32| {
         text += &format!(
             "[[inputs.bodies]]\nname = \"{name}\"\nmass = \"1 kg\"\ninertia = \"1/12 kg*m^2\"\nangle = \"{angle} deg\"\n"
         );
     };
-    (0..=n).for_each(|k| body(format!("v{k}"), 90));
+    (0..=n).for_each(|k| body(format!("v{k}"), upright));
     (0..n).for_each(|k| body(format!("h{k}"), 0));
     let mut point = |name: String, on: &str, x: usize| {
         text += &format!(
@@ -41,9 +49,27 @@ fn chain(n: usize) -> String {
         pin(format!("left{k}"), format!("B{k}"), format!("C{k}"));
         pin(format!("right{k}"), format!("B{}", k + 1), format!("D{k}"));
     }
-    text += "[[inputs.starts]]\nname = \"push\"\n\
-             what.angle = { body = \"v0\", against = \"ground\", value = \"90 deg\", velocity = \"-1 rad/s\" }\n";
     text
+}
+
+/// A driven chain keeps its plots, however many loops it has.
+#[test]
+fn a_driven_chain_of_many_loops_has_all_its_plots() {
+    for loops in [1, 13, 20] {
+        let text = String::from("format = 2\nanalysis = \"virtual-work/mechanism\"\n[inputs]\n")
+            + &rods(loops, 60)
+            + "[[inputs.drivers]]\nname = \"crank\"\n\
+               what.angle = { body = \"v0\", against = \"ground\", value = \"60 deg\", velocity = \"1 rad/s\" }\n\
+               [inputs.range.angles]\nfrom = \"30 deg\"\nto = \"150 deg\"\n";
+        let solution = solve(&text).unwrap_or_else(|error| panic!("{loops} loops: {error:?}"));
+        let plots = solution.exhibits.iter().filter_map(|exhibit| match exhibit {
+            Exhibit::Plot(plot) => Some(plot),
+            _ => None,
+        });
+        let points: Vec<usize> = plots.map(|plot| plot.series[0].points.len()).collect();
+        assert!(points.len() >= 4 && points.iter().all(|count| *count >= 100), "{loops} loops: {points:?}");
+        assert!(solution.checks.iter().all(|check| check.passed), "{loops} loops");
+    }
 }
 
 fn number(solution: &Solution, name: &str) -> f64 {

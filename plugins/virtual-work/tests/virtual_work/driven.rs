@@ -171,7 +171,10 @@ fn at(text: &str, value: f64) -> Solution {
     let record = record(text);
     let moved = moved(&record, value);
     let entry = find("virtual-work/mechanism").expect("it is registered");
-    entry.solve(&moved, &Stop::new()).unwrap_or_else(|error| panic!("at {value}: {error}"))
+    let solution = entry.solve(&moved, &Stop::new()).unwrap_or_else(|error| panic!("at {value}: {error}"));
+    let failed: Vec<_> = solution.checks.iter().filter(|check| !check.passed).collect();
+    assert!(failed.is_empty(), "at {value}: {failed:?}");
+    solution
 }
 
 fn record(text: &str) -> Record {
