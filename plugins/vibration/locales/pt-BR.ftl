@@ -5557,3 +5557,35 @@ tuned-order-of-that-arm = ordem de sintonia desse braço
 two-equal-amplitudes-are-one-of-the-mean-frequency-that-beats-sin-t-sin-t-2-sin-m-t-cos-b-t-2 = dois movimentos de amplitudes iguais são um na frequência média que bate, sen ω₁t + sen ω₂t = 2 sen ω_m t cos(ω_b t/2)
 under-a-mass-that-stands-still-the-pendulum-at-its-limit-holds-the-force-m = com a massa parada, o pêndulo no seu limite equilibra a força, M₁₂ ω₀² φ
 work-of-a-cycle-by-numerical-integration = trabalho de um ciclo por integração numérica
+four-amplitudes-that-scatter = Quatro amplitudes que se dispersam
+least-squares-of-ln-x-by-hand-s-nx-s-nn-with-s-nn-5-s-4-s-2-s-nn = Mínimos quadrados de ln X à mão: δ = −S_nx/S_nn com S_nn = 5, ε = √(S/4), σ_δ = √(S/(2 S_nn))
+after-these-cycles-the-envelope-e-t-stands-at-a-half = depois desses ciclos a envoltória e^(−ζωₙt) está na metade
+bending-stress-from-the-moment-of-the-inertia-forces-at-the-middle = tensão de flexão pelo momento das forças de inércia no meio do vão
+combined-apart-the-product-of-the-roots-is-k-m = combinados à parte: o produto das raízes é k/m
+combined-apart-the-sum-of-the-roots-is-c-m = combinados à parte: a soma das raízes é −c/m
+complete-quadratic-combination-as-the-length-of-a-sum-of-vectors-their-cosines-the-correlations = combinação quadrática completa como o comprimento de uma soma de vetores, cujos cossenos são as correlações
+dampers-alone-the-power-that-they-take-at-a-unit-speed-is-c = só os amortecedores: a potência que consomem a uma velocidade unitária é c
+damping-ratio-from-the-shape-of-the-motion-c-2-k-m-summed-over-all-elements = razão de amortecimento pela forma do movimento, c/2√(k m) somados sobre todos os elementos
+deflection-of-the-mode-the-beam-holds-its-inertia-forces-e-i-y-m-s-d = flecha do modo: a viga sustenta suas forças de inércia, E I β⁴ y = m̄ ω² Γφ S_d
+deviation-of-the-decrement-the-same-sum-of-squares-over-n-2-degrees-of-freedom = desvio do decremento: a mesma soma de quadrados sobre N − 2 graus de liberdade
+displacements-of-a-mode-inertia-and-springs-balance-at-every-mass = deslocamentos de um modo: inércia e molas se equilibram em cada massa
+energies-before-and-after-a-cycle-as-the-squares-of-the-amplitudes = energias antes e depois de um ciclo, como os quadrados das amplitudes
+error-of-the-light-damping-formula-from-the-root-that-it-leaves-out-1-1-1 = erro da fórmula de amortecimento leve pela raiz que ela deixa de fora, 1/√(1 − ζ²) − 1
+imaginary-part-of-the-dynamic-stiffness-from-the-power-of-the-dampers = parte imaginária da rigidez dinâmica pela potência dos amortecedores
+in-the-shape-of-the-motion-its-frequency-meets-m-s-c-s-k-0-summed-over-all-elements = na forma do movimento sua frequência satisfaz m s² + c s + k = 0, somados sobre todos os elementos
+measured-frequency-off-by-as-much-as-the-period = frequência medida, com o mesmo desvio que o período
+period-from-mass-stiffness-and-damping-d-c-2m-k-m = período por massa, rigidez e amortecimento, ω_d² + (c/2m)² = k/m
+ratio-of-successive-amplitudes-from-the-envelope-e-t-over-a-period = razão de amplitudes sucessivas pela envoltória e^(−ζωₙt) em um período
+real-part-of-the-dynamic-stiffness-from-the-energies-of-springs-and-masses = parte real da rigidez dinâmica pelas energias de molas e massas
+scatter-the-sum-of-squares-from-the-orthogonality-of-the-differences-to-the-fitted-line = dispersão: a soma de quadrados pela ortogonalidade das diferenças à reta ajustada
+springs-alone-largest-kinetic-energy-largest-elastic-energy = só as molas: maior energia cinética = maior energia elástica
+the-force-in-phase-with-the-motion-holds-springs-and-masses-f-x-cos-k-x-m-x = a força em fase com o movimento sustenta molas e massas, F X cos φ = Σ k|Δx|² − ω² Σ m|x|²
+the-loss-factor-is-the-tangent-of-the-phase-lag = o fator de perda é a tangente do atraso de fase
+the-root-i-d-of-the-decay-has-the-size = a raiz −ζωₙ + iω_d do decaimento tem o módulo ωₙ
+the-square-of-the-sum-of-absolute-values-the-sum-of-squares-and-all-products-twice = o quadrado da soma dos valores absolutos: a soma dos quadrados e todos os produtos em dobro
+the-squares-of-both-parts-of-the-dynamic-stiffness-make-that-of-its-magnitude = os quadrados das duas partes da rigidez dinâmica somam o de seu módulo
+torsional-stiffness-from-the-shear-strain-at-the-rim-16t-gd-over-the-radius = rigidez torcional pela distorção na periferia, 16T/(πGd³), sobre o raio
+overdamped-the-body-creeps-to-its-rest-and-the-largest-deflection-is-that-of-the-weight = Superamortecido: o corpo rasteja até seu repouso, e a deflexão máxima é a do peso
+the-damping-is-so-strong-that-the-body-creeps-to-its-rest-the-largest-deflection-is-approached-but = o amortecimento é tão forte que o corpo rasteja até seu repouso: a deflexão máxima é aproximada, mas nunca ultrapassada, e não tem instante
+set-down-on-a-strongly-damped-cushion = Pousado em uma embalagem fortemente amortecida
+overdamped-2-y-1-s-e-s-t-s-e-s-t-s-s-creeps-to-m-g-k-and-never-passes-it = Superamortecido, ζ = 2: y = δ (1 − (s₂ e^(−s₁t) − s₁ e^(−s₂t))/(s₂ − s₁)) rasteja até δ = m g/k e nunca o ultrapassa

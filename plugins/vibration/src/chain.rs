@@ -33,6 +33,8 @@ pub(crate) struct Mode<N> {
     pub(crate) shares: Vec<N>,
     /// The numbers themselves.
     pub(crate) numbers: BaseMode,
+    /// The masses of the chain.
+    pub(crate) masses: Vec<f64>,
 }
 
 /// Writes the natural frequencies and the shares of the modes in the motion of the base.
@@ -52,6 +54,7 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
         Refusal::because("the modes of these masses and springs were not found: check their units")
     })?;
     let total: f64 = weights.iter().sum();
+    let highest = found.last().map_or(0.0, |mode| mode.natural);
     let mut modes = Vec::new();
     for (n, numbers) in found.into_iter().enumerate() {
         let why = (
@@ -68,7 +71,7 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
             sheet.found(symbol, "1", numbers.participation * shape, why)
         });
         let shares = shares.collect();
-        modes.push(Mode { natural, shares, numbers });
+        modes.push(Mode { natural, shares, numbers, masses: weights.clone() });
     }
     sheet.verify(|| {
         for i in 0..links.len() {
@@ -83,9 +86,14 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
             sheet.step(Symbol::from("f").row(n + 1), "Hz", mode.natural, "The same in cycles a second");
         sheet.answer(("frequency", n + 1), "Natural frequency", frequency);
         sheet.verify(|| {
-            let residual = base_modes::holzer_residual(&weights, &springs, frequency.value());
+            let walk =
+                |by: f64| base_modes::holzer_residual(&weights, &springs, frequency.value() * (1.0 + by));
+            let residual = walk(0.0);
+            // All eigenvalues are known to the last places of the largest.
+            let doubt = f64::EPSILON * links.len() as f64 * (highest / mode.numbers.natural).powi(2);
+            let error = (walk(doubt) - residual).abs().max((walk(-doubt) - residual).abs());
             let what = "the base is at rest when Holzer's table walks the chain at this frequency";
-            sheet.check_zero(what, residual.into(), 1.0);
+            sheet.check_residual(what, residual.into(), 1.0, error);
         });
         let mass = mode.numbers.participation.powi(2) / total;
         let why = (
@@ -98,4 +106,30 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
     }
     sheet.check("the shares of all modes in the whole mass make one", together, W::Num::from(1.0));
     Ok(modes)
+}
+
+/// Holds the displacements of the masses in a mode, each of them in every mode, to the equations of motion
+/// `mᵢω²xᵢ = kᵢ(xᵢ − xᵢ₋₁) − kᵢ₊₁(xᵢ₊₁ − xᵢ)`.
+pub(crate) fn check_motions<W: Worksheet>(
+    links: &[LinkGiven<W>],
+    modes: &[Mode<W::Num>],
+    moved: &[Vec<W::Num>],
+    sheet: W,
+) {
+    let springs: Vec<f64> = links.iter().map(|link| link.stiffness.value()).collect();
+    let highest = modes.iter().fold(0.0, |highest: f64, mode| highest.max(mode.natural.value()));
+    for (n, mode) in modes.iter().enumerate() {
+        let x: Vec<f64> = moved.iter().map(|parts| parts[n].value()).collect();
+        // Displacements times the root of the mass, in which the matrix of the modes is symmetric.
+        let root = |i: usize| mode.masses[i].sqrt();
+        let size = x.iter().enumerate().fold(0.0, |size: f64, (i, x)| size.max(root(i) * x.abs()));
+        let residuals = (0..x.len()).map(|i| {
+            let before = if i == 0 { 0.0 } else { x[i - 1] };
+            let after = x.get(i + 1).map_or(0.0, |after| springs[i + 1] * (after - x[i]));
+            let inertia = mode.masses[i] * mode.natural.value().powi(2) * x[i];
+            (inertia - springs[i] * (x[i] - before) + after) / root(i)
+        });
+        let what = "displacements of a mode: inertia and springs balance at every mass";
+        sheet.check_zeros(what, residuals, size * highest.powi(2));
+    }
 }

@@ -6,7 +6,9 @@ use std::f64::consts::PI;
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
 };
-use dalembert_mechanics::{Real, sdof, section as area, spring, vibration::decay_fit};
+use dalembert_mechanics::{Real, sdof, section as area, spring};
+
+mod fit;
 
 use crate::{
     decay::{Decay, decrement},
@@ -179,6 +181,21 @@ impl Analysis for LogarithmicDecrement {
                 "Half the amplitude: the ratio of the amplitudes is 2",
             );
             let half = sheet.step("n½", "1", two.ln() / decrement, "Cycles in which the amplitude halves");
+            sheet.verify(|| {
+                let root = (W::Num::from(1.0) - zeta.powi(2)).sqrt();
+                let fallen = |cycles: W::Num| (zeta * cycles * 2.0 * PI / root).exp();
+                sheet.check(
+                    "ratio of successive amplitudes from the envelope e^(−ζωₙt) over a period",
+                    fallen(W::Num::from(1.0)),
+                    kept,
+                );
+                sheet.check(
+                    "energies before and after a cycle, as the squares of the amplitudes",
+                    W::Num::from(1.0) - kept.powi(-2),
+                    lost,
+                );
+                sheet.check("after these cycles the envelope e^(−ζωₙt) stands at a half", fallen(half), two);
+            });
             sheet.answer("amplitude_ratio", "Ratio of successive amplitudes", kept);
             sheet.answer("energy_loss", "Energy lost in a cycle", lost);
             sheet.answer("half_cycles", "Cycles in which the amplitude halves", half);
@@ -221,7 +238,7 @@ impl LogarithmicDecrement {
     ) -> Result<(W::Num, W::Num), Refusal> {
         match (&self.decay, &given.decay) {
             (Known::Peaks { peaks }, _) => {
-                let decrement = least_squares(peaks, sheet)?;
+                let decrement = fit::least_squares(peaks, sheet)?;
                 Ok((decrement, ratio_of(decrement, sheet)))
             }
             (_, KnownGiven::Amplitudes { amplitudes }) => {
@@ -317,6 +334,11 @@ fn system<W: Worksheet>(
                     (natural - oscillation.natural) / oscillation.natural,
                     "How far the measured period is off that of mass and stiffness",
                 );
+                sheet.check(
+                    "measured frequency, off by as much as the period",
+                    oscillation.period / *measured - 1.0,
+                    off,
+                );
                 sheet.answer(
                     "measured_natural_frequency",
                     "Natural frequency of the measured period",
@@ -343,7 +365,7 @@ fn system<W: Worksheet>(
             );
             sheet.answer("stiffness", "Stiffness", stiffness);
             sheet.answer("natural_frequency", "Natural frequency", natural);
-            coefficients(mass, stiffness, zeta, LINE, sheet);
+            coefficients([mass, stiffness, zeta, *period], LINE, sheet);
             Some(Oscillation { period: *period, natural })
         }
         SystemGiven::StiffnessPeriod { stiffness, period } => {
@@ -356,7 +378,7 @@ fn system<W: Worksheet>(
             );
             sheet.answer("mass", "Mass", mass);
             sheet.answer("natural_frequency", "Natural frequency", natural);
-            coefficients(mass, *stiffness, zeta, LINE, sheet);
+            coefficients([mass, *stiffness, zeta, *period], LINE, sheet);
             Some(Oscillation { period: *period, natural })
         }
         SystemGiven::Torsion { inertia, stiffness } => Some(elastic(*inertia, *stiffness, zeta, AXIS, sheet)),
@@ -373,6 +395,13 @@ fn system<W: Worksheet>(
                 spring::torsional(*shear, polar, *length),
                 ("Torsional stiffness of the shaft", RAO.at("§1.7")),
             );
+            sheet.verify(|| {
+                sheet.check(
+                    "torsional stiffness from the shear strain at the rim, 16T/(πGd³), over the radius",
+                    *shear * diameter.powi(3) * PI / 16.0 * *diameter / 2.0 / *length,
+                    stiffness,
+                );
+            });
             sheet.answer("stiffness", "Stiffness", stiffness);
             Some(elastic(*inertia, stiffness, zeta, AXIS, sheet))
         }
@@ -399,6 +428,14 @@ fn light<W: Worksheet>(decrement: W::Num, zeta: W::Num, sheet: W) {
     sheet.answer("light_damping_ratio", "Damping ratio, light-damping formula", light);
     if zeta.value() > 0.0 {
         let error = sheet.step("Δζ", "%", (light - zeta) / zeta, "How far that formula is off");
+        sheet.verify(|| {
+            let root = (W::Num::from(1.0) - zeta.powi(2)).sqrt();
+            sheet.check(
+                "error of the light-damping formula from the root that it leaves out, 1/√(1 − ζ²) − 1",
+                zeta.powi(2) / (root * (root + 1.0)),
+                error,
+            );
+        });
         sheet.answer("light_error", "Error of that formula", error);
         if error.value() > 0.02 {
             sheet.warn(|| {
@@ -422,71 +459,6 @@ fn ratio_of<W: Worksheet>(decrement: W::Num, sheet: W) -> W::Num {
         decrement,
     );
     zeta
-}
-
-/// The decrement by least squares of `ln X` over the cycles.
-fn least_squares<W: Worksheet>(peaks: &[MeasuredPeak], sheet: W) -> Result<W::Num, Refusal> {
-    if peaks.len() < 3 {
-        return Err(Refusal::because(
-            "the table has fewer than three amplitudes: measure more, or write their ratio as two amplitudes",
-        ));
-    }
-    let count = peaks.len() as f64;
-    let mean = |of: fn(&MeasuredPeak) -> f64| peaks.iter().map(|peak| of(peak) / count).sum::<f64>();
-    let (mean_cycles, mean_log) = (mean(|peak| peak.cycles), mean(|peak| peak.amplitude.ln()));
-    let sum = |of: &dyn Fn(f64, f64) -> f64| {
-        peaks.iter().map(|peak| of(peak.cycles - mean_cycles, peak.amplitude.ln() - mean_log)).sum::<f64>()
-    };
-    let (both, squares) = (sum(&|n, log| n * log), sum(&|n, _| n * n));
-    if squares == 0.0 {
-        return Err(Refusal::because("all amplitudes stand at the same cycle: number them 0, 1, 2, …"));
-    }
-    if both >= 0.0 {
-        return Err(Refusal::because(
-            "the amplitudes do not fall with the cycles: are the rows in the order of time?",
-        ));
-    }
-    let number = sheet.found("N", "1", count, "Number of amplitudes");
-    sheet.answer("amplitudes", "Number of amplitudes", number);
-    let products = sheet.found("S_nx", "1", both, "Sum of (n − n̄)(ln X − mean of ln X) over the table");
-    let spread = sheet.found("S_nn", "1", squares, "Sum of (n − n̄)² over the table");
-    let decrement = sheet.step(
-        "δ",
-        "1",
-        -products / spread,
-        "Decrement by least squares: the slope of the straight line ln X = ln X₀ − δ n",
-    );
-    sheet.verify(|| {
-        let points: Vec<(f64, f64)> = peaks.iter().map(|peak| (peak.cycles, peak.amplitude)).collect();
-        if let Some(slope) = decay_fit::logarithmic_slope(&points) {
-            sheet.check("the same slope by orthogonal decomposition", W::Num::from(slope), decrement);
-        }
-    });
-    let slope = decrement.value();
-    let misfit = sum(&|n, log| (log + slope * n).powi(2));
-    let scatter = sheet.found(
-        "ε",
-        "%",
-        (misfit / count).sqrt(),
-        "Root mean square of the relative differences between the amplitudes and the fitted decay",
-    );
-    let uncertainty = sheet.found(
-        "σ_δ",
-        "1",
-        (misfit / (count - 2.0) / squares).sqrt(),
-        "Standard deviation of the decrement",
-    );
-    sheet.answer("scatter", "Scatter of the amplitudes about the fit", scatter);
-    sheet.answer("decrement_deviation", "Standard deviation of the decrement", uncertainty);
-    if scatter.value() > 0.05 {
-        sheet.warn(|| {
-            Text::new(
-                "the amplitudes scatter by more than 5 % about an exponential decay: noise, or friction beside \
-                 viscous damping",
-            )
-        });
-    }
-    Ok(decrement)
 }
 
 /// The units of a motion along a line or about an axis.
@@ -523,7 +495,7 @@ fn elastic<W: Worksheet>(
     sheet.answer("natural_frequency", "Natural frequency", natural);
     sheet.answer("damped_frequency", "Damped natural frequency", damped);
     sheet.answer("period", "Period", period);
-    coefficients(mass, stiffness, zeta, kind, sheet);
+    coefficients([mass, stiffness, zeta, period], kind, sheet);
     Oscillation { period, natural }
 }
 
@@ -535,15 +507,21 @@ fn natural_of_period<W: Worksheet>(period: W::Num, zeta: W::Num, symbol: &'stati
         sdof::angular_frequency(period),
         ("Frequency of the decaying motion", RAO.at("§2.6")),
     );
-    sheet.step(
+    let natural = sheet.step(
         symbol,
         "rad/s",
         sdof::natural_frequency_from_damped(damped, zeta),
         ("Natural frequency without damping, above that of the decay", RAO.at("§2.6")),
-    )
+    );
+    sheet.check(
+        "the root −ζωₙ + iω_d of the decay has the size ωₙ",
+        (zeta * natural).powi(2) + damped.powi(2),
+        natural.powi(2),
+    );
+    natural
 }
 
-fn coefficients<W: Worksheet>(mass: W::Num, stiffness: W::Num, zeta: W::Num, kind: Kind, sheet: W) {
+fn coefficients<W: Worksheet>([mass, stiffness, zeta, period]: [W::Num; 4], kind: Kind, sheet: W) {
     let critical = sheet.step(
         "c_c",
         kind.unit,
@@ -557,6 +535,14 @@ fn coefficients<W: Worksheet>(mass: W::Num, stiffness: W::Num, zeta: W::Num, kin
         sdof::damping_ratio(damping, stiffness, mass),
         zeta,
     );
+    sheet.verify(|| {
+        let damped = W::Num::from(2.0) * PI / period;
+        sheet.check(
+            "period from mass, stiffness and damping, ω_d² + (c/2m)² = k/m",
+            damped.powi(2) + (damping / (mass * 2.0)).powi(2),
+            stiffness / mass,
+        );
+    });
     sheet.answer("critical_damping", "Critical damping", critical);
     sheet.answer("damping", "Damping coefficient", damping);
 }

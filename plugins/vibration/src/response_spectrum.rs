@@ -14,6 +14,9 @@ use dalembert_mechanics::{
     },
 };
 
+mod combination;
+
+use self::combination::combined;
 use crate::{
     chain::{self, Link, LinkGiven},
     section::{Section, second_moment},
@@ -194,14 +197,6 @@ struct Beam<N> {
     fibre: N,
 }
 
-/// The three ways to add the largest responses of modes, which come at different times.
-#[derive(Clone, Copy)]
-struct Combined<N> {
-    abs: N,
-    srss: N,
-    cqc: N,
-}
-
 impl<W: Worksheet> Problem<'_, W> {
     /// The spectral displacement of mode `n`, counted from 1.
     fn displacement(&self, natural: W::Num, n: usize, sheet: W) -> Result<W::Num, Refusal> {
@@ -234,6 +229,7 @@ impl<W: Worksheet> Problem<'_, W> {
             spectral.push(self.displacement(*natural, n + 1, sheet)?);
         }
         let correlations = self.correlations(&naturals, sheet);
+        let mut moved = Vec::new();
         for i in 0..links.len() {
             let mut parts = Vec::new();
             for (n, mode) in modes.iter().enumerate() {
@@ -253,6 +249,7 @@ impl<W: Worksheet> Problem<'_, W> {
                 "Displacement, complete quadratic combination, mass",
                 all.cqc,
             );
+            moved.push(parts);
         }
         let last = links.len() - 1;
         let ends = modes
@@ -282,12 +279,19 @@ impl<W: Worksheet> Problem<'_, W> {
         sheet.answer("base_force_cqc", "Force on the base, complete quadratic combination", all.cqc);
         sheet.verify(|| {
             // The force of the first spring is the force on the base.
-            for (n, (mode, shear)) in modes.iter().zip(&shears).enumerate() {
-                let spring = links[0].stiffness.value() * mode.shares[0].value() * spectral[n].value();
-                let scale = shear.value().abs().max(spring.abs());
+            let total: f64 = modes[0].masses.iter().sum();
+            let highest = naturals.iter().fold(0.0, |highest: f64, natural| highest.max(natural.value()));
+            for (n, (shear, first)) in shears.iter().zip(&moved[0]).enumerate() {
+                let spring = links[0].stiffness.value() * first.value();
+                let scale = shear.value().abs().max(spring.abs()).max(f64::MIN_POSITIVE);
+                let off = W::Num::from(shear.value() - spring);
+                // What is left of the equations of a mode is rounding beside the largest eigenvalue.
+                let participation = modes[n].numbers.participation;
+                let error = f64::EPSILON * links.len() as f64 * highest.powi(2) * total.sqrt();
                 let what = "force on the base of a mode, as the force of the first spring";
-                sheet.check_sum(what, *shear, spring.into(), scale.max(f64::MIN_POSITIVE));
+                sheet.check_residual(what, off, scale, error * participation * spectral[n].value());
             }
+            chain::check_motions(links, &modes, &moved, sheet);
         });
         Ok(())
     }
@@ -361,6 +365,20 @@ impl<W: Worksheet> Problem<'_, W> {
             let why =
                 ("Bending stress at the middle in this mode: E c times the curvature β²y", BEER.at("§4.4"));
             let stress = sheet.step(row("σ"), "MPa", young * fibre * wave.powi(2) * deflection, why);
+            sheet.verify(|| {
+                // Inertia forces like sin βx bend a beam on two supports by 1/β² of them, and its deflection by 1/β⁴.
+                let inertia = linear_mass * natural.powi(2) * share * spectral;
+                sheet.check(
+                    "deflection of the mode: the beam holds its inertia forces, E I β⁴ y = m̄ ω² Γφ S_d",
+                    young * second_moment * wave.powi(4) * deflection,
+                    inertia,
+                );
+                sheet.check(
+                    "bending stress from the moment of the inertia forces at the middle",
+                    inertia / wave.powi(2) * fibre / second_moment,
+                    stress,
+                );
+            });
             naturals.push(natural);
             deflections.push(deflection);
             stresses.push(stress);
@@ -413,41 +431,6 @@ impl<W: Worksheet> Problem<'_, W> {
         }
         all
     }
-}
-
-/// Writes the three sums of the responses of modes.
-fn combined<W: Worksheet>(
-    parts: &[W::Num],
-    correlations: &[Vec<W::Num>],
-    [abs, srss, cqc]: [&'static str; 3],
-    unit: &'static str,
-    row: Option<usize>,
-    sheet: W,
-) -> Combined<W::Num> {
-    if let [alone] = parts {
-        return Combined { abs: *alone, srss: *alone, cqc: *alone };
-    }
-    let symbol = |base: &'static str| row.map_or(Symbol::from(base), |row| Symbol::from(base).row(row));
-    let why = (
-        "Sum of the absolute values: all modes at their largest at once, an upper bound",
-        CHOPRA.at("§13.7"),
-    );
-    let abs = sheet.step(symbol(abs), unit, W::Num::sum(parts.iter().map(|part| part.abs())), why);
-    let why = ("Root of the sum of squares: modes far apart in frequency", CHOPRA.at("§13.7"));
-    let squares = W::Num::sum(parts.iter().map(|part| part.powi(2)));
-    let srss = sheet.step(symbol(srss), unit, squares.sqrt(), why);
-    let mut terms: Vec<W::Num> = parts.iter().map(|part| part.powi(2)).collect();
-    for i in 0..parts.len() {
-        for j in i + 1..parts.len() {
-            terms.push(correlations[i][j] * parts[i] * parts[j] * 2.0);
-        }
-    }
-    let why = (
-        "Complete quadratic combination: with the correlation of near modes and the signs",
-        CHOPRA.at("§13.7"),
-    );
-    let cqc = sheet.step(symbol(cqc), unit, W::Num::sum(terms).sqrt(), why);
-    Combined { abs, srss, cqc }
 }
 
 impl Demand {

@@ -7,6 +7,7 @@ use dalembert_mechanics::{
 };
 use nalgebra::Complex;
 
+mod checks;
 mod drawing;
 mod exhibits;
 
@@ -301,26 +302,25 @@ impl SpringNetwork {
             "Imaginary part of the dynamic stiffness: what the dampers add",
         );
         let dynamic = sheet.step("k_d", "kN/m", given.force / size, "Magnitude of the dynamic stiffness");
+        sheet.answer("amplitude", "Amplitude of the loaded node", size);
+        sheet.answer("phase", "Phase lag", lag);
+        sheet.answer("dynamic_stiffness", "Dynamic stiffness", dynamic);
+        sheet.answer("storage_stiffness", "Real part of the dynamic stiffness", storage);
+        sheet.answer("loss_stiffness", "Imaginary part of the dynamic stiffness", loss);
+        let mut factor = None;
+        if storage.value() > 0.0 && loss.value() > 0.0 {
+            let tangent = sheet.step("η", "1", loss / storage, "Loss factor");
+            sheet.answer("loss_factor", "Loss factor", tangent);
+            factor = Some(tangent);
+        }
         sheet.verify(|| {
-            let power: f64 = system
-                .links
-                .iter()
-                .map(|link| {
-                    let end = |end: Option<usize>| end.map_or(Complex::ZERO, |node| moved[node]);
-                    let deflection: Complex<f64> = end(link.ends[0]) - end(link.ends[1]);
-                    link.damping * omega * deflection.norm_sqr()
-                })
-                .sum();
-            let put_in = self.force * -x.im;
-            sheet.check_zero(
-                "the power of the force is the power that the dampers take",
-                W::Num::from(power - put_in),
-                self.force * x.norm(),
-            );
+            let shown =
+                checks::Shown { force: given.force, amplitude: size, lag, storage, loss, dynamic, factor };
+            checks::shaken(system, omega, &moved, &shown, sheet);
             if self.nodes.iter().enumerate().all(|(n, node)| n == loaded || node.mass.is_none()) {
                 let felt = system.felt_at(loaded, |link| Complex::new(link.stiffness, link.damping * omega));
                 let whole = felt - system.masses[loaded] * omega.powi(2);
-                let off = (whole * x - self.force).norm();
+                let off = (whole * Complex::new(real.value(), imaginary.value()) - self.force).norm();
                 sheet.check_zero(
                     "dynamic stiffness by eliminating the other nodes one by one (star and mesh)",
                     W::Num::from(off),
@@ -328,15 +328,6 @@ impl SpringNetwork {
                 );
             }
         });
-        sheet.answer("amplitude", "Amplitude of the loaded node", size);
-        sheet.answer("phase", "Phase lag", lag);
-        sheet.answer("dynamic_stiffness", "Dynamic stiffness", dynamic);
-        sheet.answer("storage_stiffness", "Real part of the dynamic stiffness", storage);
-        sheet.answer("loss_stiffness", "Imaginary part of the dynamic stiffness", loss);
-        if storage.value() > 0.0 && loss.value() > 0.0 {
-            let factor = sheet.step("η", "1", loss / storage, "Loss factor");
-            sheet.answer("loss_factor", "Loss factor", factor);
-        }
         sheet.show(|| Exhibit::Table(self.table_shaken(system, omega, &moved)));
         Ok(())
     }
@@ -361,10 +352,13 @@ impl SpringNetwork {
             roots.iter().copied().filter(|root| root.im > 1e-9 * root.norm()).collect();
         oscillations.sort_by(|p, q| p.norm().total_cmp(&q.norm()));
         let dashpots = system.links.iter().any(|link| link.damping > 0.0);
+        let mut shown = Vec::new();
         for (n, root) in oscillations.iter().enumerate().take(MOST / 2) {
             let why = "Exact: frequency of the motion e^(st) that meets the equations of all nodes";
             let damped = sheet.found(("ω_d", n + 1), "rad/s", root.im, why);
             sheet.answer(("frequency", n + 1), "Exact frequency of free vibration", damped);
+            let mut as_shown = Complex::new(0.0, damped.value());
+            let mut damping_ratio = None;
             if dashpots {
                 let decay = sheet.found(("σ", n + 1), "rad/s", -root.re + 0.0, "Its rate of decay");
                 let ratio = sheet.step(
@@ -374,11 +368,17 @@ impl SpringNetwork {
                     ("Damping ratio of this root", RAO.at("§2.6")),
                 );
                 sheet.answer(("damping_ratio", n + 1), "Exact damping ratio", ratio);
+                as_shown.re = -decay.value();
+                damping_ratio = Some(ratio);
             }
+            shown.push((as_shown, damping_ratio));
         }
         sheet.verify(|| {
+            for (root, ratio) in &shown {
+                checks::free(system, *root, *ratio, sheet);
+            }
             if let [only] = heavy[..] {
-                for root in &oscillations {
+                for (root, _) in &shown {
                     let felt = system.felt_at(only, |link| link.stiffness + link.damping * root);
                     let inertia = system.masses[only] * root * root;
                     sheet.check_zero(
@@ -450,6 +450,13 @@ fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W)
         if let Ok(x) = system.at_rest(&unit) {
             sheet.check("the displacement under a unit force is 1/k", W::Num::from(1.0 / x[node]), k);
         }
+        if let Some(energy) = checks::elastic(system, node) {
+            sheet.check(
+                "springs alone: largest kinetic energy = largest elastic energy",
+                mass * natural.powi(2),
+                W::Num::from(energy),
+            );
+        }
     });
     if damping <= 0.0 {
         return;
@@ -466,6 +473,16 @@ fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W)
         sdof::damping_ratio(c, k, mass),
         ("Damping ratio: damping over critical damping", RAO.at("§2.6")),
     );
+    sheet.verify(|| {
+        if let Some(power) = checks::elastic(&checks::dampers_alone(system), node) {
+            sheet.check(
+                "dampers alone: the power that they take at a unit speed is c",
+                W::Num::from(power),
+                c,
+            );
+        }
+        sheet.check("combined apart: the sum of the roots is −c/m", ratio * natural * 2.0, c / mass);
+    });
     sheet.answer("combined_damping", "Damping, combined apart from the springs", c);
     sheet.answer("combined_damping_ratio", "Damping ratio, springs and dampers combined apart", ratio);
     if ratio.value() < 1.0 {
@@ -474,6 +491,11 @@ fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W)
             "rad/s",
             sdof::damped_frequency(natural, ratio),
             ("Frequency of the decaying motion", RAO.at("§2.6")),
+        );
+        sheet.check(
+            "combined apart: the product of the roots is k/m",
+            (ratio * natural).powi(2) + damped.powi(2),
+            k / mass,
         );
         sheet.answer("combined_frequency", "Damped frequency, springs and dampers combined apart", damped);
     }
