@@ -5589,3 +5589,11 @@ overdamped-the-body-creeps-to-its-rest-and-the-largest-deflection-is-that-of-the
 the-damping-is-so-strong-that-the-body-creeps-to-its-rest-the-largest-deflection-is-approached-but = o amortecimento é tão forte que o corpo rasteja até seu repouso: a deflexão máxima é aproximada, mas nunca ultrapassada, e não tem instante
 set-down-on-a-strongly-damped-cushion = Pousado em uma embalagem fortemente amortecida
 overdamped-2-y-1-s-e-s-t-s-e-s-t-s-s-creeps-to-m-g-k-and-never-passes-it = Superamortecido, ζ = 2: y = δ (1 − (s₂ e^(−s₁t) − s₁ e^(−s₂t))/(s₂ − s₁)) rasteja até δ = m g/k e nunca o ultrapassa
+newton-s-second-law-at-the-largest-force-f-t-m-t-g-m-t-a = segunda lei de Newton na maior força: F_T − m_t g = m_t aₘ
+area-under-the-characteristic-up-to-the-largest-displacement-is-the-kinetic-energy-at-rest = a área sob a característica até o maior deslocamento é a energia cinética na posição de repouso
+at-the-contact-the-force-that-the-spring-lacks-is-the-weight-of-the-body-m-g-m-t = no contato a força que falta à mola é o peso do corpo: ωₙ² δ = m g/m_t
+energy-lost-that-of-the-speed-of-approach-in-the-reduced-mass-m-m-p-v-2-m-t = energia perdida: a da velocidade de aproximação na massa reduzida, m m_p v²/(2 m_t)
+the-element-is-what-sticking-adds-to-the-stiffness-m = o elemento é o que a aderência acrescenta à rigidez, m (ω₁² − ω₂²)
+way-by-the-exact-recurrence = caminho pela recorrência exata
+way-in-free-fall-the-height-by-the-square-of-the-share-of-its-time = caminho em queda livre: a altura pelo quadrado da fração de seu tempo
+whole-way-that-of-the-free-fall-in-its-time-and-the-deflection-by-the-exact-recurrence = caminho total: o da queda livre em seu tempo, e a deflexão pela recorrência exata
