@@ -2675,3 +2675,5 @@ the-static-reactions-balance-weight-and-loads = as reações estáticas equilibr
 velocity-of-the-point-of-the-wheel-on-the-rail = velocidade do ponto da roda sobre o trilho
 weight-and-centrifugal-force-balance-at-the-lean-without-turning-parts = peso e força centrífuga se equilibram na inclinação sem partes girantes
 time-to-that-angle-by-quadrature-over-the-nutation = tempo até esse ângulo por quadratura sobre a nutação
+the-same-hoop-from-its-precession = O mesmo aro a partir da sua precessão
+closed-form-2-g-cos-sin-4-a-r-cos-for-a-hoop-solved-for-the-circle-of-the-centre = forma fechada: φ̇² = 2 g cos θ/(sen θ (4 a + r cos θ)) para um aro, resolvida para o círculo do centro

@@ -5597,3 +5597,16 @@ the-element-is-what-sticking-adds-to-the-stiffness-m = o elemento é o que a ade
 way-by-the-exact-recurrence = caminho pela recorrência exata
 way-in-free-fall-the-height-by-the-square-of-the-share-of-its-time = caminho em queda livre: a altura pelo quadrado da fração de seu tempo
 whole-way-that-of-the-free-fall-in-its-time-and-the-deflection-by-the-exact-recurrence = caminho total: o da queda livre em seu tempo, e a deflexão pela recorrência exata
+dunkerley-the-squares-of-the-periods-of-all-modes-add-up-to-the-same = Dunkerley: a soma dos quadrados dos períodos de todos os modos dá o mesmo
+half-sine-pulse-of-three-half-periods = Pulso de meio seno de três meios períodos
+overdamped-after-an-impulse = Superamortecido após um impulso
+ramp-on-a-damped-mass = Rampa sobre uma massa amortecida
+rayleigh-the-first-round-of-matrix-iteration-from-equal-deflections = Rayleigh: a primeira volta da iteração matricial, a partir de deslocamentos iguais
+released-with-a-velocity-critically-damped = Solto com velocidade, amortecimento crítico
+second-row-of-k-m-0-the-second-amplitude-over-the-first = Segunda linha de (K − λM) φ = 0: a segunda amplitude sobre a primeira
+frequency-n-with-what-the-plane-of-rotation-takes-away-by-the-same-balance = frequência { $n }: com o que o plano de rotação retira, pelo mesmo equilíbrio
+just-below-the-buckling-load-all-squares-of-frequencies-are-positive-just-above-it-one-is-not = logo abaixo da carga de flambagem todos os quadrados das frequências são positivos, logo acima um não é
+shape-n-work-of-the-centrifugal-forces-on-the-shortening-of-the-blade-over-its-kinetic-energy = forma { $n }: trabalho das forças centrífugas no encurtamento da pá, sobre a sua energia cinética
+x-i-e-s-t-e-s-t-m-s-s-with-s-0-5-s-and-s-2-s = x = I(e^(−s₁t) − e^(−s₂t))/(m(s₂ − s₁)) com s₁ = 0,5 s⁻¹ e s₂ = 2 s⁻¹
+x-sin-t-r-sin-t-1-r-with-r-1-3-at-t-150-and-t-450-0-1875 = x = δ(sen Ωt − r sen ωt)/(1 − r²) com r = 1/3, em Ωt = 150° e ωt = 450°: 0,1875 δ
+x-t-2-1-g-h-t-r-g-and-h-the-free-motions-from-a-unit-displacement-and-a-unit-velocity = x = δ(t − 2ζ(1 − g)/ω − h)/t_r, com g e h as vibrações livres de deslocamento unitário e de velocidade unitária

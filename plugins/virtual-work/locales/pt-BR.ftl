@@ -2557,3 +2557,5 @@ virtual-works-of-all-loads-of-the-resistance-and-of-the-inertia-of-the-flywheel 
 way-of-the-table-over-way-of-the-cylinder-as-the-force-of-the-cylinder-for-a-unit-load-without = caminho da mesa sobre caminho do cilindro como a força do cilindro para uma carga unitária, sem pesos das barras
 work-of-a-cycle-from-its-mean-power-and-its-time = trabalho de um ciclo pela sua potência média e o seu tempo
 work-of-the-gas-as-the-area-of-its-diagram-strip-by-strip = trabalho do gás como a área do seu diagrama, faixa por faixa
+the-same-rod-by-two-terms-of-the-series = A mesma biela por dois termos da série
+cos-a-b-s-2-a-b-with-s-s-v-t-differentiated-the-cylinder-s-work-is-i = cos θ = (a² + b² − s²)/(2 a b) com s = s₀ + v t, derivado; o trabalho do cilindro é ½I(ω₁² − ω₀²)
