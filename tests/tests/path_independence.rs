@@ -222,7 +222,17 @@ impl Case<'_> {
             // On a logarithmic axis every digit of a small ordinate is seen.
             let size = if plot.y.scale == Scale::Log { y.abs() } else { size };
             let off = (found - y).abs();
-            if off.is_nan() || off > agreement * size.max(if told.is_some() { STILL } else { 0.0 }) + noise {
+            let limit = agreement * size.max(if told.is_some() { STILL } else { 0.0 }) + noise;
+            // Beside a vertical tangent the last place of the abscissa alone moves the answer.
+            let moved = || {
+                let beside = [1.0, -1.0].map(|way| input * (1.0 + way * 4.0 * f64::EPSILON));
+                let beside = beside.map(|input| self.direct(&series.with, over, input, (of, y)));
+                beside
+                    .into_iter()
+                    .flatten()
+                    .fold(0.0f64, |most, [_, [other, _]]| most.max((other - found).abs()))
+            };
+            if off.is_nan() || off > limit && off > limit + moved() {
                 let share = off / size;
                 return Err(format!(
                     "{y:e} at {} = {input:e}, where {of} is {found:e}: {share:.1e}",

@@ -290,4 +290,3 @@ its-own-definition-there-is-no-second-way-to-it = a própria definição: não h
 it-is-counted-not-measured = é contada, não medida
 a-list-or-a-set-its-numbers-have-no-steps-that-could-be-followed = uma lista ou um conjunto: seus números não têm passos que se possam seguir
 a-standard-or-an-empirical-rule-gives-it = dada por uma norma ou uma regra empírica
-there-is-a-second-way-that-is-not-written-yet = há um segundo caminho que ainda não está escrito

@@ -60,8 +60,6 @@ pub enum Reason {
     List,
     /// A standard or an empirical rule gives it.
     Rule,
-    /// There is a second way that is not written yet.
-    Open,
 }
 
 /// What holds each answer of an analysis, over all its cases. `Err` says what is wrong with its case file.
@@ -282,8 +280,7 @@ impl Coverage {
 
 impl Reason {
     /// All of them.
-    pub const ALL: [Reason; 5] =
-        [Reason::Definition, Reason::Count, Reason::List, Reason::Rule, Reason::Open];
+    pub const ALL: [Reason; 4] = [Reason::Definition, Reason::Count, Reason::List, Reason::Rule];
 
     /// The name in case files.
     pub const fn name(self) -> &'static str {
@@ -292,7 +289,6 @@ impl Reason {
             Reason::Count => "count",
             Reason::List => "list",
             Reason::Rule => "rule",
-            Reason::Open => "open",
         }
     }
 
@@ -303,7 +299,6 @@ impl Reason {
             Reason::Count => "it is counted, not measured",
             Reason::List => "a list or a set: its numbers have no steps that could be followed",
             Reason::Rule => "a standard or an empirical rule gives it",
-            Reason::Open => "there is a second way that is not written yet",
         })
     }
 }

@@ -27,7 +27,7 @@ impl Analysis for Disc {
         sources: &[],
         cases: r#"
             [uncovered]
-            "open" = ["power"]
+            "definition" = ["power"]
             "count" = ["energy"]
             [[case]]
             name = "Disc"
@@ -79,7 +79,7 @@ fn an_answer_is_covered_when_a_check_notices_that_it_is_wrong() {
     for name in ["power", "own", "list"] {
         assert_eq!(of(name).standing, Standing::Uncovered, "{name}");
     }
-    assert_eq!(of("power").reason, Some(Reason::Open));
+    assert_eq!(of("power").reason, Some(Reason::Definition));
     assert_eq!(of("own").reason, None);
     assert_eq!(all.iter().filter(|one| one.is_stale()).map(|one| one.answer).collect::<Vec<_>>(), ["energy"]);
     assert_eq!(all.iter().map(|Coverage { answer, .. }| *answer).collect::<Vec<_>>().len(), 8);

@@ -5610,3 +5610,14 @@ shape-n-work-of-the-centrifugal-forces-on-the-shortening-of-the-blade-over-its-k
 x-i-e-s-t-e-s-t-m-s-s-with-s-0-5-s-and-s-2-s = x = I(e^(−s₁t) − e^(−s₂t))/(m(s₂ − s₁)) com s₁ = 0,5 s⁻¹ e s₂ = 2 s⁻¹
 x-sin-t-r-sin-t-1-r-with-r-1-3-at-t-150-and-t-450-0-1875 = x = δ(sen Ωt − r sen ωt)/(1 − r²) com r = 1/3, em Ωt = 150° e ωt = 450°: 0,1875 δ
 x-t-2-1-g-h-t-r-g-and-h-the-free-motions-from-a-unit-displacement-and-a-unit-velocity = x = δ(t − 2ζ(1 − g)/ω − h)/t_r, com g e h as vibrações livres de deslocamento unitário e de velocidade unitária
+bandwidth-of-a-mode-with-that-damping-ratio-from-its-half-power-frequencies-in-closed-form = largura de banda de um modo com esse fator de amortecimento, das suas frequências de meia potência em forma fechada
+damping-ratio-from-the-upper-half-power-point-alone-a-quarter-of-the-circle-after-the-natural = fator de amortecimento só do ponto superior de meia potência, um quarto do círculo depois da frequência natural
+error-of-the-textbook-damping-from-the-peak-at-1-2-and-its-height-1-1-2-1 = erro do amortecimento dos livros, do pico em ωₙ√(1 − 2ζ²) e da sua altura: √((1 − ζ²)/(1 − 2ζ²)) − 1
+error-of-the-textbook-mass-from-the-peak-at-1-2-2-1-2 = erro da massa dos livros, do pico em ωₙ√(1 − 2ζ²): 2ζ²/(1 − 2ζ²)
+largest-amplitude-from-the-dynamic-stiffness-at-the-peak = maior amplitude pela rigidez dinâmica no pico
+scatter-the-relative-differences-of-1-h-are-orthogonal-to-the-fit-so-that-d-d = dispersão: as diferenças relativas de 1/H² são ortogonais ao ajuste, de modo que Σd² = −Σd
+square-of-the-radius-is-the-mean-square-of-the-distances-of-the-points-from-the-centre = o quadrado do raio é a média dos quadrados das distâncias dos pontos ao centro
+the-complex-differences-are-orthogonal-to-the-derivatives-of-the-fit-by-each-of-its-numbers = as diferenças complexas são ortogonais às derivadas do ajuste em relação a cada um dos seus números
+the-receptance-of-mass-stiffness-and-damping-at-the-lowest-frequency-is-the-measured-one = a receptância de massa, rigidez e amortecimento na frequência mais baixa é a medida
+a-hysteretic-mode-between-others-below-and-above = Um modo histerético entre outros abaixo e acima
+n-0-5-1-0-04i-2-10-0-05-with-10-hz-to-ten-digits = 0,5/(ωₙ²(1 + 0,04i) − ω²) + 2·10⁻⁵ − 0,05/ω² com 10 Hz, com dez algarismos

@@ -9,6 +9,7 @@ use dalembert_mechanics::{Real, identification, sdof};
 mod circle;
 mod complex;
 mod few_points;
+mod normal_equations;
 mod plots;
 mod points;
 mod table;
@@ -334,6 +335,22 @@ fn textbook<W: Worksheet>(system: &System<W::Num>, sheet: W) {
         (damping - system.damping) / system.damping,
         "How far the textbook reading of the damping is off",
     );
+    sheet.verify(|| {
+        let one = W::Num::from(1.0);
+        let squared = system.damping_ratio.powi(2);
+        let level = one - squared * 2.0;
+        sheet.check(
+            "error of the textbook mass from the peak at ωₙ√(1 − 2ζ²): 2ζ²/(1 − 2ζ²)",
+            mass_error,
+            squared * 2.0 / level,
+        );
+        let ratio = ((one - squared) / level).sqrt();
+        sheet.check(
+            "error of the textbook damping from the peak at ωₙ√(1 − 2ζ²) and its height: √((1 − ζ²)/(1 − 2ζ²)) − 1",
+            damping_error,
+            squared / level / (ratio + 1.0),
+        );
+    });
     sheet.answer("textbook_mass", "Mass, peak taken as natural frequency", mass);
     sheet.answer("textbook_damping", "Damping, peak taken as natural frequency", damping);
     sheet.answer("textbook_mass_error", "Error of that mass", mass_error);
@@ -367,6 +384,11 @@ fn resonance<W: Worksheet>(force: Option<W::Num>, system: &System<W::Num>, sheet
         "amplitude at the natural frequency from the static deflection over 2ζ",
         force / system.stiffness / (system.damping_ratio * 2.0),
         natural,
+    );
+    sheet.check(
+        "largest amplitude from the dynamic stiffness at the peak",
+        sdof::forced_amplitude(force, system.stiffness, system.mass, system.damping, peak.frequency),
+        largest,
     );
     sheet.answer("resonant_amplitude", "Largest amplitude under the force", largest);
     sheet.answer("natural_amplitude", "Amplitude at the natural frequency", natural);

@@ -3,7 +3,7 @@
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real,
-    identification::modal::{self, CircleFit, DampingModel, ModalError, Point, Response},
+    identification::modal::{self, CircleFit, Complex, DampingModel, ModalError, Point, Response},
 };
 
 use super::complex::{DampingKind, Mode};
@@ -49,6 +49,24 @@ pub(super) fn circle<W: Worksheet>(
         "A quarter of the circle after it: upper half-power point",
     );
     sheet.check_zeros("the angles round the circle meet their normal equations", fit.slopes, 1.0);
+    sheet.verify(|| {
+        let squares: f64 = points
+            .iter()
+            .map(|point| {
+                let receptance = response.receptance(*point);
+                let turned = match model {
+                    DampingModel::Viscous => receptance * Complex::new(0.0, point.0),
+                    DampingModel::Hysteretic => receptance,
+                };
+                (turned - fit.circle.centre).norm_sqr()
+            })
+            .sum();
+        sheet.check(
+            "square of the radius is the mean square of the distances of the points from the centre",
+            W::Num::from(squares / points.len() as f64),
+            W::Num::from(diameter.value().powi(2) / 4.0),
+        );
+    });
     let (ratio, constant) = match model {
         DampingModel::Viscous => {
             let zeta = sheet.step(
@@ -95,6 +113,14 @@ pub(super) fn circle<W: Worksheet>(
             (zeta, constant)
         }
     };
+    sheet.check(
+        "damping ratio from the upper half-power point alone, a quarter of the circle after the natural frequency",
+        match model {
+            DampingModel::Viscous => upper / natural - natural / upper,
+            DampingModel::Hysteretic => (upper / natural).powi(2) - 1.0,
+        },
+        ratio * 2.0,
+    );
     sheet.answer("circle_diameter", "Diameter of the Nyquist circle", diameter);
     sheet.answer("circle_misfit", "Scatter of the points about the circle", misfit);
     sheet.answer("circle_natural_frequency", "Natural frequency, circle fit", natural);

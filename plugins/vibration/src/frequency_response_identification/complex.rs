@@ -12,7 +12,7 @@ use dalembert_mechanics::{
     sdof,
 };
 
-use super::{circle, plots, points::ordered};
+use super::{circle, normal_equations::normal_equations, plots, points::ordered};
 use crate::sources::{EWINS, RAO};
 
 /// The fewest points whose fit has something left to judge it by.
@@ -376,23 +376,24 @@ fn least_squares<W: Worksheet>(
         }
     };
     let natural = sheet.found("ωₙ", "Hz", fit.natural_frequency, (how, EWINS.at("§4.4")));
-    let zeta = match model {
+    let (damping, zeta) = match model {
         DampingModel::Viscous => {
-            sheet.found("ζ", "1", fit.damping, "Damping ratio by the same least squares")
+            let zeta = sheet.found("ζ", "1", fit.damping, "Damping ratio by the same least squares");
+            (zeta, zeta)
         }
         DampingModel::Hysteretic => {
             let eta = sheet.found("η", "1", fit.damping, "Loss factor by the same least squares");
             sheet.answer("loss_factor", "Loss factor", eta);
-            sheet.step(
+            let zeta = sheet.step(
                 "ζ",
                 "1",
                 eta / 2.0,
                 "Viscous damping ratio with the same loss at the natural frequency",
-            )
+            );
+            (eta, zeta)
         }
     };
     let constant = sheet.found("A", "1/kg", fit.modal_constant, "Modal constant by the same least squares");
-    sheet.check_zeros("the least squares meet their normal equations", fit.slopes, 1.0);
     let misfit = sheet.found(
         "ε",
         "%",
@@ -402,15 +403,25 @@ fn least_squares<W: Worksheet>(
     sheet.answer("natural_frequency", "Natural frequency", natural);
     sheet.answer("damping_ratio", "Damping ratio", zeta);
     sheet.answer("modal_constant", "Modal constant", constant);
+    let mut answered = vec![natural.value(), damping.value(), constant.value()];
     if residuals != ResidualKind::None {
         let residual =
             sheet.found("R", "mm/N", fit.stiffness_residual, "Stiffness residual, for the modes above");
         sheet.answer("stiffness_residual", "Stiffness residual", residual);
+        answered.push(residual.value());
     }
     if residuals == ResidualKind::StiffnessAndMass {
         let residual = sheet.found("S", "1/kg", fit.mass_residual, "Mass residual, for the modes below");
         sheet.answer("mass_residual", "Mass residual", residual);
+        answered.push(residual.value());
     }
+    sheet.verify(|| {
+        sheet.check_zeros(
+            "the complex differences are orthogonal to the derivatives of the fit by each of its numbers",
+            normal_equations(points, response, model, &answered),
+            1.0,
+        );
+    });
     sheet.answer("misfit", "Scatter of the points about the fit", misfit);
     if fit.misfit > 0.05 {
         sheet.warn(|| {

@@ -83,6 +83,21 @@ fn least_squares<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System
         fit.misfit / 2.0,
         "Root mean square of the relative differences between the fitted receptance and the measured one",
     );
+    sheet.verify(|| {
+        let (k, m, c) = (stiffness.value(), mass.value(), damping.value());
+        let differences = points.iter().map(|&(frequency, receptance)| {
+            let elastic = k - m * frequency.powi(2);
+            (elastic.powi(2) + (c * frequency).powi(2)) * receptance.powi(2) - 1.0
+        });
+        let (sum, size) = differences.fold((0.0, 0.0), |(sum, size), off| (sum + off, size + off.abs()));
+        let squares = 4.0 * points.len() as f64 * misfit.value().powi(2);
+        sheet.check_residual(
+            "scatter: the relative differences of 1/H² are orthogonal to the fit, so that Σd² = −Σd",
+            (squares + sum).into(),
+            size,
+            16.0 * f64::EPSILON * points.len() as f64,
+        );
+    });
     sheet.answer("misfit", "Scatter of the points about the fit", misfit);
     if fit.misfit > 0.1 {
         sheet.warn(|| {
@@ -166,7 +181,13 @@ pub(super) fn from_peak<W: Worksheet>(
         identification::mass_from_peak_and_point(receptance, frequency, at_first, first),
         "Mass from peak and lowest frequency: 1/H² = 1/Hₕ² + m²(ω² − ωₕ²)² at every frequency",
     );
-    from_mass(mass, receptance, frequency, ["kₕ", "cₕ", "ωₙₕ", "ζₕ"], sheet)
+    let system = from_mass(mass, receptance, frequency, ["kₕ", "cₕ", "ωₙₕ", "ζₕ"], sheet);
+    sheet.check(
+        "the receptance of mass, stiffness and damping at the lowest frequency is the measured one",
+        sdof::receptance(system.stiffness, system.mass, system.damping, first),
+        at_first,
+    );
+    system
 }
 
 /// The reading of the half-power points.
@@ -204,6 +225,17 @@ pub(super) fn from_half_power<W: Worksheet>(
         sdof::damping_ratio_from_bandwidth(lower, upper, frequency),
         ("Textbook reading of the bandwidth, for light damping", RAO.at("§3.4")),
     );
+    let [below, above] = [
+        sdof::lower_half_power_ratio(system.damping_ratio),
+        sdof::upper_half_power_ratio(system.damping_ratio),
+    ];
+    if below.value().is_finite() && above.value().is_finite() {
+        sheet.check(
+            "bandwidth of a mode with that damping ratio, from its half-power frequencies in closed form",
+            (above - below) * system.natural / (frequency * 2.0),
+            light,
+        );
+    }
     sheet.answer("half_power_damping_ratio", "Damping ratio, half-power points", system.damping_ratio);
     sheet.answer("bandwidth_damping_ratio", "Damping ratio, bandwidth over twice the peak frequency", light);
     system

@@ -78,8 +78,8 @@ pub(crate) fn solve<W: Worksheet>(
     let ratios = (k12.value() != 0.0).then(|| {
         [(1, lower), (2, upper)].map(|(place, square)| {
             let [own, other] = [k11 - square * masses[0], k22 - square * masses[1]];
-            // The row in which less cancels.
-            if (own / k11).value().abs() >= (other / k22).value().abs() {
+            // The first row, unless it loses two digits more than the second by cancellation.
+            if (own / k11).value().abs() >= 1e-2 * (other / k22).value().abs() {
                 let why = "First row of (K − λM) φ = 0: the second amplitude over the first";
                 sheet.step(("r", place), ratio_unit, own / -k12, (why, RAO.at("§5.3")))
             } else {
