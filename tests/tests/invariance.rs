@@ -317,7 +317,7 @@ fn problems() -> Vec<Problem> {
             let name = format!("{}, {}", entry.about.id, case.name);
             let record = case.record(entry).unwrap_or_else(|err| panic!("{name}: {err}"));
             let solution = entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {err}"));
-            all.push(Problem { name, entry: *entry, record, solution });
+            all.push(Problem { name, entry, record, solution });
         }
     }
     all

@@ -208,7 +208,7 @@ impl Characteristic {
 fn quadrature(spring: &TwoSlopes, mass: f64, amplitude: f64) -> f64 {
     let corner = amplitude.min(spring.corner);
     // The force is straight over each piece, so its mean is exact: energies close to each other are not subtracted.
-    let work = |x: f64, force: f64, way: f64| (spring.force(x) + force) / 2.0 * way;
+    let work = |x: f64, force: f64, way: f64| f64::midpoint(spring.force(x), force) * way;
     // x = end − (end − from) s², so that dx/v is smooth at the turning point.
     let piece = |from: f64, end: f64| -> f64 {
         if end <= from {

@@ -418,7 +418,7 @@ impl<W: Worksheet> Shaft<'_, W> {
             ),
         );
         let rounds = lumped::matrix_iteration(&rows, &masses, 5000);
-        let [Some(first), Some(last)] = [rounds.first(), rounds.last()].map(|round| round.cloned()) else {
+        let [Some(first), Some(last)] = [rounds.first(), rounds.last()].map(Option::<&_>::cloned) else {
             return Err(Refusal::because(NOT_FOUND));
         };
         sheet.verify(|| {
