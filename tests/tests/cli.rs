@@ -807,3 +807,32 @@ fn first_table() -> Option<(&'static str, &'static str)> {
         Some((entry.about.id, field.name))
     })
 }
+
+#[test]
+fn round_numbers_beside_those_of_a_case_leave_no_check_failed() {
+    let torsion =
+        ["discs[2].inertia.given.inertia=1.3 kg*m^2", "shafts[1].stiffness.stiffness.stiffness=777 N*m/rad"];
+    let top = |nutation| [nutation, "body.mass=0.4 kg"];
+    for (id, case, changes) in [
+        ("vibration/torsional-train", "11", &torsion[..]),
+        ("rigid-body/top-nutation", "6", &top("nutation=0.01 deg")),
+        ("rigid-body/top-nutation", "6", &top("nutation=0.001 deg")),
+        ("vibration/bar-on-two-springs", "2", &["rear=500.0000000000001 N/m"]),
+        ("vibration/rotor-dynamics", "25", &["elements=6"]),
+        ("vibration/rotor-dynamics", "25", &["elements=6", "speed=6000 rpm"]),
+        ("vibration/rotor-dynamics", "25", &["elements=40", "theory=euler-bernoulli"]),
+    ] {
+        let mut arguments = vec!["solve", id, "--case", case];
+        arguments.extend(changes.iter().flat_map(|change| ["--set", change]));
+        let solved = run(&arguments, &[]);
+        assert!(solved.status.success(), "{arguments:?}: {}", stderr(&solved));
+    }
+}
+
+#[test]
+fn changes_without_a_case_begin_with_nothing() {
+    let error = refused(&["solve", "rigid-body/heavy-top", "--set", "body.mass=1 kg"], 2);
+    for said in ["body.distance: a value is needed", "motion: write one of spin", "--case 1 begins with"] {
+        assert!(error.contains(said), "{said}: {error}");
+    }
+}
