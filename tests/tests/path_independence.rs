@@ -20,6 +20,8 @@ use itertools::Itertools as _;
 const ABSCISSAS: usize = 29;
 /// Of these the most that a direct solve may refuse: dead centres, the moment zero, the end of a range.
 const REFUSED: usize = 4;
+/// Error of an abscissa that was found as a root, of itself.
+const FOUND: f64 = 1e-13;
 /// The largest difference, relative to the largest ordinate of the curve.
 const AGREEMENT: f64 = 1e-9;
 /// A path no longer than this, in SI, is the rounding of a point at rest.
@@ -223,9 +225,9 @@ impl Case<'_> {
             let size = if plot.y.scale == Scale::Log { y.abs() } else { size };
             let off = (found - y).abs();
             let limit = agreement * size.max(if told.is_some() { STILL } else { 0.0 }) + noise;
-            // Beside a vertical tangent the last place of the abscissa alone moves the answer.
+            // On a steep flank what a root that was found may be off by moves the answer.
             let moved = || {
-                let beside = [1.0, -1.0].map(|way| input * (1.0 + way * 4.0 * f64::EPSILON));
+                let beside = [1.0, -1.0].map(|way| input * (1.0 + way * FOUND));
                 let beside = beside.map(|input| self.direct(&series.with, over, input, (of, y)));
                 beside
                     .into_iter()

@@ -228,7 +228,7 @@ fn response(oscillator: &JenkinsOscillator, peak: &ResponsePoint, asked: Option<
         let excess = |w: f64| amplitude * oscillator.dynamic_stiffness(w, amplitude) - oscillator.force;
         let crossing = |ends: [f64; 2]| roots::find(excess, ends, |_| ControlFlow::Continue(())).ok();
         below.extend(crossing([0.0, softest]).map(|w| (w, amplitude)));
-        above.extend(crossing([softest, 20.0 * top]).map(|w| (w, amplitude)));
+        above.extend(crossing([softest, top]).map(|w| (w, amplitude)));
     }
     above.reverse();
     let mut curve = below;

@@ -171,8 +171,10 @@ impl Duffing {
     /// The two frequencies at which the first harmonic has the amplitude `A`, below and above the backbone, rad/s;
     /// NaN where there is none.
     pub fn frequencies_of(&self, force: f64, amplitude: f64) -> [f64; 2] {
-        let held = self.equivalent(amplitude) - self.damping * self.damping / (2.0 * self.mass);
-        let needed = (force / amplitude).powi(2) - self.equivalent(amplitude).powi(2) + held * held;
+        let (equivalent, loss) = (self.equivalent(amplitude), self.damping * self.damping / self.mass);
+        let held = equivalent - loss / 2.0;
+        // (F/A)² − k² + (k − c²/2m)², in which the squares of k would cancel.
+        let needed = (force / amplitude).powi(2) - loss * (equivalent - loss / 4.0);
         [-1.0, 1.0].map(|side: f64| ((held + side * needed.sqrt()) / self.mass).sqrt())
     }
 
