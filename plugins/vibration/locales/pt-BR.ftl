@@ -5620,4 +5620,4 @@ square-of-the-radius-is-the-mean-square-of-the-distances-of-the-points-from-the-
 the-complex-differences-are-orthogonal-to-the-derivatives-of-the-fit-by-each-of-its-numbers = as diferenças complexas são ortogonais às derivadas do ajuste em relação a cada um dos seus números
 the-receptance-of-mass-stiffness-and-damping-at-the-lowest-frequency-is-the-measured-one = a receptância de massa, rigidez e amortecimento na frequência mais baixa é a medida
 a-hysteretic-mode-between-others-below-and-above = Um modo histerético entre outros abaixo e acima
-n-0-5-1-0-04i-2-10-0-05-with-10-hz-to-ten-digits = 0,5/(ωₙ²(1 + 0,04i) − ω²) + 2·10⁻⁵ − 0,05/ω² com 10 Hz, com dez algarismos
+n-0-5-1-0-04i-2-10-0-05-with-10-hz-to-seven-digits = 0,5/(ωₙ²(1 + 0,04i) − ω²) + 2·10⁻⁵ − 0,05/ω² com 10 Hz, com sete algarismos
