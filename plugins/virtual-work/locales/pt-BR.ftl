@@ -2131,6 +2131,9 @@ it-rests-as-long-as-tan-the-friction-is-m-g-sin = Fica em repouso enquanto tan �
 it-rises-for-v-g-sin-cos-and-falls-with-g-sin-cos = Sobe durante v/(g (sen φ + μ cos φ)) e desce com g (sen φ − μ cos φ)
 mass-of-10-lb-with-a-spring-and-dry-friction-pulled-by-an-inch = Massa de 10 lb com mola e atrito seco, puxada uma polegada
 mass-that-a-spring-throws-until-it-first-rests = Massa lançada por uma mola, até o primeiro repouso
+spring-weaker-than-the-friction-until-the-block-first-rests = Mola mais fraca que o atrito, até o bloco parar pela primeira vez
+k-l-l-m-g-the-block-stays-where-it-is-put = k (L₀ − L) < μ m g: o bloco fica onde é posto
+k-l-l-4-07758-n-m-g-5-93117-n-a-block-that-never-moves-never-comes-to-rest = k (L₀ − L) = 4,07758 N, μ m g = 5,93117 N. Um bloco que nunca se move nunca para.
 the-friction-of-1-875-lbf-is-0-1875-of-the-weight-it-turns-once-at-0-0923-s-before-the-time-that-is = O atrito de 1,875 lbf é 0,1875 do peso. Ela inverte uma vez, em 0,0923 s, antes do instante pedido, 0,183 s.
 x-2-m-g-k-x-after-there-the-spring-is-weaker-than-the-friction-and-it-stays = x = 2 μ m g/k − X₀ após π/ωₙ; ali a mola é mais fraca que o atrito, e a massa fica.
 a-link-without-mass-falls = Uma peça sem massa cai

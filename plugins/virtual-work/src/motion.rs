@@ -32,6 +32,9 @@ const DOUBTFUL: f64 = 1e-9;
 /// One further off than this part of them has lost more than digits at a singular position: it fails.
 const WRONG: f64 = 1e-5;
 
+/// An energy balance off by this many roundings of the stored energy is no doubt.
+const ROUNDINGS: f64 = 8.0;
+
 /// A mechanism in the plane, drawn in x and y, and left to its loads; joints with friction stick and slip.
 ///
 /// Each body has axes of its own, in which its points are given; joints bring the points together. Angles and

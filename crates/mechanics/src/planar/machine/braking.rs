@@ -30,6 +30,15 @@ impl Machine<'_> {
         let Effect { free, accelerations, multipliers } = response.effect(&efforts);
         self.jammed = None;
         (self.driving, self.held, self.multipliers) = (free, accelerations, multipliers);
+        // The joints that stick are independent: where there are as many as free motions and no driver moves, nothing
+        // does. Rounding would let it creep.
+        let drivers = &self.system.mechanism.drivers;
+        let sticking = self.contacts.iter().filter(|contact| **contact == Contact::Holds).count();
+        if sticking == self.motions.len()
+            && drivers.iter().all(|driver| driver.velocity == 0.0 && driver.acceleration == 0.0)
+        {
+            self.driving.fill(0.0);
+        }
         power
     }
 
