@@ -125,40 +125,40 @@ fn with_module(library: &str, file: &str) -> String {
     lines.join("\n") + "\n"
 }
 
-/// The translations of a family with those sentences of the template that it lacks. Where another family has
-/// translated one, its words are taken: a sentence has one translation.
+/// The translations of a family with those sentences of the template that it lacks. Where the family has other words
+/// for a sentence, those of the template are for the new analysis alone; those of the program hold everywhere.
 fn with_translations(root: &Path, translations: &Path, name: &str) -> Result<String> {
     let own = read(translations)?;
-    let mut known: BTreeMap<String, String> = BTreeMap::new();
-    for path in translation_files(root)? {
+    let mut program: BTreeMap<String, String> = BTreeMap::new();
+    for path in translation_files(&root.join("crates"))? {
         let text = read(&path)?;
         let messages = text.lines().filter_map(|line| line.split_once(" = "));
-        known.extend(messages.map(|(key, words)| (key.to_owned(), words.to_owned())));
+        program.extend(messages.map(|(key, words)| (key.to_owned(), words.to_owned())));
     }
+    let mut lines: Vec<String> = own.lines().map(str::to_owned).collect();
     let mut added = String::new();
     for line in PORTUGUESE.replace("analysis-name", name).replace("Analysis name", &title(name)).lines() {
         let Some((key, words)) = line.split_once(" = ") else { continue };
-        if !own.lines().any(|line| line.split_once(" = ").is_some_and(|(have, _)| have == key)) {
-            let words = known.get(key).map_or(words, String::as_str);
-            added += &format!("{key} = {words}\n");
+        let words = program.get(key).map_or(words, String::as_str);
+        let known = |line: &String| line.split_once(" = ").is_some_and(|(have, _)| have == key);
+        match lines.iter().position(known) {
+            None => added += &format!("{key} = {words}\n"),
+            Some(at) if lines[at] != line && !program.contains_key(key) => {
+                lines.insert(at + 1, format!("    .{name} = {words}"));
+            }
+            Some(_) => {}
         }
     }
-    let gap = if own.is_empty() || own.ends_with('\n') { "" } else { "\n" };
-    Ok(format!("{own}{gap}\n# {}\n{added}", title(name)))
+    Ok(format!("{}\n\n# {}\n{added}", lines.join("\n").trim_end(), title(name)))
 }
 
-/// Every file of translations below crates/ and plugins/.
-fn translation_files(root: &Path) -> Result<Vec<PathBuf>> {
+/// Every file of translations of the packages in a folder.
+pub(crate) fn translation_files(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut found = Vec::new();
-    for parent in ["crates", "plugins"].map(|folder| root.join(folder)) {
-        if !parent.is_dir() {
-            continue;
-        }
-        for entry in fs::read_dir(&parent).with_context(|| format!("{} cannot be read", parent.display()))? {
-            let Ok(locales) = fs::read_dir(entry?.path().join("locales")) else { continue };
-            for file in locales {
-                found.push(file?.path());
-            }
+    for entry in fs::read_dir(folder).with_context(|| format!("{} cannot be read", folder.display()))? {
+        let Ok(locales) = fs::read_dir(entry?.path().join("locales")) else { continue };
+        for file in locales {
+            found.push(file?.path());
         }
     }
     found.retain(|path| path.extension().is_some_and(|ending| ending == "ftl"));

@@ -2,6 +2,14 @@
 //!
 //! The English sentence stands in the code. Its translation is a message in a `.ftl` file (Fluent) whose
 //! identifier is made from the English words by [`key`]; a test demands that none is missing.
+//!
+//! A sentence is translated for the place where it is shown ([`Locale::place`]): first by the attribute named after
+//! the analysis, then by the message of its family, then by that of any other crate.
+//!
+//! ```text
+//! greatest-speed = Velocidade máxima
+//!     .flywheel = Rotação máxima
+//! ```
 
 use std::{borrow::Cow, collections::HashMap, sync::OnceLock};
 
@@ -39,19 +47,21 @@ pub enum Language {
     Portuguese,
 }
 
-/// How things are written for a person: language and style of numbers.
+/// How things are written for a person: language, style of numbers, and the context of translations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Locale {
     /// The language of sentences.
     pub language: Language,
     /// Digits, decimal mark, ASCII or not.
     pub style: Style,
+    /// The analysis whose sentences are shown, by its id, such as `vibration/flywheel`; empty outside of any.
+    pub place: &'static str,
 }
 
 /// The Portuguese messages of one crate; collected from every linked crate.
 #[derive(Debug)]
 pub struct Messages {
-    /// The crate, for error messages.
+    /// The crate; that of a family is named `dalembert-` and the family.
     pub of: &'static str,
     /// The content of its `pt-BR.ftl`.
     pub portuguese: &'static str,
@@ -59,9 +69,14 @@ pub struct Messages {
 
 inventory::collect!(Messages);
 
-/// A line of a translation file, and the message that it holds once somebody has asked for it: behind a pointer, or the
-/// table of all lines would take megabytes of memory that nobody looks at.
-type Line = (&'static str, OnceLock<Box<FluentBundle<FluentResource>>>);
+/// A message of a translation file with its attributes, parsed when it is first needed: parsing all of them takes
+/// longer than to begin a session. The parsed message is boxed to keep the table small.
+struct Message {
+    /// The family of the crate, or the crate where it is of no family.
+    of: &'static str,
+    source: &'static str,
+    parsed: OnceLock<Box<FluentBundle<FluentResource>>>,
+}
 
 /// Registers the translations of a crate: `messages!("../locales/pt-BR.ftl");`
 #[macro_export]
@@ -120,7 +135,7 @@ impl Text {
         let translated = match locale.language {
             Language::English => None,
             // Sentences that differ by their first letter alone have one translation.
-            Language::Portuguese => portuguese(&self.template, &args)
+            Language::Portuguese => portuguese(locale.place, &self.template, &args)
                 .map(|text| if self.template.starts_with(char::is_uppercase) { capital(text) } else { text }),
         };
         let text = translated.unwrap_or_else(|| {
@@ -172,12 +187,20 @@ impl From<&'static str> for Text {
 impl Locale {
     /// English with a decimal point, five digits.
     pub fn english() -> Self {
-        Self { language: Language::English, style: Style::default() }
+        Self { language: Language::English, style: Style::default(), place: "" }
     }
 
     /// Brazilian Portuguese with a decimal comma, five digits.
     pub fn portuguese() -> Self {
-        Self { language: Language::Portuguese, style: Style { decimal: Decimal::Comma, ..Style::default() } }
+        let style = Style { decimal: Decimal::Comma, ..Style::default() };
+        Self { language: Language::Portuguese, style, place: "" }
+    }
+
+    /// The same locale for the sentences of an analysis, given by its id.
+    #[must_use]
+    pub fn at(mut self, place: &'static str) -> Self {
+        self.place = place;
+        self
     }
 
     /// The same locale with so many significant digits.
@@ -238,68 +261,132 @@ fn capital(text: String) -> String {
 /// Whether the sentence has a translation.
 pub fn is_translated(template: &str) -> bool {
     let key = key(template);
-    bundle(&key)
-        .is_some_and(|bundle| bundle.get_message(&key).is_some_and(|message| message.value().is_some()))
+    message("", &key).is_some_and(|message| {
+        message.bundle().get_message(&key).is_some_and(|found| found.value().is_some())
+    })
 }
 
-/// Faults of the translation files: what does not parse, and keys that stand twice with different words.
+/// Faults of the translation files: what does not parse, keys that stand twice in a file, attributes that name no
+/// analysis of the family, and sentences that the program and a family translate differently.
 pub fn translation_faults() -> Vec<String> {
     let mut faults = Vec::new();
-    let mut seen: HashMap<String, (String, &str)> = HashMap::new();
     for messages in inventory::iter::<Messages>() {
         if let Err((_, errors)) = FluentResource::try_new(messages.portuguese.to_owned()) {
             faults.extend(errors.iter().map(|err| format!("{}: {err}", messages.of)));
         }
-        for line in messages.portuguese.lines() {
-            let Some((id, words)) = line.split_once(" = ") else { continue };
-            match seen.get(id) {
-                Some((other, of)) if other != words => {
-                    faults.push(format!("{id} stands in {} and in {of} with other words", messages.of));
-                }
-                Some((_, of)) if *of == messages.of => faults.push(format!("{id} stands twice in {of}")),
-                _ => {
-                    seen.insert(id.to_owned(), (words.to_owned(), messages.of));
+    }
+    for (key, messages) in catalogue() {
+        for (n, message) in messages.iter().enumerate() {
+            let of = message.of;
+            if messages[..n].iter().any(|other| other.of == of) {
+                faults.push(format!("{key} stands twice in {of}"));
+            }
+            // The program's own sentences are shown beside those of every analysis.
+            let first = &messages[0];
+            if !is_family(first.of) && first.words() != message.words() {
+                faults.push(format!("{key} stands in {} and in {of} with other words", first.of));
+            }
+            for (name, _) in message.attributes() {
+                if !crate::registry().iter().any(|entry| entry.about.id == format!("{of}/{name}")) {
+                    faults.push(format!("{key} in {of} has words for `{name}`, which is no analysis"));
                 }
             }
         }
     }
+    faults.sort();
     faults
 }
 
-fn portuguese(template: &str, args: &[(&str, String)]) -> Option<String> {
+fn portuguese(place: &str, template: &str, args: &[(&str, String)]) -> Option<String> {
     let key = key(template);
-    let bundle = bundle(&key)?;
-    let message = bundle.get_message(&key)?;
+    let (family, analysis) = place.split_once('/').unwrap_or_default();
+    let message = message(family, &key)?;
+    let bundle = message.bundle();
+    let found = bundle.get_message(&key)?;
+    let of_analysis = found.get_attribute(analysis).filter(|_| message.of == family);
+    let pattern = of_analysis.map(|attribute| attribute.value()).or_else(|| found.value())?;
     let mut fluent = FluentArgs::new();
     for (name, value) in args {
         fluent.set(*name, value.as_str());
     }
     let mut errors = Vec::new();
-    let text = bundle.format_pattern(message.value()?, Some(&fluent), &mut errors);
+    let text = bundle.format_pattern(pattern, Some(&fluent), &mut errors);
     errors.is_empty().then(|| text.into_owned())
 }
 
-/// The message of a key, read when it is first asked for: to read all of them takes longer than to begin a session.
-fn bundle(key: &str) -> Option<&'static FluentBundle<FluentResource>> {
-    let (line, bundle) = catalogue().get(key)?;
-    Some(bundle.get_or_init(|| {
-        let portuguese = LanguageIdentifier::from_bytes(b"pt-BR").expect("pt-BR names a language");
-        let mut bundle = FluentBundle::new_concurrent(vec![portuguese]);
-        // Isolation marks round every argument would break the widths of terminal cells.
-        bundle.set_use_isolating(false);
-        // A faulty line serves nobody; it fails a test.
-        let (Ok(resource) | Err((resource, _))) = FluentResource::try_new((*line).to_owned());
-        bundle.add_resource_overriding(resource);
-        Box::new(bundle)
-    }))
+/// The message of a key, that of the family if it has one.
+fn message(family: &str, key: &str) -> Option<&'static Message> {
+    let messages = catalogue().get(key)?;
+    messages.iter().find(|message| message.of == family).or_else(|| messages.first())
 }
 
-/// The lines of all translation files by their keys: a message is a line.
-fn catalogue() -> &'static HashMap<&'static str, Line> {
-    static CATALOGUE: OnceLock<HashMap<&str, Line>> = OnceLock::new();
+fn is_family(of: &str) -> bool {
+    crate::registry().iter().any(|entry| entry.family() == of)
+}
+
+impl Message {
+    fn words(&self) -> &str {
+        let first = self.source.lines().next().unwrap_or_default();
+        first.split_once(" = ").map_or("", |(_, words)| words)
+    }
+
+    /// The analyses that have words of their own, and these.
+    fn attributes(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.source.lines().skip(1).filter_map(|line| line.trim_start().strip_prefix('.')?.split_once(" = "))
+    }
+
+    fn bundle(&self) -> &FluentBundle<FluentResource> {
+        self.parsed.get_or_init(|| {
+            let portuguese = LanguageIdentifier::from_bytes(b"pt-BR").expect("pt-BR names a language");
+            let mut bundle = FluentBundle::new_concurrent(vec![portuguese]);
+            // Isolation marks round every argument would break the widths of terminal cells.
+            bundle.set_use_isolating(false);
+            // A test reports what does not parse.
+            let (Ok(resource) | Err((resource, _))) = FluentResource::try_new(self.source.to_owned());
+            bundle.add_resource_overriding(resource);
+            Box::new(bundle)
+        })
+    }
+}
+
+/// The messages of all translation files by their keys, those of the program before those of families.
+fn catalogue() -> &'static HashMap<&'static str, Vec<Message>> {
+    static CATALOGUE: OnceLock<HashMap<&str, Vec<Message>>> = OnceLock::new();
     CATALOGUE.get_or_init(|| {
-        let lines = inventory::iter::<Messages>().flat_map(|messages| messages.portuguese.lines());
-        lines.filter_map(|line| Some((line.split_once(" = ")?.0, (line, OnceLock::new())))).collect()
+        let mut found: HashMap<&str, Vec<Message>> = HashMap::new();
+        for messages in inventory::iter::<Messages>() {
+            let of = messages.of.strip_prefix("dalembert-").unwrap_or(messages.of);
+            for (key, source) in messages_of(messages.portuguese) {
+                found.entry(key).or_default().push(Message { of, source, parsed: OnceLock::new() });
+            }
+        }
+        // Crates are linked in any order.
+        for messages in found.values_mut() {
+            messages.sort_by_key(|message| (is_family(message.of), message.of));
+        }
+        found
+    })
+}
+
+/// The messages of a translation file: the key of each, and its text with its attributes, which are indented.
+fn messages_of(file: &'static str) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let mut rest = file;
+    std::iter::from_fn(move || {
+        loop {
+            let line = rest.lines().next()?;
+            let mut end = 0;
+            for (n, line) in rest.split_inclusive('\n').enumerate() {
+                if n > 0 && !line.starts_with(' ') {
+                    break;
+                }
+                end += line.len();
+            }
+            let source = &rest[..end];
+            rest = &rest[end..];
+            if let Some((key, _)) = line.split_once(" = ").filter(|_| !line.starts_with([' ', '#'])) {
+                return Some((key, source));
+            }
+        }
     })
 }
 
@@ -320,6 +407,34 @@ mod tests {
         let text = Text::new("{a} is above {b}").with("a", "3 kg").with_quantity("b", 0.0025, "mm");
         assert_eq!(text.english(), "3 kg is above 2.5 mm");
         assert_eq!(text.render(&Locale::portuguese()), "3 kg is above 2,5 mm");
+    }
+
+    inventory::submit! {
+        Messages {
+            of: "dalembert-family",
+            portuguese: "\
+## Comments and blank lines
+
+top-speed = Velocidade de ponta
+    .wheel = Rotação de ponta
+of-wheel-speed = Velocidade { $speed }
+",
+        }
+    }
+    inventory::submit! {
+        Messages { of: "dalembert-other", portuguese: "top-speed = Velocidade mais alta\n    .wheel = Outra\n" }
+    }
+
+    #[test]
+    fn a_sentence_is_translated_for_its_place() {
+        let at = |place| Text::from("Top speed").render(&Locale::portuguese().at(place));
+        assert_eq!(at("family/wheel"), "Rotação de ponta");
+        assert_eq!(at("family/axle"), "Velocidade de ponta");
+        assert_eq!(at("other/axle"), "Velocidade mais alta");
+        assert_eq!(at("third/wheel"), "Velocidade de ponta");
+        assert_eq!(at(""), "Velocidade de ponta");
+        let of = Text::new("of wheel {speed}").with("speed", "3 m/s");
+        assert_eq!(of.render(&Locale::portuguese().at("family/wheel")), "Velocidade 3 m/s");
     }
 
     #[test]

@@ -32,6 +32,7 @@ pub fn csv_tables(worked: &Worked<'_>) -> Vec<String> {
 /// by `'`.
 pub fn csv(worked: &Worked<'_>, table: &str, locale: &Locale) -> Option<String> {
     let solution = worked.outcome.ok();
+    let locale = &locale.at(worked.entry.about.id);
     let mut sheet = Sheet::default();
     match (table, table.rsplit_once('-')) {
         ("inputs", _) => write_inputs(worked, &mut sheet, locale),

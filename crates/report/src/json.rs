@@ -19,6 +19,7 @@ use crate::{Worked, inputs::inputs};
 /// with it, and each of its curves shows what the answer that it is `of` is then, with other inputs as `with` has them;
 /// `null` where the abscissa is no input, or the ordinate no answer. `notes` say how inputs were read where that does not stand in them.
 pub fn json(worked: &Worked<'_>, locale: &Locale) -> Json {
+    let locale = &locale.at(worked.entry.about.id);
     let mut given = Map::new();
     for input in inputs(worked.draft, worked.record, locale) {
         if let Some(value) = input.value {

@@ -39,6 +39,7 @@ pub struct Worked<'a> {
 /// The worked solution as a person reads it: problem, inputs, answers, steps, figures and tables, checks, warnings, sources.
 pub fn document(worked: &Worked<'_>, locale: &Locale) -> Document {
     let about = worked.entry.about;
+    let locale = &locale.at(about.id);
     let say = |words: &'static str| Text::from(words).render(locale);
     let mut blocks = vec![Block::Paragraph(say(about.summary))];
     let [case, source, note] = [worked.case, worked.source, worked.note].map(|text| text.render(locale));

@@ -369,6 +369,11 @@ impl Model {
         self.locale.style.ascii = self.look.ascii;
     }
 
+    /// Makes the open problem the context of translations.
+    pub fn translate_for_bench(&mut self) {
+        self.locale.place = self.bench.as_ref().map_or("", |bench| bench.entry.about.id);
+    }
+
     /// Where keys are typed now.
     pub fn place(&self) -> Place {
         match (&self.dialog, self.screen, &self.bench) {

@@ -131,7 +131,7 @@ impl Listing {
 
     /// Its title.
     pub fn title(&self, locale: &Locale) -> String {
-        Text::from(self.entry.about.title).render(locale)
+        Text::from(self.entry.about.title).render(&locale.at(self.entry.about.id))
     }
 
     fn topic(&self) -> Heading {

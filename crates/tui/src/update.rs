@@ -33,16 +33,19 @@ use crate::{
 /// The first effects: a file or an analysis to begin with, if there is one.
 pub fn start(model: &mut Model, file: Option<PathBuf>, analysis: Option<&'static Entry>) -> Vec<Effect> {
     picker::begin(model);
-    match (file, analysis) {
+    let effects = match (file, analysis) {
         (Some(path), _) => vec![Effect::Open(path)],
         (None, Some(entry)) => open_case(model, entry, 0),
         (None, None) => picker::preview(model),
-    }
+    };
+    model.translate_for_bench();
+    effects
 }
 
 /// Changes the model by what happened, and says what is to be done outside of it.
 pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
     let mut effects = take(model, msg);
+    model.translate_for_bench();
     // A path is asked for: what is there stands below it.
     if let Some(Dialog::Prompt { purpose, input, names, .. }) = &mut model.dialog
         && purpose.is_path()

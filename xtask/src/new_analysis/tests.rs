@@ -15,7 +15,10 @@ fn repository(of: &str) -> PathBuf {
             "//! Vibration.\n\npub mod decay;\npub mod spring;\n\nmod sources;\n",
         ),
         ("plugins/vibration/src/decay.rs", "//! Decay.\n"),
-        ("plugins/vibration/locales/pt-BR.ftl", "mass = Massa\n"),
+        (
+            "plugins/vibration/locales/pt-BR.ftl",
+            "mass = Massa\ngreatest-speed = Maior rotação\n    .decay = Maior taxa\n",
+        ),
         (
             "plugins/bundle/Cargo.toml",
             "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-vibration = { path = \"../vibration\" }\n",
@@ -49,6 +52,10 @@ fn a_new_analysis_is_two_files_and_two_changes_and_tidy() {
         translations.matches("\nmass = ").count() + usize::from(translations.starts_with("mass = ")),
         1
     );
+    // A sentence that the family has in other words is translated for the new analysis alone.
+    let speed =
+        "greatest-speed = Maior rotação\n    .mass-on-spring = Maior velocidade\n    .decay = Maior taxa\n";
+    assert!(translations.contains(speed), "{translations}");
     assert!(translations.contains("period = Período da oscilação\n"), "{translations}");
     assert!(translations.contains("mass-on-spring = Mass on spring\n"), "{translations}");
     assert_eq!(faults(&Tree::read(&root).unwrap()), [""; 0]);
@@ -70,7 +77,8 @@ fn a_name_that_cannot_be_is_refused_and_nothing_is_written() {
     }
     let files = fs::read_dir(root.join("plugins/vibration/src")).unwrap().count();
     assert_eq!(files, 2);
-    assert_eq!(read(&root.join("plugins/vibration/locales/pt-BR.ftl")).unwrap(), "mass = Massa\n");
+    let translations = read(&root.join("plugins/vibration/locales/pt-BR.ftl")).unwrap();
+    assert!(!translations.contains("demo"), "{translations}");
     fs::remove_dir_all(&root).unwrap();
 }
 

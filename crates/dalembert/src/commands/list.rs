@@ -44,11 +44,8 @@ pub(crate) fn matching(filter: &[String]) -> Vec<&'static Entry> {
     let holds = |entry: &&&'static Entry| {
         let about = entry.about;
         let told = |locale: Locale| {
-            format!(
-                "{} {}",
-                Text::from(about.title).render(&locale),
-                Text::from(about.summary).render(&locale)
-            )
+            let say = |words: &'static str| Text::from(words).render(&locale.at(about.id));
+            format!("{} {}", say(about.title), say(about.summary))
         };
         let text = [about.id, about.keywords, &told(Locale::english()), &told(Locale::portuguese())]
             .join(" ")
@@ -60,6 +57,7 @@ pub(crate) fn matching(filter: &[String]) -> Vec<&'static Entry> {
 
 fn described(entry: &Entry, locale: &Locale) -> Json {
     let about = entry.about;
+    let locale = &locale.at(about.id);
     json!({
         "id": about.id,
         "family": entry.family(),

@@ -23,6 +23,7 @@ pub(crate) fn run(schema: &Schema, console: &Console) -> Result<ExitCode, Failur
 
 fn of(entry: &Entry, locale: &Locale) -> Json {
     let about = entry.about;
+    let locale = &locale.at(about.id);
     let mut writer = Writer { locale, known: Vec::new(), definitions: Map::new() };
     let inputs = writer.group(entry.fields());
     json!({

@@ -24,11 +24,12 @@ pub(crate) fn run(show: &Show, console: &Console) -> Result<ExitCode, Failure> {
     let entry = problem::analysis(&show.id)?;
     let cases = cases::cases(entry)
         .map_err(|why| Failure::Fault(format!("the cases of {}: {why}", entry.about.id)))?;
-    let answers = answers(entry, &cases, &console.locale)?;
+    let locale = console.locale.at(entry.about.id);
+    let answers = answers(entry, &cases, &locale)?;
     if show.json {
-        print_json(&described(entry, &cases, &answers, &console.locale))?;
+        print_json(&described(entry, &cases, &answers, &locale))?;
     } else {
-        console.print(document(entry, &cases, &answers, &console.locale))?;
+        console.print(document(entry, &cases, &answers, &locale))?;
     }
     Ok(ExitCode::SUCCESS)
 }

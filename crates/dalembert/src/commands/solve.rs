@@ -30,7 +30,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         })?;
         problem.show.push((answer.trim().to_owned(), unit.trim().to_owned()));
     }
-    let mut locale = console.locale;
+    let mut locale = console.locale.at(problem.entry.about.id);
     locale.style.digits = solve.digits.unwrap_or(locale.style.digits);
     let outcome = outcome(&problem)?;
     let worked = worked(&problem, &outcome);
@@ -138,7 +138,7 @@ fn spreadsheet(worked: &Worked<'_>, table: &str, locale: &Locale) -> Result<Stri
 /// 1 for a refusal, a failed check or a defect, each of which is said on standard error.
 fn status(worked: &Worked<'_>, console: &Console) -> Result<ExitCode, Failure> {
     let solution = worked.outcome.map_err(|why| Failure::Refused(why.clone()))?;
-    let complaints = complaints(solution, &console.locale);
+    let complaints = complaints(solution, &console.locale.at(worked.entry.about.id));
     for line in &complaints {
         eprintln!("{}", console.plain(line));
     }

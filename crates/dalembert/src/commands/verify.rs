@@ -172,10 +172,11 @@ fn rows(held: &[Held], counts: &Counts) -> serde_json::Value {
 }
 
 fn document(held: &[Held], counts: &Counts, console: &Console) -> Document {
-    let render = |text: &Text| text.render(&console.locale);
-    let say = |words: &'static str| render(&Text::from(words));
     let mut blocks = Vec::new();
     for of_analysis in held.chunk_by(|a, b| std::ptr::eq(a.entry, b.entry)) {
+        let locale = console.locale.at(of_analysis[0].entry.about.id);
+        let render = |text: &Text| text.render(&locale);
+        let say = |words: &'static str| render(&Text::from(words));
         blocks.push(Block::Heading(of_analysis[0].entry.about.id.to_owned()));
         for case in of_analysis {
             let seen = case.seen.map_or_else(String::new, |seen| format!(", {}", say(seen_in(seen))));
@@ -195,7 +196,7 @@ fn document(held: &[Held], counts: &Counts, console: &Console) -> Document {
                     .with("ours", &verdict.ours);
                 lines.push(Line {
                     label: format!("{:widest$}  {}", say(verdict.outcome.name()), verdict.answer),
-                    value: both.render(&console.locale),
+                    value: render(&both),
                     ..Line::default()
                 });
                 if !verdict.why.is_empty() {
@@ -205,12 +206,13 @@ fn document(held: &[Held], counts: &Counts, console: &Console) -> Document {
             blocks.push(Block::Lines(lines));
         }
     }
+    let locale = &console.locale;
     let of_kind = |(kind, counts): (&'static str, Counts)| Line {
-        label: if kind.is_empty() { String::new() } else { say(kind) },
-        value: render(&counts.words()),
+        label: if kind.is_empty() { String::new() } else { Text::from(kind).render(locale) },
+        value: counts.words().render(locale),
         ..Line::default()
     };
     blocks.push(Block::Lines(by_kind(held).map(of_kind).collect()));
-    blocks.push(Block::Paragraph(render(&counts.words())));
+    blocks.push(Block::Paragraph(counts.words().render(locale)));
     Document { title: String::new(), blocks }
 }

@@ -118,7 +118,7 @@ fn of_leaf(model: &Model, leaf: Leaf, listing: &Listing, area: Rect, buffer: &mu
     let sheet = sheet(model, leaf, listing, layout::inside(area));
     draw_lines(&sheet.page.lines, sheet.first, sheet.text, buffer);
     if let Some(drawing) = sheet.drawing {
-        drawing::render(&drawing, look, &model.locale, sheet.picture, buffer);
+        drawing::render(&drawing, look, &model.locale.at(listing.entry.about.id), sheet.picture, buffer);
     }
     scroll_mark(sheet.first, sheet.text.height.into(), sheet.page.lines.len(), look, area, buffer);
 }
@@ -153,16 +153,17 @@ fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Sh
         .and_then(|preview| preview.solution.as_ref());
     let mut page = Page::default();
     let lines = &mut page.lines;
-    let summary = Text::from(about.summary).render(&model.locale);
+    let locale = &model.locale.at(about.id);
+    let summary = Text::from(about.summary).render(locale);
     lines.extend(wrapped(&summary, room).into_iter().map(Line::from));
     lines.push(Line::styled(fit(about.id, room, &model.look), model.look.dim()));
     let fields = listing.entry.fields().iter().map(|field| field.label);
-    let fields: Vec<String> = fields.map(|label| lower(&word(label, model))).collect();
+    let fields: Vec<String> = fields.map(|label| lower(&Text::from(label).render(locale))).collect();
     listed(model, "In", &fields, room, lines);
     let answers = solution.iter().flat_map(|solution| &solution.answers);
     // One of several is named once.
     let mut answers: Vec<String> =
-        answers.map(|answer| lower(&Text::from(answer.label).render(&model.locale))).collect();
+        answers.map(|answer| lower(&Text::from(answer.label).render(locale))).collect();
     let mut named = BTreeSet::new();
     answers.retain(|answer| named.insert(answer.clone()));
     listed(model, "Out", &answers, room, lines);
@@ -216,9 +217,10 @@ fn cases(model: &Model, listing: &Listing, chosen: Option<usize>, room: usize, p
             (true, None) => look.title(),
             (false, _) => Style::new(),
         };
-        let name = fit(&case.title().render(&model.locale), room.saturating_sub(4), look);
+        let locale = &model.locale.at(listing.entry.about.id);
+        let name = fit(&case.title().render(locale), room.saturating_sub(4), look);
         let left = room.saturating_sub(width(&name) + 6);
-        let source = case.source.render(&model.locale);
+        let source = case.source.render(locale);
         let mut line = Line::from(vec![
             Span::styled(format!("{pointer} "), look.key()),
             Span::styled(format!("{mark} "), style),
