@@ -11,6 +11,7 @@ pub mod pictures;
 pub mod soak;
 pub mod tidy;
 pub mod verify;
+pub mod words;
 
 mod cargo;
 mod names;

@@ -2,7 +2,7 @@
 
 use std::{env, process::ExitCode};
 
-use xtask::{bench, docs, new_analysis, new_plugin, pictures, root, soak, tidy, verify};
+use xtask::{bench, docs, new_analysis, new_plugin, pictures, root, soak, tidy, verify, words};
 
 const USAGE: &str = "\
 usage: cargo xtask COMMAND
@@ -11,6 +11,7 @@ usage: cargo xtask COMMAND
   tidy                       hold the tree to its own rules
   new-analysis FAMILY NAME   begin an analysis: one file, its cases, its translations
   new-plugin NAME            begin a family of analyses
+  words [COMMIT]             carry the translations of sentences reworded since COMMIT (HEAD) over to their new keys
   docs [--check]             write the reference in docs/, or see that it is up to date
   pictures [--check]         draw the pictures in docs/pictures/ from their sessions, or see that they are up to date
   soak mutants               the result of each function of mechanics times 1.01: does the catalogue notice?
@@ -30,6 +31,8 @@ fn main() -> ExitCode {
         ["tidy"] => tidy::run(&root()),
         ["new-analysis", family, name] => new_analysis::run(&root(), family, name),
         ["new-plugin", name] => new_plugin::run(&root(), name),
+        ["words"] => words::run(&root(), "HEAD"),
+        ["words", commit] => words::run(&root(), commit),
         ["docs"] => docs::write(&root()),
         ["docs", "--check"] => docs::check(&root()),
         ["pictures"] => pictures::write(&root()),
