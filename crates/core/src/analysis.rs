@@ -216,12 +216,23 @@ fn solve<A: Analysis>(
     stop: &Stop,
     perturbed: Option<usize>,
 ) -> Result<Solution, SolveError> {
+    worked(record, stop, perturbed, &|value, sheet| {
+        let problem = A::read_all(value).map_err(SolveError::Fields)?;
+        let given = problem.given(Lift { sheet, value: Some(value), trail: &Trail::TOP });
+        Ok(problem.solve(&given, sheet)?)
+    })
+}
+
+/// What is the same for every analysis stands in functions of its own, compiled once.
+fn worked(
+    record: &Record,
+    stop: &Stop,
+    perturbed: Option<usize>,
+    solve: &dyn Fn(&Value, &Sheet<'_>) -> Result<(), SolveError>,
+) -> Result<Solution, SolveError> {
     let value = Value::Group(record.clone());
-    let problem = A::read_all(&value).map_err(SolveError::Fields)?;
     let sheet = perturbed.map_or_else(|| Sheet::new(stop), |step| Sheet::perturbed(stop, step));
-    let given = problem.given(Lift { sheet: &sheet, value: Some(&value), trail: &Trail::TOP });
-    problem.solve(&given, &sheet)?;
-    drop(given);
+    solve(&value, &sheet)?;
     let mut solution = sheet.into_solution()?;
     solution.warnings.splice(0..0, assumed::warnings(record));
     forget_absent(&mut solution.exhibits, value);
@@ -247,8 +258,25 @@ fn forget_absent(exhibits: &mut [Exhibit], problem: Value) {
     }
 }
 
-struct Prepared<A> {
-    problem: A,
+/// A problem whose type is erased, for the plain reading.
+trait Problem: Send {
+    fn slot(&mut self, path: &[usize]) -> Option<&mut f64>;
+    fn solve_plain(&self, plain: &Plain<'_>) -> Result<(), Refusal>;
+}
+
+impl<A: Analysis> Problem for A {
+    fn slot(&mut self, path: &[usize]) -> Option<&mut f64> {
+        Inputs::slot(self, path)
+    }
+
+    fn solve_plain(&self, plain: &Plain<'_>) -> Result<(), Refusal> {
+        let given = self.given(Lift { sheet: plain, value: None, trail: &Trail::TOP });
+        self.solve(&given, plain)
+    }
+}
+
+struct Prepared {
+    problem: Box<dyn Problem>,
     /// The places of each input: several for the gravity of a problem that asks for it more than once.
     vary: Vec<Vec<Vec<usize>>>,
     wanted: Vec<(usize, Name)>,
@@ -259,19 +287,30 @@ fn prepare<A: Analysis>(
     vary: &[&str],
     wanted: &[&str],
 ) -> Result<Box<dyn Evaluate>, SolveError> {
+    let read =
+        |value: &Value| -> Result<Box<dyn Problem>, Vec<FieldError>> { Ok(Box::new(A::read_all(value)?)) };
+    prepared(record, vary, wanted, &A::SHAPE, read)
+}
+
+fn prepared(
+    record: &Record,
+    vary: &[&str],
+    wanted: &[&str],
+    shape: &Shape,
+    read: fn(&Value) -> Result<Box<dyn Problem>, Vec<FieldError>>,
+) -> Result<Box<dyn Evaluate>, SolveError> {
     let mut varied = record.clone();
     for path in vary {
         kept::keep(&mut varied, path);
     }
-    let mut problem = A::read_all(&Value::Group(varied)).map_err(SolveError::Fields)?;
-    let shape = A::SHAPE;
+    let mut problem = read(&Value::Group(varied)).map_err(SolveError::Fields)?;
     let unknown =
         |path: &str, why: &'static str| SolveError::Fields(vec![FieldError::new(path, Text::from(why))]);
     let mut slots = Vec::new();
     for path in vary {
         let mut places = Vec::new();
         for place in gravity::shared(record, path) {
-            let slot = crate::path::indices(&shape, &place).map_err(|err| SolveError::Fields(vec![err]))?;
+            let slot = crate::path::indices(shape, &place).map_err(|err| SolveError::Fields(vec![err]))?;
             if problem.slot(&slot).is_none() {
                 return Err(unknown(path, "is not a quantity of this problem, so it cannot be varied"));
             }
@@ -282,9 +321,7 @@ fn prepare<A: Analysis>(
     // The places of the answers, from one reading of the problem as it stands.
     let stop = Stop::new();
     let plain = Plain::new(&stop);
-    let given = problem.given(Lift { sheet: &plain, value: None, trail: &Trail::TOP });
-    problem.solve(&given, &plain)?;
-    drop(given);
+    problem.solve_plain(&plain)?;
     let names: Vec<Name> = plain.answers().map(|(name, _)| name).collect();
     let wanted = wanted
         .iter()
@@ -296,7 +333,7 @@ fn prepare<A: Analysis>(
     Ok(Box::new(Prepared { problem, vary: slots, wanted }))
 }
 
-impl<A: Analysis> Evaluate for Prepared<A> {
+impl Evaluate for Prepared {
     fn sweep(&mut self, points: &[f64], answers: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
         let columns = self.vary.len().max(1);
         let plain = Plain::new(stop);
@@ -314,8 +351,7 @@ impl<A: Analysis> Evaluate for Prepared<A> {
                 }
             }
             plain.clear();
-            let given = self.problem.given(Lift { sheet: &plain, value: None, trail: &Trail::TOP });
-            match self.problem.solve(&given, &plain) {
+            match self.problem.solve_plain(&plain) {
                 Err(Refusal::Stopped) => return Err(Refusal::Stopped),
                 Err(Refusal::NoAnswer(_)) => row.fill(f64::NAN),
                 Ok(()) => {

@@ -146,6 +146,34 @@ pub mod derive_support {
         }
     }
 
+    /// How a value is read, for a function that is compiled once for all fields of a type.
+    type Read<T> = fn(&Value, &Trail<'_>, &mut Errors) -> Option<T>;
+
+    pub fn read_field<T>(
+        group: &Value,
+        at: usize,
+        name: &'static str,
+        trail: &Trail<'_>,
+        errors: &mut Errors,
+        read: Read<T>,
+    ) -> Option<T> {
+        read(field(group, at), &trail.field(name), errors)
+    }
+
+    pub fn read_optional<T>(
+        group: &Value,
+        at: usize,
+        name: &'static str,
+        trail: &Trail<'_>,
+        errors: &mut Errors,
+        read: Read<T>,
+    ) -> Option<Option<T>> {
+        match field(group, at) {
+            Value::Absent => Some(None),
+            value => read(value, &trail.field(name), errors).map(Some),
+        }
+    }
+
     pub fn one_of<T>(trail: &Trail<'_>, errors: &mut Errors) -> Option<T> {
         mismatch(trail, "one of the alternatives is needed here", errors)
     }
@@ -182,15 +210,6 @@ pub mod derive_support {
         }
     }
 
-    fn input<'t>(
-        field: &'static Field,
-        measure: &crate::Measure,
-        unit: Option<&'t Unit>,
-        trail: &'t Trail<'t>,
-    ) -> Given<'t> {
-        Given { symbol: field.symbol, unit: unit.ok_or(measure.unit), trail }
-    }
-
     fn measure_of(shape: &Shape) -> &'static crate::Measure {
         const NONE: &crate::Measure =
             &crate::Measure { unit: "1", kind: None, min: crate::Limit::None, max: crate::Limit::None };
@@ -204,29 +223,48 @@ pub mod derive_support {
         }
     }
 
-    fn measure(field: &'static Field) -> &'static crate::Measure {
+    /// The measure of a number or a vector, also of an optional one or of the rows of a list.
+    pub(crate) fn measure(field: &'static Field) -> &'static crate::Measure {
         match &field.shape {
             Shape::Quantity(measure) | Shape::Vector(measure, _) => measure,
             other => measure_of(other),
         }
     }
 
+    /// A number of a group, `lift` being that of the group.
     #[inline]
-    pub fn given<W: Worksheet>(lift: Lift<'_, W>, field: &'static Field, si: f64) -> W::Num {
-        let unit = match lift.value {
-            Some(Value::Quantity(quantity)) => Some(&quantity.unit),
-            _ => None,
-        };
-        lift.sheet.given(input(field, measure(field), unit, lift.trail), si)
+    pub fn field_given<W: Worksheet>(
+        lift: Lift<'_, W>,
+        fields: &'static [Field],
+        at: usize,
+        si: f64,
+    ) -> W::Num {
+        let input = Given { field: &fields[at], at: Some(at), value: lift.value, trail: lift.trail };
+        lift.sheet.given(input, si)
     }
 
+    /// A vector of a group, `lift` being that of the group.
+    #[inline]
+    pub fn field_given_vector<W: Worksheet>(
+        lift: Lift<'_, W>,
+        fields: &'static [Field],
+        at: usize,
+        si: Vector3<f64>,
+    ) -> W::Vec {
+        let input = Given { field: &fields[at], at: Some(at), value: lift.value, trail: lift.trail };
+        lift.sheet.given_vector(input, si)
+    }
+
+    /// A number, `lift` being its own.
+    #[inline]
+    pub fn given<W: Worksheet>(lift: Lift<'_, W>, field: &'static Field, si: f64) -> W::Num {
+        lift.sheet.given(Given { field, at: None, value: lift.value, trail: lift.trail }, si)
+    }
+
+    /// A vector, `lift` being its own.
     #[inline]
     pub fn given_vector<W: Worksheet>(lift: Lift<'_, W>, field: &'static Field, si: Vector3<f64>) -> W::Vec {
-        let unit = match lift.value {
-            Some(Value::Vector(vector)) => Some(&vector.unit),
-            _ => None,
-        };
-        lift.sheet.given_vector(input(field, measure(field), unit, lift.trail), si)
+        lift.sheet.given_vector(Given { field, at: None, value: lift.value, trail: lift.trail }, si)
     }
 
     #[inline]

@@ -14,8 +14,8 @@ use nalgebra::Vector3;
 
 pub use self::{term::Term, vect::Vect};
 use crate::{
-    Answer, Check, Exhibit, Locale, Name, Refusal, Sides, Solution, Step, Stop, Symbol, Text, Why, Worksheet,
-    printer,
+    Answer, Check, Exhibit, Locale, Name, Refusal, Sides, Solution, Step, Stop, Symbol, Text, Value, Why,
+    Worksheet, derive_support, printer,
     solution::AnswerValue,
     trace::{Id, Node, Number, Op, ROUNDING},
     worksheet::Given,
@@ -137,6 +137,17 @@ impl<'a> Sheet<'a> {
         result
     }
 
+    fn write_step(&self, symbol: Symbol, unit: &'static str, id: Id, why: Why) -> Id {
+        let (number, dim) = self.node(id);
+        self.record(symbol, self.unit(unit), Some(id), number, dim, why)
+    }
+
+    fn write_found(&self, symbol: Symbol, unit: &'static str, number: Number, how: Why) -> Id {
+        let unit = self.unit(unit);
+        let dim = unit.dim;
+        self.record(symbol, unit, None, number, dim, how)
+    }
+
     fn named(&self, name: Name, id: Id) -> Option<Unit> {
         let solution = self.solution.borrow();
         match &solution.trace.node(id).op {
@@ -167,6 +178,21 @@ impl<'a> Sheet<'a> {
         let limit = AGREEMENT.max(relative(WAYS * error));
         let passed = residual <= limit;
         self.solution.borrow_mut().checks.push(Check { what, residual, limit, passed, sides });
+    }
+
+    fn hold_together(&self, what: Text, left: Term<'_>, right: Term<'_>, scale: f64) {
+        if let (Term::Node(_, a), Term::Node(_, b)) = (left, right) {
+            self.same_dim(a, b);
+        }
+        let error = self.error_between(left.node(), right.node());
+        let sides = Sides::of(left.node(), right.node());
+        self.hold(what, (left.value() - right.value()).abs(), scale, error, sides);
+    }
+
+    fn hold_to_zero(&self, what: Text, residual: Term<'_>, scale: f64, error: f64) {
+        let error = error.abs() + self.error_between(residual.node(), None);
+        let sides = residual.node().map_or(Sides::Plain, Sides::Residual);
+        self.hold(what, residual.value().abs(), scale.abs(), error, sides);
     }
 
     fn error(&self, id: Id) -> f64 {
@@ -201,10 +227,7 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         value: Term<'s>,
         why: impl Into<Why>,
     ) -> Term<'s> {
-        let id = value.on(self);
-        let (number, dim) = self.node(id);
-        let unit = self.unit(unit);
-        Term::Node(self, self.record(symbol.into(), unit, Some(id), number, dim, why.into()))
+        Term::Node(self, self.write_step(symbol.into(), unit, value.on(self), why.into()))
     }
 
     fn step_vector(
@@ -214,16 +237,11 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         value: Vect<'s>,
         why: impl Into<Why>,
     ) -> Vect<'s> {
-        let id = value.on(self);
-        let (number, dim) = self.node(id);
-        let unit = self.unit(unit);
-        Vect::Node(self, self.record(symbol.into(), unit, Some(id), number, dim, why.into()))
+        Vect::Node(self, self.write_step(symbol.into(), unit, value.on(self), why.into()))
     }
 
     fn found(self, symbol: impl Into<Symbol>, unit: &'static str, si: f64, how: impl Into<Why>) -> Term<'s> {
-        let unit = self.unit(unit);
-        let dim = unit.dim;
-        Term::Node(self, self.record(symbol.into(), unit, None, Number::Scalar(si), dim, how.into()))
+        Term::Node(self, self.write_found(symbol.into(), unit, Number::Scalar(si), how.into()))
     }
 
     fn found_within(
@@ -249,40 +267,24 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         si: Vector3<f64>,
         how: impl Into<Why>,
     ) -> Vect<'s> {
-        let unit = self.unit(unit);
-        let dim = unit.dim;
-        Vect::Node(self, self.record(symbol.into(), unit, None, Number::Vector(si.into()), dim, how.into()))
+        Vect::Node(self, self.write_found(symbol.into(), unit, Number::Vector(si.into()), how.into()))
     }
 
     fn check(self, what: impl Into<Text>, left: Term<'s>, right: Term<'s>) {
-        if let (Term::Node(_, a), Term::Node(_, b)) = (left, right) {
-            self.same_dim(a, b);
-        }
-        let error = self.error_between(left.node(), right.node());
-        let sides = Sides::of(left.node(), right.node());
-        let (left, right) = (left.value(), right.value());
-        self.hold(what.into(), (left - right).abs(), left.abs().max(right.abs()), error, sides);
+        let scale = left.value().abs().max(right.value().abs());
+        self.hold_together(what.into(), left, right, scale);
     }
 
     fn check_zero(self, what: impl Into<Text>, residual: Term<'s>, scale: f64) {
-        let error = self.error_between(residual.node(), None);
-        let sides = residual.node().map_or(Sides::Plain, Sides::Residual);
-        self.hold(what.into(), residual.value().abs(), scale.abs(), error, sides);
+        self.hold_to_zero(what.into(), residual, scale, 0.0);
     }
 
     fn check_sum(self, what: impl Into<Text>, left: Term<'s>, right: Term<'s>, scale: f64) {
-        if let (Term::Node(_, a), Term::Node(_, b)) = (left, right) {
-            self.same_dim(a, b);
-        }
-        let error = self.error_between(left.node(), right.node());
-        let sides = Sides::of(left.node(), right.node());
-        self.hold(what.into(), (left.value() - right.value()).abs(), scale.abs(), error, sides);
+        self.hold_together(what.into(), left, right, scale.abs());
     }
 
     fn check_residual(self, what: impl Into<Text>, residual: Term<'s>, scale: f64, error: f64) {
-        let error = error.abs() + self.error_between(residual.node(), None);
-        let sides = residual.node().map_or(Sides::Plain, Sides::Residual);
-        self.hold(what.into(), residual.value().abs(), scale.abs(), error, sides);
+        self.hold_to_zero(what.into(), residual, scale, error);
     }
 
     fn check_vector(self, what: impl Into<Text>, left: Vect<'s>, right: Vect<'s>) {
@@ -351,15 +353,20 @@ impl<'s> Worksheet for &'s Sheet<'s> {
 
 impl Sheet<'_> {
     fn input(&self, input: &Given<'_>) -> (Unit, Op) {
-        let unit = match input.unit {
-            Ok(unit) => unit.clone(),
-            Err(text) => self.unit(text),
+        let (value, trail) = match input.at {
+            Some(at) => (
+                input.value.map(|group| derive_support::field(group, at)),
+                input.trail.field(input.field.name),
+            ),
+            None => (input.value, *input.trail),
         };
-        let op = Op::Given {
-            symbol: input.trail.symbol(input.symbol),
-            unit: unit.clone(),
-            path: input.trail.path(),
+        let unit = match value {
+            Some(Value::Quantity(quantity)) => quantity.unit.clone(),
+            Some(Value::Vector(vector)) => vector.unit.clone(),
+            _ => self.unit(derive_support::measure(input.field).unit),
         };
+        let op =
+            Op::Given { symbol: trail.symbol(input.field.symbol), unit: unit.clone(), path: trail.path() };
         (unit, op)
     }
 

@@ -3,10 +3,9 @@
 use std::cell::Cell;
 
 use dalembert_mechanics::{Real, Vector, intervals::IntervalSet};
-use dalembert_units::Unit;
 use nalgebra::Vector3;
 
-use crate::{Cite, Exhibit, Name, Refusal, Stop, Symbol, Text};
+use crate::{Cite, Exhibit, Field, Name, Refusal, Stop, Symbol, Text, Value};
 
 /// What a solve writes on. Written once over `W: Worksheet`, a solve has two readings: on a
 /// [`Sheet`](crate::Sheet) it leaves the worked solution, on [`Plain`] only its answers, at the speed of its formulas.
@@ -121,14 +120,17 @@ pub struct Why {
     pub cite: Option<Cite>,
 }
 
-/// Where an input stands: what its number on a worksheet is called.
+/// Where an input stands: what its number on a worksheet is called, and the unit it was typed in.
 #[derive(Clone, Copy)]
 pub struct Given<'t> {
-    /// How formulas write it.
-    pub symbol: &'static str,
-    /// The unit it was typed in, or that of the field.
-    pub unit: Result<&'t Unit, &'static str>,
-    /// Where it stands.
+    /// The field.
+    pub field: &'static Field,
+    /// The place of the field in the group that `value` and `trail` are of; `None` where they are of the number itself, a
+    /// row of a list.
+    pub at: Option<usize>,
+    /// What was written, for its unit.
+    pub value: Option<&'t Value>,
+    /// The way there.
     pub trail: &'t Trail<'t>,
 }
 

@@ -3,7 +3,8 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
 use dalembert_core::{
-    Locale, Refusal, Sheet, Solution, Stop, Term, Trail, Vect, Worksheet, printer, worksheet::Given,
+    Field, Limit, Locale, Measure, Refusal, Shape, Sheet, Solution, Stop, Term, Trail, Vect, Worksheet,
+    printer, worksheet::Given,
 };
 use dalembert_mechanics::{Real, Vector};
 use nalgebra::Vector3;
@@ -19,12 +20,27 @@ struct Bench<'s> {
     arm: Vect<'s>,
 }
 
+/// An input of that symbol in that unit.
+fn input(symbol: &'static str, unit: &'static str) -> Given<'static> {
+    let measure = Measure { unit, kind: None, min: Limit::None, max: Limit::None };
+    let field = Field {
+        name: symbol,
+        label: "",
+        help: "",
+        symbol,
+        default: None,
+        default_before: None,
+        kept_in: None,
+        shape: Shape::Quantity(measure),
+    };
+    Given { field: Box::leak(Box::new(field)), at: None, value: None, trail: &Trail::TOP }
+}
+
 fn worked(work: impl for<'s> FnOnce(&Bench<'s>)) -> Solution {
     let stop = Stop::new();
     let sheet = Sheet::new(&stop);
-    let given = |symbol, unit, si| (&sheet).given(Given { symbol, unit: Err(unit), trail: &Trail::TOP }, si);
-    let vector =
-        |symbol, unit, si| (&sheet).given_vector(Given { symbol, unit: Err(unit), trail: &Trail::TOP }, si);
+    let given = |symbol, unit, si| (&sheet).given(input(symbol, unit), si);
+    let vector = |symbol, unit, si| (&sheet).given_vector(input(symbol, unit), si);
     work(&Bench {
         sheet: &sheet,
         a: given("a", "m", 3.0),
@@ -155,7 +171,7 @@ fn dimensions_are_followed() {
 fn a_number_beyond_the_finite_is_a_refusal() {
     let stop = Stop::new();
     let sheet = Sheet::new(&stop);
-    let a = (&sheet).given(Given { symbol: "a", unit: Err("m"), trail: &Trail::TOP }, 1e200);
+    let a = (&sheet).given(input("a", "m"), 1e200);
     (&sheet).step("x", "m^2", a.powi(2), "why");
     let Err(Refusal::NoAnswer(why)) = sheet.into_solution() else { panic!("infinity is no answer") };
     assert_eq!(why.english(), "these inputs lead to a number that cannot be represented: x");

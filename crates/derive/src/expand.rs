@@ -79,6 +79,9 @@ impl Group {
         let names = &self.names;
         let reads = self.names.iter().zip(&self.asks).enumerate().map(|(at, (name, asks))| {
             let (text, at, read) = (name.to_string(), Literal::usize_unsuffixed(at), asks.read());
+            if let Some(read) = asks.read_in_group(&at, &text) {
+                return code! { let #name = #read; };
+            }
             code! {
                 let #name = {
                     let value = support::field(value, #at);
@@ -95,6 +98,9 @@ impl Group {
         let lifted = self.names.iter().zip(&self.asks).enumerate().filter(|(_, (_, asks))| asks.is_lifted());
         lifted
             .map(|(at, (name, asks))| {
+                if let Some(given) = asks.given_in_group(&Literal::usize_unsuffixed(at)) {
+                    return code! { #name: { let this = #name; #given } };
+                }
                 let of = if asks.is_nested() { &self.symbols[at] } else { "" };
                 let (text, at, given) = (name.to_string(), Literal::usize_unsuffixed(at), asks.given());
                 code! {

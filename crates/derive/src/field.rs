@@ -1,6 +1,6 @@
 //! One field: its type, its documentation and its `#[input(…)]`, as code that describes, reads and lifts it.
 
-use proc_macro2::TokenStream as Tokens;
+use proc_macro2::{Literal, TokenStream as Tokens};
 use syn::{
     Attribute, Error, Expr, ExprLit, GenericArgument, Lit, Meta, PathArguments, Result, Type,
     punctuated::Punctuated, spanned::Spanned,
@@ -154,6 +154,29 @@ impl Asks {
         }
     }
 
+    /// The same of the field of a group, from its `value`, `trail` and `errors`: by a function that is compiled once.
+    pub(crate) fn read_in_group(&self, at: &Literal, name: &str) -> Option<Tokens> {
+        let function = |asks: &Asks| match asks {
+            Asks::Quantity => Some(code! { support::quantity }),
+            Asks::Vector => Some(code! { support::vector }),
+            Asks::Text => Some(code! { support::text }),
+            Asks::Flag => Some(code! { support::flag }),
+            Asks::Reference => Some(code! { support::reference }),
+            Asks::Nested(ty) => Some(code! { <#ty as dalembert_core::Inputs>::read }),
+            _ => None,
+        };
+        match self {
+            Asks::Optional(inner) => {
+                let read = function(inner)?;
+                Some(code! { support::read_optional(value, #at, #name, trail, errors, #read) })
+            }
+            asks => {
+                let read = function(asks)?;
+                Some(code! { support::read_field(value, #at, #name, trail, errors, #read) })
+            }
+        }
+    }
+
     /// The type in `NameGiven<W>`.
     pub(crate) fn given_type(&self) -> Tokens {
         match self {
@@ -195,6 +218,19 @@ impl Asks {
             }
             Asks::Nested(_) => code! { dalembert_core::Inputs::given(this, lift) },
             _ => code! { () },
+        }
+    }
+
+    /// The same for a number or a vector, perhaps an optional one, in the group of `lift`, whose fields are `fields`.
+    pub(crate) fn given_in_group(&self, at: &Literal) -> Option<Tokens> {
+        match self {
+            Asks::Quantity => Some(code! { support::field_given(lift, fields, #at, *this) }),
+            Asks::Vector => Some(code! { support::field_given_vector(lift, fields, #at, *this) }),
+            Asks::Optional(inner) if matches!(**inner, Asks::Quantity | Asks::Vector) => {
+                let inner = inner.given_in_group(at)?;
+                Some(code! { this.as_ref().map(|this| #inner) })
+            }
+            _ => None,
         }
     }
 
