@@ -123,10 +123,13 @@ fn try_one(entry: &'static Entry, name: &str, record: &Record, met: &Mutex<Met>)
         Err(_) => met.faults.push(format!("{name}: panics")),
         Ok(Ok(solution)) => {
             let faults = faults(&solution);
-            let with = || -> String {
-                vary::inputs(record).iter().map(|input| format!(" {}={}", input.path, input.si)).collect()
-            };
-            met.faults.extend(faults.into_iter().map(|fault| format!("{name}: {fault}; SI:{}", with())));
+            if !faults.is_empty() {
+                let inputs = vary::inputs(record);
+                let numbers: Vec<String> =
+                    inputs.iter().map(|input| format!("{}={}", input.path, input.si)).collect();
+                let with = numbers.join(" ");
+                met.faults.extend(faults.into_iter().map(|fault| format!("{name}: {fault}; SI: {with}")));
+            }
         }
         Ok(Err(SolveError::Refused(Refusal::NoAnswer(why)))) => refused.push(template(&why)),
         Ok(Err(SolveError::Refused(Refusal::Stopped))) => met.faults.push(format!("{name}: stopped")),

@@ -187,7 +187,9 @@ fn bounded(key: &str) -> String {
 /// The words of all sources and cases.
 fn sources(root: &Path) -> Result<String> {
     let listed = output(Command::new("git").current_dir(root).args(["ls-files", "crates", "plugins"]))?;
-    let wanted = |path: &&str| path.ends_with(".rs") || path.contains("/cases/");
+    let wanted = |path: &&str| {
+        Path::new(path).extension().is_some_and(|have| have == "rs") || path.contains("/cases/")
+    };
     let texts = listed.lines().filter(wanted).map(|path| read(&root.join(path)));
     Ok(slug(&texts.collect::<Result<Vec<_>>>()?.join("\n")))
 }
