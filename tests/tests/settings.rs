@@ -403,10 +403,10 @@ fn an_action_without_a_key_is_reached_by_its_name() {
 }
 
 #[test]
-fn the_settings_in_the_readme_are_taken() {
-    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
-    let readme = fs::read_to_string(readme).expect("the file is there");
-    let part = readme.split("## Settings").nth(1).expect("the part on settings");
+fn the_settings_in_the_guide_are_taken() {
+    let guide = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/guide.md");
+    let guide = fs::read_to_string(guide).expect("the file is there");
+    let part = guide.split("## Settings").nth(1).expect("the part on settings");
     let block = part.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
     let (settings, faults) = settings::parse(block);
     assert_eq!(faults, [], "{block}");
@@ -451,16 +451,16 @@ fn a_key_that_does_nothing_here_says_why() {
 }
 
 #[test]
-fn the_keys_in_the_readme_are_keys_of_the_tables() {
-    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
-    let readme = fs::read_to_string(readme).expect("the file is there");
+fn the_keys_in_the_guide_are_keys_of_the_tables() {
+    let guide = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/guide.md");
+    let guide = fs::read_to_string(guide).expect("the file is there");
     let names: Vec<String> = Place::ALL
         .into_iter()
         .flat_map(Place::bindings)
         .flat_map(|binding| binding.keys)
         .map(|key| key.name(&Locale::english()))
         .collect();
-    let table = readme.split("| key | what it does |").nth(1).expect("the table of keys");
+    let table = guide.split("| key | what it does |").nth(1).expect("the table of keys");
     let rows = table.lines().skip(2).take_while(|line| line.starts_with('|'));
     let keys: Vec<&str> = rows
         .filter_map(|row| row.split('|').nth(1))
