@@ -10,8 +10,8 @@ use std::{array::from_fn, f64::consts::TAU, hint::black_box, time::Instant};
 use dalembert_mechanics::{
     Real,
     four_bar::{Branch, FourBar},
-    lanes::{Formula, over},
     linkage::{Body, Point, Reduced},
+    simd::{Formula, over},
     slider_crank::{Branch::Ahead, links},
 };
 

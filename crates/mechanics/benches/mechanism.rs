@@ -5,7 +5,7 @@
 
 use std::{hint::black_box, time::Instant};
 
-use dalembert_mechanics::planar::{Measure, Moved, Run, Swept, System};
+use dalembert_mechanics::planar::{Measure, Run, SweepResult, System, Trajectory};
 use models::{Driven, andrews, crank_rocker, driven_slider, driven_squeezer, four_bars, six_bar};
 
 #[path = "../tests/mechanics/models.rs"]
@@ -56,7 +56,7 @@ fn positions(name: &str, (system, drawn): &Driven, count: usize, goal: &str) {
     let turn = std::f64::consts::TAU;
     let values: Vec<f64> = (0..count).map(|n| drawn[0][2] + turn * n as f64 / count as f64).collect();
     let mut sweep = system.sweep(drawn, 0).expect("the crank drives the mechanism");
-    let mut swept = Swept::default();
+    let mut swept = SweepResult::default();
     let rounds = 40_000 / count + 3;
     let mut times: Vec<f64> = (0..rounds)
         .map(|_| {
@@ -84,7 +84,7 @@ fn squeezer(tolerance: f64, wanted: f64, goal: &str) {
     const REFERENCE: [f64; 3] = [15.8107711951537, 0.0408222401196465, 1.04808074104194];
     let (system, drawn) = andrews();
     let start = system.assemble(&drawn).expect("the mechanism closes");
-    let (time, moved) = measure(|| follow(&system, &start, &[[0.0; 3]; 7], 0.03, tolerance, 2));
+    let (time, moved) = measure(|| simulate(&system, &start, &[[0.0; 3]; 7], 0.03, tolerance, 2));
     let last = &moved.samples[1].state.positions;
     let errors = [0, 2, 6].iter().zip(REFERENCE).map(|(&body, angle)| (last[body][2] - angle).abs());
     let error = errors.fold(0.0, f64::max);
@@ -95,31 +95,31 @@ fn squeezer(tolerance: f64, wanted: f64, goal: &str) {
     );
 }
 
-fn fall(n: usize, tolerance: f64) -> (f64, Moved, f64) {
+fn fall(n: usize, tolerance: f64) -> (f64, Trajectory, f64) {
     let (system, drawn) = four_bars(n);
     let tilting = Measure::Angle { of: Some(0), against: None };
     let velocities = system.starting(&drawn, &[(tilting, -1.0)]).expect("the rods can tilt");
-    let (time, _) = measure(|| follow(&system, &drawn, &velocities, 10.0, tolerance, 2));
-    let moved = follow(&system, &drawn, &velocities, 10.0, tolerance, 401);
+    let (time, _) = measure(|| simulate(&system, &drawn, &velocities, 10.0, tolerance, 2));
+    let moved = simulate(&system, &drawn, &velocities, 10.0, tolerance, 401);
     let imbalance = moved.imbalance();
     (time, moved, imbalance)
 }
 
-fn follow(
+fn simulate(
     system: &System,
     positions: &[[f64; 3]],
     velocities: &[[f64; 3]],
     duration: f64,
     tolerance: f64,
     samples: usize,
-) -> Moved {
+) -> Trajectory {
     let run = Run { duration, tolerance, samples, ends: &[], most_steps: 100_000, cancelled: &|| false };
     system.simulate(positions, velocities, &run).expect("the motion goes on to its end")
 }
 
 /// The largest error of the top of the first rod: with all rods parallel the row is a pendulum of one freedom,
 /// `θ̈ = −c cos θ`, followed here by the method of Runge and Kutta of order 4 with short steps.
-fn error(n: usize, moved: &Moved) -> f64 {
+fn error(n: usize, moved: &Trajectory) -> f64 {
     let bars = n as f64;
     let c = 9.81 * (f64::midpoint(bars, 1.0) + bars) / ((bars + 1.0) / 3.0 + bars);
     let (mut angle, mut rate) = (std::f64::consts::FRAC_PI_2, -1.0);

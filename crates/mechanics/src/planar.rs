@@ -15,10 +15,10 @@
 
 mod balance;
 mod centre;
+mod continuation;
 mod equation;
 mod equilibrium;
-mod follow;
-mod free;
+mod forward_dynamics;
 mod friction;
 mod load;
 mod machine;
@@ -29,17 +29,17 @@ mod simulate;
 mod sweep;
 mod system;
 
-pub use balance::{Acting, Dynamics, LoadPower};
+pub use balance::{Dynamics, LoadId, LoadPower};
 pub use centre::InstantCentre;
+pub use continuation::{ChangePoint, Continuation};
 pub use equation::{Driver, Equation, Joint, Profile, Term};
 pub use equilibrium::{Equilibrium, Sample, Stability};
-pub use follow::{Followed, Passed};
-pub use free::{Braked, Freed};
+pub use forward_dynamics::{ForwardDynamics, JointFriction};
 pub use friction::Contact;
 pub use load::{Effort, Load};
-pub use measure::{Frame, Measure, Point, Pose, Slope};
-pub use simulate::{End, Moved, Run, Snapshot};
-pub use sweep::{Sweep, Swept};
+pub use measure::{Frame, Gradient, Measure, Point, Pose};
+pub use simulate::{End, Run, Snapshot, Trajectory};
+pub use sweep::{Sweep, SweepResult};
 pub use system::{Mobility, Placed, State, System};
 
 /// A plane mechanism.
@@ -92,12 +92,12 @@ pub enum PlanarError {
         bodies: usize,
     },
     /// The joints cannot all hold at once.
-    #[error("the mechanism does not close: joint {joint} stays open by {gap}")]
+    #[error("the mechanism does not close: joint {joint} stays open by {residual}")]
     DoesNotClose {
-        /// The equation with the largest gap: of this joint, or of the driver numbered after the joints.
+        /// The equation with the largest residual: of this joint, or of the driver numbered after the joints.
         joint: usize,
         /// What is left of it, m or rad.
-        gap: f64,
+        residual: f64,
     },
     /// Some freedom has no driver.
     #[error("{free} degrees of freedom have no driver")]

@@ -10,7 +10,7 @@ use dalembert_core::{
 use dalembert_mechanics::{
     Real,
     planar::{
-        Acting, Body, Driver, Dynamics, Effort, Frame, Joint, Load, Measure, Mechanism, PlanarError, Point,
+        Body, Driver, Dynamics, Effort, Frame, Joint, Load, LoadId, Measure, Mechanism, PlanarError, Point,
         State, System,
     },
 };
@@ -161,13 +161,13 @@ impl Solved {
 
     /// The virtual work of every load for a unit of a driver's measure, and its power.
     pub(crate) fn works(&self, driver: usize) -> Exhibit {
-        let name = |of: Acting| match of {
-            Acting::Load(load) => self.loads[load].into(),
-            Acting::Weight(body) => Text::new("Weight: {link}").with_text("link", self.links[body]),
-            Acting::InertiaForce(body) => {
+        let name = |of: LoadId| match of {
+            LoadId::Load(load) => self.loads[load].into(),
+            LoadId::Weight(body) => Text::new("Weight: {link}").with_text("link", self.links[body]),
+            LoadId::InertiaForce(body) => {
                 Text::new("Inertia force: {link}").with_text("link", self.links[body])
             }
-            Acting::InertiaCouple(body) => {
+            LoadId::InertiaCouple(body) => {
                 Text::new("Inertia couple: {link}").with_text("link", self.links[body])
             }
         };
@@ -274,9 +274,9 @@ pub(crate) fn check_pin<W: Worksheet>(
 #[expect(clippy::needless_pass_by_value, reason = "it stands in map_err")]
 pub(crate) fn refusal(error: PlanarError) -> Refusal {
     Refusal::because(match error {
-        PlanarError::DoesNotClose { gap, .. } => {
+        PlanarError::DoesNotClose { residual, .. } => {
             Text::new("the links do not close: {gap} are missing; change a length or the position")
-                .with_quantity("gap", gap, "mm")
+                .with_quantity("gap", residual, "mm")
         }
         PlanarError::DeadCentre { .. } | PlanarError::Limit { .. } | PlanarError::OverDriven { .. } => {
             "in this position the coordinate does not determine the motion: a dead centre; move it a little"

@@ -213,7 +213,7 @@ impl Equilibrium {
                 let energy = |steps: f64| {
                     let mut values: Vec<f64> = shown.iter().map(|[value, _]| *value).collect();
                     values[driver] += steps * step;
-                    system.potential(&system.follow(&here.positions, &values).ok()?.positions)
+                    system.potential(&system.continue_to(&here.positions, &values).ok()?.positions)
                 };
                 [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0].into_iter().map(energy).collect()
             };

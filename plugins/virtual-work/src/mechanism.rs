@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real, Vector,
-    planar::{Dynamics, PlanarError, State, Swept, System},
+    planar::{Dynamics, PlanarError, State, SweepResult, System},
 };
 use nalgebra::Vector3;
 
@@ -251,7 +251,7 @@ impl Mechanism {
             sheet.keep_going()?;
             let values: Vec<f64> =
                 (0..=STEPS).map(|step| from + (to - from) * step as f64 / STEPS as f64).collect();
-            let mut swept = Swept::default();
+            let mut swept = SweepResult::default();
             let end = this.system.sweep(positions, 0).map_err(refuse)?.over(&values, &mut swept);
             // A whole turn goes as far as the mechanism does.
             if let Err(error) = end
@@ -275,7 +275,8 @@ impl Mechanism {
         let positions = &this.state.positions;
         if !closed {
             let values: Vec<f64> = self.drivers.iter().map(|drive| drive.what.value()).collect();
-            let there = this.system.follow(positions, &[&[from], &values[1..]].concat()).map_err(refuse)?;
+            let there =
+                this.system.continue_to(positions, &[&[from], &values[1..]].concat()).map_err(refuse)?;
             return one_way(&there.positions, from, to);
         }
         let forward = one_way(positions, from, to)?;

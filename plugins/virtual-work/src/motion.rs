@@ -6,7 +6,8 @@ mod witness;
 
 use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::planar::{
-    Braked, Contact, End, Freed, Measure, Moved, PlanarError, Run, Snapshot, State, System,
+    Contact, End, ForwardDynamics, JointFriction, Measure, PlanarError, Run, Snapshot, State, System,
+    Trajectory,
 };
 use dalembert_mechanics::{Real, Vector, ode::OdeError};
 use nalgebra::Vector3;
@@ -66,7 +67,7 @@ pub struct Motion {
     #[input(default = "nothing")]
     pub end: Ends,
     /// Points whose motion is asked for.
-    pub watched: Vec<Followed>,
+    pub watched: Vec<Continuation>,
 }
 
 /// A position and a velocity at the start, by a name.
@@ -126,7 +127,7 @@ pub enum Moving {
 
 /// A point whose motion is asked for.
 #[derive(Clone, Debug, Inputs)]
-pub struct Followed {
+pub struct Continuation {
     /// Point.
     #[input(rows = "points")]
     pub point: Reference,
@@ -157,7 +158,7 @@ impl Analysis for Motion {
         let system = System::new(&mechanism, &positions).map_err(refuse)?;
         let rates: Vec<(Measure, f64)> = self.starts.iter().map(|start| parts.rate(&start.what)).collect();
         let velocities = system.starting(&positions, &rates).map_err(refuse)?;
-        let freed = system.freed(&positions, &velocities).map_err(refuse)?;
+        let freed = system.forward_dynamics(&positions, &velocities).map_err(refuse)?;
         if freed.freedoms == 0 {
             return Err(Refusal::because(
                 "nothing moves freely: the drivers and joints hold it all; take a driver out, or use the plane mechanism",
@@ -207,8 +208,8 @@ struct Solved<'a> {
     rows: &'a [usize],
     system: &'a System,
     /// The start.
-    freed: &'a Freed,
-    moved: &'a Moved,
+    freed: &'a ForwardDynamics,
+    moved: &'a Trajectory,
     /// Error that each step was let add.
     tolerance: f64,
 }
@@ -341,9 +342,9 @@ impl Solved<'_> {
             }
         }
         for braked in &self.freed.frictions {
-            self.braked(braked, &given.loads[braked.load].load, &carried, sheet);
+            self.with_friction(braked, &given.loads[braked.load].load, &carried, sheet);
         }
-        if self.freed.frictions.iter().any(|braked| braked.contact == Contact::Follows) {
+        if self.freed.frictions.iter().any(|braked| braked.contact == Contact::Indeterminate) {
             sheet.warn(|| {
                 Text::new("at the start several joints hold each other at rest: how their friction is shared, and with it the forces in the joints, statics alone does not tell")
             });
@@ -351,9 +352,9 @@ impl Solved<'_> {
     }
 
     /// What a friction does at the start, where the joint in each row carries this force.
-    fn braked<W: Worksheet>(
+    fn with_friction<W: Worksheet>(
         &self,
-        braked: &Braked,
+        braked: &JointFriction,
         given: &LoadGiven<W>,
         carried: &[Option<W::Num>],
         sheet: W,
@@ -363,8 +364,8 @@ impl Solved<'_> {
         let unit = if braked.pin { "N*m" } else { "N" };
         let why = |reason| (Text::new(reason).with("name", name), PFEIFFER.at("ch. 6"));
         let effort = match (braked.contact, given, load) {
-            (Contact::Follows, ..) => return,
-            (Contact::Slides { sense, .. }, LoadGiven::Friction { coefficient, radius }, Load::Friction { joint, .. }) => {
+            (Contact::Indeterminate, ..) => return,
+            (Contact::Sliding { sense, .. }, LoadGiven::Friction { coefficient, radius }, Load::Friction { joint, .. }) => {
                 let Some(force) = carried[joint.0] else { return };
                 let (most, reason) = if braked.pin {
                     (
@@ -509,7 +510,7 @@ impl Solved<'_> {
         sheet.answer("kinetic_energy", "Kinetic energy at the end", kinetic);
         self.balance(kinetic, sheet);
         // A second way to the accelerations at the end: the whole of the equations instead of their plan.
-        let whole = self.system.freed(positions, velocities);
+        let whole = self.system.forward_dynamics(positions, velocities);
         let refuse = |error: PlanarError| self.parts.refusal(&error, self.rows);
         let whole = whole.map_err(refuse)?;
         for braked in &whole.frictions {

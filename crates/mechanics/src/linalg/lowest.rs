@@ -7,7 +7,7 @@ use super::{
     band::{Factors, SymmetricBand},
     finite, not_above, power_of_two_below, symmetric_eigen,
 };
-use crate::lanes::widest;
+use crate::simd::widest;
 
 /// The most numbers that the vectors of the iteration may take.
 const MOST_NUMBERS: usize = 24_000_000;

@@ -4,14 +4,14 @@
 
 use super::{
     Frame, Load, Measure, Mechanism, PlanarError, Pose, State, System,
-    friction::{Effect, Friction, Response, Unbraked},
+    friction::{Effect, Friction, Frictionless, Response},
     load::wrench,
-    system::{poses, project, slope},
+    system::{gradient, poses, project},
 };
-use crate::{lanes::Numbers, linalg::Elimination};
+use crate::{linalg::Elimination, simd::SimdReal};
 
 /// What acts, with its forces and moments on the bodies.
-type Act = (Acting, Vec<(usize, [f64; 3])>);
+type Act = (LoadId, Vec<(usize, [f64; 3])>);
 
 /// The efforts on a moving mechanism.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,7 +37,7 @@ pub struct Dynamics {
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadPower {
     /// Which load.
-    pub of: Acting,
+    pub of: LoadId,
     /// Its virtual power for a unit velocity of each driver.
     pub generalised: Vec<f64>,
     /// Its power, W.
@@ -46,7 +46,7 @@ pub struct LoadPower {
 
 /// Something that has power.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Acting {
+pub enum LoadId {
     /// A load, counted from 0.
     Load(usize),
     /// The weight of a body.
@@ -75,10 +75,10 @@ impl System {
         let (multipliers, frictions) = self.rubbed(elimination, state, &scaled)?;
         acting.extend(frictions);
         acting.sort_by_key(|(of, _)| match *of {
-            Acting::Load(load) => (0, load),
-            Acting::Weight(body) => (1, body),
-            Acting::InertiaForce(body) => (2, body),
-            Acting::InertiaCouple(body) => (3, body),
+            LoadId::Load(load) => (0, load),
+            LoadId::Weight(body) => (1, body),
+            LoadId::InertiaForce(body) => (2, body),
+            LoadId::InertiaCouple(body) => (3, body),
         });
         let powers: Vec<LoadPower> = acting
             .iter()
@@ -143,11 +143,11 @@ impl System {
         {
             if body.mass > 0.0 {
                 let force = [-body.mass * x, -body.mass * y, 0.0];
-                acting.push((Acting::InertiaForce(index), vec![(index, force)]));
+                acting.push((LoadId::InertiaForce(index), vec![(index, force)]));
             }
             if body.inertia > 0.0 {
                 let couple = [0.0, 0.0, -body.inertia * angular];
-                acting.push((Acting::InertiaCouple(index), vec![(index, couple)]));
+                acting.push((LoadId::InertiaCouple(index), vec![(index, couple)]));
             }
         }
         acting
@@ -165,18 +165,18 @@ impl System {
                     at.on.map(|body| (body, wrench(&poses[body], at.at, force))).into_iter().collect()
                 }
                 Load::Effort { measure, effort } => {
-                    let slope = slope(measure, &poses);
-                    let rate = project(measure, &slope, velocities);
-                    along(measure, &slope, effort.at(slope.value, rate))
+                    let gradient = gradient(measure, &poses);
+                    let rate = project(measure, &gradient, velocities);
+                    along(measure, &gradient, effort.at(gradient.value, rate))
                 }
                 Load::Friction { .. } => continue,
             };
-            acting.push((Acting::Load(index), parts));
+            acting.push((LoadId::Load(index), parts));
         }
         if [*gx, *gy] != [0.0, 0.0] {
             for (index, body) in bodies.iter().enumerate().filter(|(_, body)| body.mass > 0.0) {
                 let weight = [body.mass * gx, body.mass * gy, 0.0];
-                acting.push((Acting::Weight(index), vec![(index, weight)]));
+                acting.push((LoadId::Weight(index), vec![(index, weight)]));
             }
         }
         acting
@@ -184,7 +184,7 @@ impl System {
 
     /// The forces and moments of loads and weights on every body, and the power of those loads that have no potential.
     #[inline(always)]
-    pub(super) fn forces<S: Numbers>(
+    pub(super) fn forces<S: SimdReal>(
         &self,
         poses: &[Pose<S>],
         velocities: &[[S; 3]],
@@ -216,10 +216,10 @@ impl System {
                     }
                 }
                 Load::Effort { measure, effort } => {
-                    let slope = slope(measure, poses);
-                    let rate = project(measure, &slope, velocities);
-                    let strength = effort.at(slope.value, rate);
-                    for (frame, part) in measure.bodies().into_iter().zip([slope.from, slope.to]) {
+                    let gradient = gradient(measure, poses);
+                    let rate = project(measure, &gradient, velocities);
+                    let strength = effort.at(gradient.value, rate);
+                    for (frame, part) in measure.bodies().into_iter().zip([gradient.from, gradient.to]) {
                         if let Some(body) = frame {
                             let [x, y, moment] = part;
                             apply(body, [x * strength, y * strength, moment * strength], effort.is_stored());
@@ -251,13 +251,13 @@ impl System {
             return Ok((effect.multipliers, Vec::new()));
         }
         let poses = poses(&state.positions);
-        let unbraked =
-            Unbraked { system: self, poses: &poses, velocities: &state.velocities, motions: &[], effect };
-        let response = Response::new(&frictions, unbraked, under)?;
+        let frictionless =
+            Frictionless { system: self, poses: &poses, velocities: &state.velocities, motions: &[], effect };
+        let response = Response::new(&frictions, frictionless, under)?;
         let efforts = response.bearing(&mut response.contacts(0.0)).ok_or_else(|| response.jammed())?;
         let on_bodies = |(friction, effort): (&Friction, &f64)| {
-            let slope = slope(&friction.measure, &poses);
-            (Acting::Load(friction.load), along(&friction.measure, &slope, effort * self.arm(friction)))
+            let gradient = gradient(&friction.measure, &poses);
+            (LoadId::Load(friction.load), along(&friction.measure, &gradient, effort * self.arm(friction)))
         };
         let acting = frictions.iter().zip(&efforts).map(on_bodies).collect();
         Ok((response.effect(&efforts).multipliers, acting))
@@ -271,16 +271,16 @@ fn stored(load: &Load, poses: &[Pose<f64>]) -> Option<f64> {
             let [x, y] = at.on.map_or(at.at, |body| poses[body].point(at.at));
             Some(-(force[0] * x + force[1] * y))
         }
-        Load::Effort { measure, effort } => effort.energy(slope(measure, poses).value),
+        Load::Effort { measure, effort } => effort.energy(gradient(measure, poses).value),
         Load::Force { .. } | Load::Friction { .. } => None,
     }
 }
 
 /// An effort along a measure as forces and moments on its bodies.
-fn along(measure: &Measure, slope: &super::Slope<f64>, effort: f64) -> Vec<(usize, [f64; 3])> {
-    let part = |frame: Frame, slope: [f64; 3]| frame.map(|body| (body, slope.map(|x| x * effort)));
+fn along(measure: &Measure, gradient: &super::Gradient<f64>, effort: f64) -> Vec<(usize, [f64; 3])> {
+    let part = |frame: Frame, gradient: [f64; 3]| frame.map(|body| (body, gradient.map(|x| x * effort)));
     let [from, to] = measure.bodies();
-    [part(from, slope.from), part(to, slope.to)].into_iter().flatten().collect()
+    [part(from, gradient.from), part(to, gradient.to)].into_iter().flatten().collect()
 }
 
 fn forces(bodies: usize, acting: &[Act]) -> Vec<[f64; 3]> {

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::{
     Load, PlanarError, State, System,
     balance::virtual_power,
-    system::{bias, poses, project, slope},
+    system::{bias, gradient, poses, project},
 };
 use crate::{linalg, roots};
 
@@ -49,7 +49,7 @@ pub struct Sample {
 }
 
 impl System {
-    /// The efforts with which the drivers hold the mechanism at rest: `−Σ Q ∂q/∂m`, the slopes of the potential
+    /// The efforts with which the drivers hold the mechanism at rest: `−Σ Q ∂q/∂m`, the Jacobian of the potential
     /// energy. Friction takes no part.
     ///
     /// # Errors
@@ -108,12 +108,12 @@ impl System {
                 fx * a[0] + fy * a[1] + turning * (fx * v[1] - fy * v[0])
             }
             Load::Effort { measure, effort } => {
-                let slope = slope(measure, &poses);
-                let rate = project(measure, &slope, &state.velocities);
-                let acceleration =
-                    project(measure, &slope, &state.accelerations) + bias(measure, &poses, &state.velocities);
-                let [growth, _] = effort.slope(slope.value);
-                growth * rate * rate + effort.at(slope.value, 0.0) * acceleration
+                let gradient = gradient(measure, &poses);
+                let rate = project(measure, &gradient, &state.velocities);
+                let acceleration = project(measure, &gradient, &state.accelerations)
+                    + bias(measure, &poses, &state.velocities);
+                let [growth, _] = effort.gradient(gradient.value);
+                growth * rate * rate + effort.at(gradient.value, 0.0) * acceleration
             }
             Load::Friction { .. } => 0.0,
         };
@@ -124,7 +124,7 @@ impl System {
     /// early at a limit position.
     ///
     /// # Errors
-    /// As for [`follow`](System::follow) to the first value.
+    /// As for [`continue_to`](System::continue_to) to the first value.
     pub fn through(
         &self,
         positions: &[[f64; 3]],
@@ -138,7 +138,7 @@ impl System {
             let value = from + (to - from) * step as f64 / steps.max(1) as f64;
             let last = samples.last().map_or(positions, |sample| &sample.positions).to_vec();
             values[0] = value;
-            let there = match self.follow(&last, &values) {
+            let there = match self.continue_to(&last, &values) {
                 Ok(followed) => followed.positions,
                 Err(error) if samples.is_empty() => return Err(error),
                 Err(_) => break,
@@ -160,7 +160,7 @@ impl System {
     /// the holding effort changes its sign.
     ///
     /// # Errors
-    /// As for [`follow`](System::follow).
+    /// As for [`continue_to`](System::continue_to).
     pub fn equilibria(&self, samples: &[Sample]) -> Result<Vec<Equilibrium>, PlanarError> {
         let largest = samples.iter().fold(0.0f64, |most, sample| most.max(sample.effort.abs()));
         let mut found = Vec::new();
@@ -178,7 +178,7 @@ impl System {
                 continue;
             } else {
                 let effort = |value: f64| {
-                    let there = self.follow(&a.positions, &[value]).ok();
+                    let there = self.continue_to(&a.positions, &[value]).ok();
                     there.and_then(|there| self.holding(&there.positions).ok()).map_or(f64::NAN, |e| e[0])
                 };
                 let ends = if a.value < b.value { [a.value, b.value] } else { [b.value, a.value] };
@@ -187,7 +187,7 @@ impl System {
                     Err(_) => continue,
                 }
             };
-            let positions = self.follow(&a.positions, &[value])?.positions;
+            let positions = self.continue_to(&a.positions, &[value])?.positions;
             found.push(self.judged(vec![value], positions, largest)?);
         }
         Ok(found)
@@ -197,7 +197,7 @@ impl System {
     /// steps of at most a fifth of the size of the mechanism.
     ///
     /// # Errors
-    /// `NoEquilibrium` if it is not found; as for [`follow`](System::follow).
+    /// `NoEquilibrium` if it is not found; as for [`follow`](System::continue_to).
     pub fn equilibrium_near(&self, positions: &[[f64; 3]]) -> Result<Equilibrium, PlanarError> {
         let drivers = &self.mechanism.drivers;
         let mut here = positions.to_vec();
@@ -215,7 +215,7 @@ impl System {
             let part = f64::min(1.0, 0.2 * self.length / size.max(f64::MIN_POSITIVE));
             let next: Vec<f64> =
                 values.iter().zip(solved.x.iter()).map(|(value, x)| value - part * x).collect();
-            here = self.follow(&here, &next)?.positions;
+            here = self.continue_to(&here, &next)?.positions;
             if size <= 1e-13 * self.reach(&here) {
                 return self.judged(next, here, largest);
             }

@@ -1,4 +1,4 @@
-//! Coulomb friction in joints: which slide, which stick, and how strongly each is braked.
+//! Coulomb friction in joints: which slide, which stick, and the friction force of each.
 //!
 //! A joint that slides is braked by `μ N`, a pin by the couple `μ r N`, where N is the force that the joint carries and
 //! on which the friction itself has a part. A joint at rest is held by whatever friction that takes, as long as none of
@@ -14,9 +14,9 @@ use nalgebra::DMatrix;
 
 use super::{
     Joint, Load, Measure, PlanarError, Pose, System,
-    follow::largest,
-    free::dot,
-    system::{bias, project, slope},
+    continuation::largest,
+    forward_dynamics::dot,
+    system::{bias, gradient, project},
 };
 use crate::linalg::Elimination;
 
@@ -46,20 +46,20 @@ pub(super) struct Friction {
     pub(super) pin: bool,
 }
 
-/// How a joint with friction moves.
+/// The state of contact of a frictional joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Contact {
-    /// It slides.
-    Slides {
+    /// Sliding.
+    Sliding {
         /// 1 where its measure grows, −1 where it shrinks.
         sense: f64,
         /// The sign of the force of a guide: the side on which it bears. 1 for a pin.
         side: f64,
     },
-    /// Its friction holds it at rest.
-    Holds,
-    /// It rests since others are held: how much of it is borne by its own friction, statics does not tell.
-    Follows,
+    /// Sticking: its own friction keeps it at rest.
+    Sticking,
+    /// At rest because other joints stick: its friction is statically indeterminate.
+    Indeterminate,
 }
 
 impl System {
@@ -83,8 +83,8 @@ impl System {
         self.mechanism.loads.iter().enumerate().filter_map(of_load).collect()
     }
 
-    /// The frictions of those joints that have any.
-    pub(super) fn rough(&self) -> Vec<Friction> {
+    /// The joints with a coefficient of friction above zero.
+    pub(super) fn frictional_joints(&self) -> Vec<Friction> {
         self.frictions().into_iter().filter(|friction| friction.limit > 0.0).collect()
     }
 
@@ -114,7 +114,7 @@ pub(super) struct Effect {
 }
 
 /// A mechanism in a position, moving, before its joints are braked.
-pub(super) struct Unbraked<'a> {
+pub(super) struct Frictionless<'a> {
     pub(super) system: &'a System,
     /// Of the bodies and the ground.
     pub(super) poses: &'a [Pose<f64>],
@@ -152,24 +152,24 @@ impl<'a> Response<'a> {
     /// Those of `act`.
     pub(super) fn new(
         frictions: &'a [Friction],
-        unbraked: Unbraked<'_>,
+        frictionless: Frictionless<'_>,
         act: impl Fn(&[f64]) -> Result<Effect, PlanarError>,
     ) -> Result<Self, PlanarError> {
-        let Unbraked { system, poses, velocities, motions, effect: base } = unbraked;
+        let Frictionless { system, poses, velocities, motions, effect: base } = frictionless;
         let mut forces = Vec::with_capacity(frictions.len());
         let (mut rates, mut slidings) = (Vec::new(), Vec::new());
         for friction in frictions {
             let arm = system.arm(friction);
-            let slope = slope(&friction.measure, poses);
+            let gradient = gradient(&friction.measure, poses);
             let mut force = vec![0.0; base.accelerations.len()];
-            for (frame, part) in friction.measure.bodies().into_iter().zip([slope.from, slope.to]) {
+            for (frame, part) in friction.measure.bodies().into_iter().zip([gradient.from, gradient.to]) {
                 if let Some(body) = frame {
                     force[3 * body] += arm * part[0];
                     force[3 * body + 1] += arm * part[1];
                     force[3 * body + 2] += arm * part[2] / system.length;
                 }
             }
-            rates.push(arm * project(&friction.measure, &slope, velocities));
+            rates.push(arm * project(&friction.measure, &gradient, velocities));
             let bend = arm * bias(&friction.measure, poses, velocities);
             slidings.push(dot(&force, &base.accelerations) + bend);
             forces.push(force);
@@ -201,9 +201,9 @@ impl<'a> Response<'a> {
     pub(super) fn contacts(&self, still: f64) -> Vec<Contact> {
         let of_rate = |rate: &f64| {
             if rate.abs() <= still {
-                Contact::Follows
+                Contact::Indeterminate
             } else {
-                Contact::Slides { sense: rate.signum(), side: 1.0 }
+                Contact::Sliding { sense: rate.signum(), side: 1.0 }
             }
         };
         self.rates.iter().map(of_rate).collect()
@@ -233,16 +233,16 @@ impl<'a> Response<'a> {
         let n = contacts.len();
         let mut efforts = vec![0.0; n];
         for round in 0..ROUNDS {
-            let mut slopes = DMatrix::identity(n, n);
+            let mut jacobian = DMatrix::identity(n, n);
             let mut left = vec![0.0; n];
             for (row, contact) in contacts.iter().enumerate() {
                 match contact {
-                    Contact::Follows => left[row] = efforts[row],
-                    Contact::Holds => {
+                    Contact::Indeterminate => left[row] = efforts[row],
+                    Contact::Sticking => {
                         left[row] = self.sliding(row, &efforts);
-                        slopes.row_mut(row).copy_from(&self.yields.row(row));
+                        jacobian.row_mut(row).copy_from(&self.yields.row(row));
                     }
-                    Contact::Slides { sense, side } => {
+                    Contact::Sliding { sense, side } => {
                         let [x, y] = self.force(row, &efforts);
                         let carried = if self.frictions[row].pin { x.hypot(y) } else { side * x };
                         let along = if carried == 0.0 { [*side, 0.0] } else { [x / carried, y / carried] };
@@ -250,12 +250,12 @@ impl<'a> Response<'a> {
                         left[row] = efforts[row] + most * carried;
                         for column in 0..n {
                             let [by_x, by_y] = self.carries[column][row];
-                            slopes[(row, column)] += most * (along[0] * by_x + along[1] * by_y);
+                            jacobian[(row, column)] += most * (along[0] * by_x + along[1] * by_y);
                         }
                     }
                 }
             }
-            let step = Elimination::new(&slopes).ok()?.solve(&left).ok()?;
+            let step = Elimination::new(&jacobian).ok()?.solve(&left).ok()?;
             for (effort, step) in efforts.iter_mut().zip(&step) {
                 *effort -= step;
             }
@@ -275,7 +275,7 @@ impl<'a> Response<'a> {
             for row in 0..contacts.len() {
                 let [force, _] = self.force(row, &efforts);
                 let pin = self.frictions[row].pin;
-                if let Contact::Slides { side, .. } = &mut contacts[row]
+                if let Contact::Sliding { side, .. } = &mut contacts[row]
                     && !pin
                     && *side * force < -TURNED * self.largest_force(&efforts)
                 {
@@ -301,7 +301,7 @@ impl<'a> Response<'a> {
     ) {
         margins.clear();
         for (contact, rate) in contacts.iter().zip(&self.rates) {
-            margins.push(if let Contact::Slides { sense, .. } = contact {
+            margins.push(if let Contact::Sliding { sense, .. } = contact {
                 sense * rate / fastest
             } else {
                 1.0
@@ -310,7 +310,7 @@ impl<'a> Response<'a> {
         let largest_force = self.largest_force(efforts);
         for (row, contact) in contacts.iter().enumerate() {
             let asked = match contact {
-                Contact::Slides { side, .. } if !self.frictions[row].pin && largest_force > 0.0 => {
+                Contact::Sliding { side, .. } if !self.frictions[row].pin && largest_force > 0.0 => {
                     side * self.force(row, efforts)[0] / largest_force
                 }
                 _ => 1.0,

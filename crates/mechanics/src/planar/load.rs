@@ -3,7 +3,7 @@
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
 use super::{Frame, Measure, Point, Pose, Profile};
-use crate::{Real, lanes::Numbers};
+use crate::{Real, simd::SimdReal};
 
 /// A load.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,7 +74,7 @@ pub enum Effort {
 impl Effort {
     /// The effort at a value and a velocity of its measure.
     #[inline(always)]
-    pub fn at<S: Numbers>(&self, value: S, velocity: S) -> S {
+    pub fn at<S: SimdReal>(&self, value: S, velocity: S) -> S {
         match self {
             &Effort::Constant(effort) => S::from(effort),
             &Effort::Spring { stiffness, free } => -((value - free) * stiffness),
@@ -87,7 +87,7 @@ impl Effort {
     }
 
     /// Its derivatives with respect to the value and to the velocity.
-    pub fn slope(&self, value: f64) -> [f64; 2] {
+    pub fn gradient(&self, value: f64) -> [f64; 2] {
         match self {
             Effort::Constant(_) => [0.0, 0.0],
             Effort::Spring { stiffness, .. } => [-stiffness, 0.0],

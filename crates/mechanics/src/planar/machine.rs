@@ -1,14 +1,14 @@
 //! A mechanism as a problem of motion: the state is what its plan keeps of the positions, and the velocities in the
 //! columns that the plan leaves free; all other velocities follow from these.
 
-mod braking;
+mod friction;
 
-pub(super) use self::braking::NOISE;
+pub(super) use self::friction::NOISE;
 use super::{
     Contact, PlanarError, State, System,
-    free::most_moved,
+    forward_dynamics::body_that_moves_most,
     friction::Friction,
-    plan::{Layout, Order, Standing, Work},
+    plan::{Conditioning, Layout, Order, Work},
 };
 use crate::ode::Problem;
 
@@ -29,7 +29,7 @@ const ROUNDING: f64 = 4.0;
 const MOST_WHERE_SINGULAR: f64 = 1e-9;
 /// Below this part of what it was, a pivot leaves too little of a moment that is shown.
 const UNSAFE: f64 = 0.01;
-/// How far ahead, in parts of the size, the slopes are looked at to tell where they vanish.
+/// How far ahead, as a fraction of the size, the Jacobian is evaluated to extrapolate where its rows vanish.
 const AHEAD: f64 = 1e-5;
 /// The tolerance of a step that went where the order of elimination is of no use.
 const NOTHING: f64 = 1e-60;
@@ -47,7 +47,7 @@ pub(super) struct Machine<'a> {
     work: Work,
     /// The kept coordinates that the work stands for.
     set: Vec<f64>,
-    /// Whether the slopes of the work are eliminated already.
+    /// Whether the Jacobian of the work is eliminated already.
     eliminated: bool,
     masses: Vec<f64>,
     /// Velocities of the bodies and the ground.
@@ -69,7 +69,7 @@ pub(super) struct Machine<'a> {
     pub(super) has_work: bool,
     tolerance: f64,
     /// How well the orders served since the last step, at worst.
-    standing: Standing,
+    conditioning: Conditioning,
     /// The smallest part of what it was to which a pivot has fallen since the last step.
     weakest: f64,
     /// The fastest free velocity so far.
@@ -111,12 +111,12 @@ impl<'a> Machine<'a> {
             reduced: Vec::new(),
             driving: Vec::new(),
             multipliers: vec![0.0; rows],
-            frictions: system.rough(),
+            frictions: system.frictional_joints(),
             contacts: Vec::new(),
             jammed: None,
             has_work,
             tolerance,
-            standing: Standing::Good,
+            conditioning: Conditioning::Regular,
             weakest: 1.0,
             fastest: 0.0,
             cancelled,
@@ -169,7 +169,7 @@ impl<'a> Machine<'a> {
         self.place(&state[..self.layout.kept.len()]);
         self.eliminate();
         let order = &self.orders[self.now];
-        order.weakest() < UNSAFE && order.standing() == Standing::NearlySingular
+        order.weakest() < UNSAFE && order.conditioning() == Conditioning::NearSingular
     }
 
     /// The kinetic energy and the energy stored in loads in the state that was last made full.
@@ -188,8 +188,8 @@ impl<'a> Machine<'a> {
         let mut rates = vec![0.0; state.len()];
         self.rates(time, state, &mut rates);
         let poses = &self.work.poses;
-        let slope = super::system::slope(measure, poses);
-        [slope.value, super::system::project(measure, &slope, &self.velocities)]
+        let gradient = super::system::gradient(measure, poses);
+        [gradient.value, super::system::project(measure, &gradient, &self.velocities)]
     }
 
     /// Another order of elimination with the state that it asks for, if the present one has become weak.
@@ -197,7 +197,7 @@ impl<'a> Machine<'a> {
         let kept = self.layout.kept.len();
         self.place(&state[..kept]);
         self.eliminate();
-        if !self.orders[self.now].is_weak(&self.layout, &self.work.slopes) {
+        if !self.orders[self.now].is_weak(&self.layout, &self.work.jacobian) {
             return None;
         }
         let (full, work) = self.full(time, state)?;
@@ -208,13 +208,13 @@ impl<'a> Machine<'a> {
     /// Takes a remembered order that suits the position, or makes one.
     fn order(&mut self) {
         for index in 0..self.orders.len() {
-            self.orders[index].eliminate(&self.work.slopes);
-            if !self.orders[index].is_weak(&self.layout, &self.work.slopes) {
+            self.orders[index].eliminate(&self.work.jacobian);
+            if !self.orders[index].is_weak(&self.layout, &self.work.jacobian) {
                 self.take(index);
                 return;
             }
         }
-        let order = Order::new(&self.layout, &self.work.slopes, self.masses.len());
+        let order = Order::new(&self.layout, &self.work.jacobian, self.masses.len());
         if self.orders.len() == REMEMBERED {
             self.orders.remove(0);
         }
@@ -247,9 +247,9 @@ impl<'a> Machine<'a> {
     fn eliminate(&mut self) {
         if !self.eliminated {
             let order = &mut self.orders[self.now];
-            order.eliminate(&self.work.slopes);
+            order.eliminate(&self.work.jacobian);
             self.eliminated = true;
-            self.standing = self.standing.max(order.standing());
+            self.conditioning = self.conditioning.max(order.conditioning());
             self.weakest = self.weakest.min(order.weakest());
         }
     }
@@ -335,7 +335,7 @@ impl<'a> Machine<'a> {
             }
             self.orders[self.now].multipliers(&mut self.scaled, &mut self.multipliers);
         }
-        if self.contacts.is_empty() { power } else { power + self.brake() }
+        if self.contacts.is_empty() { power } else { power + self.apply_friction() }
     }
 
     /// The power of the drivers, with the multipliers just found.
@@ -354,7 +354,9 @@ impl<'a> Machine<'a> {
             let inertia: f64 = motion.iter().zip(&self.masses).map(|(n, mass)| n * n * mass).sum();
             inertia == 0.0
         });
-        massless.map_or(PlanarError::NotFinite, |motion| PlanarError::Massless { body: most_moved(motion) })
+        massless.map_or(PlanarError::NotFinite, |motion| PlanarError::Massless {
+            body: body_that_moves_most(motion),
+        })
     }
 
     /// Sets the size of velocities from those of the start and from what the accelerations can make of the size of
@@ -392,15 +394,15 @@ impl Problem for Machine<'_> {
         let kept = self.layout.kept.len();
         let free = kept..kept + self.motions.len();
         let weakest = std::mem::replace(&mut self.weakest, 1.0);
-        let tolerance = match std::mem::replace(&mut self.standing, Standing::Good) {
-            Standing::Good => self.tolerance,
-            Standing::NearlySingular => {
+        let tolerance = match std::mem::replace(&mut self.conditioning, Conditioning::Regular) {
+            Conditioning::Regular => self.tolerance,
+            Conditioning::NearSingular => {
                 let loops = self.layout.loops().len() as f64;
                 let rounding = ROUNDING * loops * f64::EPSILON / weakest.powi(2);
                 self.tolerance.max(rounding.min(MOST_WHERE_SINGULAR))
             }
             // A shorter step comes to where another order is taken.
-            Standing::Lost => NOTHING,
+            Conditioning::Singular => NOTHING,
         };
         allowed[..kept].fill(tolerance * self.system.length);
         let ends = before[free.clone()].iter().chain(&after[free.clone()]);
@@ -418,24 +420,24 @@ impl Problem for Machine<'_> {
         let mut last = f64::INFINITY;
         for round in 0..=ROUNDS {
             self.place(&state[..kept]);
-            let gap = self.layout.open(&self.work);
-            if gap.is_nan() {
+            let residual = self.layout.open(&self.work);
+            if residual.is_nan() {
                 return false;
             }
-            let stays = gap <= ALMOST * length && gap > 0.3 * last;
-            if gap <= CLOSED * length || stays || round == ROUNDS {
-                return gap <= ALMOST * length;
+            let stays = residual <= ALMOST * length && residual > 0.3 * last;
+            if residual <= CLOSED * length || stays || round == ROUNDS {
+                return residual <= ALMOST * length;
             }
-            last = gap;
+            last = residual;
             self.eliminate();
-            if gap <= CLOSED_WHERE_SINGULAR * length
-                && self.orders[self.now].standing() == Standing::NearlySingular
+            if residual <= CLOSED_WHERE_SINGULAR * length
+                && self.orders[self.now].conditioning() == Conditioning::NearSingular
             {
                 return true;
             }
             self.right.fill(0.0);
             for &row in self.layout.loops() {
-                self.right[row] = self.work.gaps[row];
+                self.right[row] = self.work.residuals[row];
             }
             self.orders[self.now].solve(&mut self.right, &mut self.scaled);
             let mut size = 0.0f64;

@@ -84,7 +84,7 @@ pub struct Pose<S> {
 
 /// The value of a measure and its derivatives with respect to the positions `x`, `y`, `θ` of two bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Slope<S> {
+pub struct Gradient<S> {
     /// The measure itself.
     pub value: S,
     /// For the body it is taken from.
@@ -144,16 +144,16 @@ impl Measure {
         matches!(self, Measure::Angle { .. })
     }
 
-    /// Its value and slope, with the poses of the bodies it is taken from and to.
+    /// Its value and derivative, with the poses of the bodies it is taken from and to.
     ///
-    /// The slope of a distance is not finite where the points coincide.
+    /// The derivative of a distance is not finite where the points coincide.
     #[inline(always)]
-    pub fn slope<S: Real>(&self, [from_pose, to_pose]: [&Pose<S>; 2]) -> Slope<S> {
+    pub fn gradient<S: Real>(&self, [from_pose, to_pose]: [&Pose<S>; 2]) -> Gradient<S> {
         let zero = S::from(0.0);
         // A unit force along u at a point of a body, as the force and its moment about the body's origin.
         let along = |[ux, uy]: [S; 2], [rx, ry]: [S; 2]| [ux, uy, rx * uy - ry * ux];
         match *self {
-            Measure::Angle { .. } => Slope {
+            Measure::Angle { .. } => Gradient {
                 value: to_pose.angle - from_pose.angle,
                 from: [zero, zero, S::from(-1.0)],
                 to: [zero, zero, S::from(1.0)],
@@ -162,7 +162,7 @@ impl Measure {
                 let u = [S::from(direction[0]), S::from(direction[1])];
                 let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
                 let d = between(from_pose, a, to_pose, b);
-                Slope { value: dot(u, d), from: opposite(along(u, a)), to: along(u, b) }
+                Gradient { value: dot(u, d), from: opposite(along(u, a)), to: along(u, b) }
             }
             Measure::Along { direction, from, to } => {
                 let u = from_pose.turned(direction);
@@ -170,14 +170,14 @@ impl Measure {
                 let d = between(from_pose, a, to_pose, b);
                 let [fx, fy, moment] = opposite(along(u, a));
                 let turning = u[0] * d[1] - u[1] * d[0];
-                Slope { value: dot(u, d), from: [fx, fy, moment + turning], to: along(u, b) }
+                Gradient { value: dot(u, d), from: [fx, fy, moment + turning], to: along(u, b) }
             }
             Measure::Distance { from, to } => {
                 let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
                 let d = between(from_pose, a, to_pose, b);
                 let length = (d[0].powi(2) + d[1].powi(2)).sqrt();
                 let u = [d[0] / length, d[1] / length];
-                Slope { value: length, from: opposite(along(u, a)), to: along(u, b) }
+                Gradient { value: length, from: opposite(along(u, a)), to: along(u, b) }
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::{
     Frame, Load, State, System,
-    system::{poses, slope},
+    system::{gradient, poses},
 };
 
 impl System {
@@ -35,9 +35,9 @@ impl System {
         let mut force = [0.0; 2];
         for ((equation, of), multiplier) in self.equations.iter().zip(&self.owners).zip(multipliers) {
             for term in equation.terms.iter().filter(|term| *of == owner && !term.measure.is_angle()) {
-                let slope = slope(&term.measure, &poses);
-                let rate = term.profile.as_ref().map_or(1.0, |profile| profile.at(slope.value)[1]);
-                for (on, [x, y, _]) in term.measure.bodies().into_iter().zip([slope.from, slope.to]) {
+                let gradient = gradient(&term.measure, &poses);
+                let rate = term.profile.as_ref().map_or(1.0, |profile| profile.at(gradient.value)[1]);
+                for (on, [x, y, _]) in term.measure.bodies().into_iter().zip([gradient.from, gradient.to]) {
                     if on == part {
                         let effort = multiplier * term.weight * rate;
                         force = [force[0] + effort * x, force[1] + effort * y];

@@ -23,7 +23,7 @@ pub enum End {
 
 /// A motion.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Moved {
+pub struct Trajectory {
     /// From the start to the end.
     pub samples: Vec<Snapshot>,
     /// Which of the ends it came to, if any.
@@ -49,7 +49,7 @@ pub struct Snapshot {
     pub work: f64,
 }
 
-impl Moved {
+impl Trajectory {
     /// The largest difference of the energy balance `T + V − W` from the start, J: zero for an exact motion.
     pub fn imbalance(&self) -> f64 {
         let left = |sample: &Snapshot| sample.kinetic + sample.stored - sample.work;
@@ -71,7 +71,7 @@ impl System {
         positions: &[[f64; 3]],
         velocities: &[[f64; 3]],
         run: &Run,
-    ) -> Result<Moved, PlanarError> {
+    ) -> Result<Trajectory, PlanarError> {
         let mut machine = Machine::new(self, positions, run.tolerance, run.cancelled);
         let mut state = machine.state(positions, velocities, 0.0);
         machine.begin(&state);
@@ -98,9 +98,9 @@ impl System {
         if run.samples > 2 || !run.ends.is_empty() || machine.has_friction() {
             integrator = integrator.looked_between();
         }
-        let gaps = run.samples.saturating_sub(1);
+        let residuals = run.samples.saturating_sub(1);
         let time_of = |index: usize| {
-            if index == gaps { run.duration } else { run.duration * index as f64 / gaps as f64 }
+            if index == residuals { run.duration } else { run.duration * index as f64 / residuals as f64 }
         };
         let mut ended = None;
         while integrator.time() < run.duration && ended.is_none() {
@@ -127,7 +127,7 @@ impl System {
                     (until, ended) = (time.min(until), Some(index));
                 }
             }
-            while samples.len() <= gaps && time_of(samples.len()) <= until {
+            while samples.len() <= residuals && time_of(samples.len()) <= until {
                 let time = time_of(samples.len());
                 samples.push(between(&mut machine, &mut integrator, time).ok_or_else(|| lost(time))?);
             }
@@ -155,7 +155,7 @@ impl System {
             }
         }
         let contacts = machine.contacts().to_vec();
-        Ok(Moved { samples, ended, contacts, steps: integrator.steps() })
+        Ok(Trajectory { samples, ended, contacts, steps: integrator.steps() })
     }
 }
 

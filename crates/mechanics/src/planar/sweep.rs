@@ -1,6 +1,6 @@
 //! A driven mechanism compiled for many positions: a cycle of an engine, a curve of a coupler, a plot.
 //!
-//! The positions are followed as [`System::follow`] does it, with velocities, accelerations and every reaction, but
+//! The positions are followed as [`System::continue_to`] does it, with velocities, accelerations and every reaction, but
 //! on the [plan](super::plan) of the mechanism, and many parts of the way side by side in the registers of the
 //! machine. Where the plan does not lead on, near a dead centre or a limit, or does not serve, with friction or
 //! redundant joints, the general way takes over; the results are the same.
@@ -13,7 +13,7 @@ use super::{
     Load, PlanarError, State, System,
     plan::{self, Layout, Order, Work},
 };
-use crate::lanes::{Lanes, WIDTH};
+use crate::simd::{SimdVector, WIDTH};
 
 /// So many equations that are not explicit are eliminated as a full matrix at most.
 const MOST_LOOPS: usize = 12;
@@ -22,7 +22,7 @@ const UNDIVIDED: usize = 4 * WIDTH;
 
 /// Positions that a mechanism takes, one for each value of the driver, with what it is like there.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Swept {
+pub struct SweepResult {
     /// How many bodies there are.
     bodies: usize,
     /// How many equations there are.
@@ -52,7 +52,7 @@ struct Plan {
     masses: Vec<f64>,
     start: Vec<f64>,
     one: Station<f64>,
-    many: Station<Lanes>,
+    many: Station<SimdVector>,
 }
 
 impl System {
@@ -75,9 +75,9 @@ impl Sweep<'_> {
     /// velocities and accelerations of the drivers, the others held.
     ///
     /// # Errors
-    /// As for [`System::follow`] and [`System::dynamics`]: what ended the sweep, of which the first
-    /// [`reached`](Swept::reached) positions stand.
-    pub fn over(&mut self, values: &[f64], swept: &mut Swept) -> Result<(), PlanarError> {
+    /// As for [`System::continue_to`] and [`System::dynamics`]: what ended the sweep, of which the first
+    /// [`reached`](SweepResult::reached) positions stand.
+    pub fn over(&mut self, values: &[f64], swept: &mut SweepResult) -> Result<(), PlanarError> {
         swept.make_room(self.system, values.len());
         let mut done = 0;
         let mut here = self.positions.clone();
@@ -91,7 +91,7 @@ impl Sweep<'_> {
         let mut held: Vec<f64> = self.system.mechanism.drivers.iter().map(|driver| driver.value).collect();
         for &value in &values[done..] {
             held[self.driver] = value;
-            here = self.system.follow(&here, &held)?.positions;
+            here = self.system.continue_to(&here, &held)?.positions;
             let (state, dynamics) = self.system.solved(&here)?;
             swept.put(&state, &dynamics.multipliers, dynamics.efforts[self.driver]);
         }
@@ -99,7 +99,7 @@ impl Sweep<'_> {
     }
 }
 
-impl Swept {
+impl SweepResult {
     /// How many positions were reached.
     pub fn reached(&self) -> usize {
         self.reached
@@ -173,7 +173,7 @@ impl Plan {
         let start: Vec<f64> = layout.kept.iter().map(|&column| system.scaled(column, positions)).collect();
         layout.set(&start, &mut work);
         layout.measure(&mut work);
-        let (order, left) = Order::of_explicit(&layout, &work.slopes, columns);
+        let (order, left) = Order::of_explicit(&layout, &work.jacobian, columns);
         let number = |column: usize| layout.kept.iter().position(|kept| *kept == column);
         let mut loops = Vec::new();
         for row in left {
@@ -208,7 +208,7 @@ impl Plan {
         system: &System,
         (driver, from): (usize, f64),
         values: &[f64],
-        swept: &mut Swept,
+        swept: &mut SweepResult,
     ) -> usize {
         let Self { layout, loops, masses, start, one, many } = self;
         let way = Way { system, layout, loops, masses, row: system.first_driver() + driver, driver };
@@ -227,7 +227,7 @@ impl Plan {
                 reached
             });
             let at = |lane: usize, step: usize| (first(lane) + step).min(values.len() - 1);
-            let value = |step: usize| Lanes::of(|lane| values[at(lane, step)]);
+            let value = |step: usize| SimdVector::of(|lane| values[at(lane, step)]);
             let mut steps = 0..part;
             let swept_all = reached
                 && many.begin(&way, value(0), |number, lane| anchors[number][lane])

@@ -1,4 +1,4 @@
-//! A mechanism made ready to be computed with: its equations, their slopes, and its assembly.
+//! A mechanism made ready to be computed with: its equations, their Jacobian, and its assembly.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -8,8 +8,8 @@ use nalgebra::DMatrix;
 
 use self::check::check;
 
-use super::{Dynamics, Equation, Frame, Load, Measure, Mechanism, PlanarError, Point, Pose, Slope};
-use crate::{Real, lanes::Numbers, linalg::Elimination};
+use super::{Dynamics, Equation, Frame, Gradient, Load, Measure, Mechanism, PlanarError, Point, Pose};
+use crate::{Real, linalg::Elimination, simd::SimdReal};
 
 /// What a closed joint may be open by, in parts of the size of the mechanism.
 const CLOSED: f64 = 1e-14;
@@ -66,11 +66,11 @@ pub struct System {
     pub(super) length: f64,
 }
 
-/// The equations in a position: how far they are from holding, and their slopes by the scaled positions
+/// The residuals of the constraints in a position, and their Jacobian by the scaled positions
 /// `(x, y, θ · length)`.
-pub(super) struct Gaps {
-    pub(super) gaps: Vec<f64>,
-    pub(super) slopes: DMatrix<f64>,
+pub(super) struct Constraints {
+    pub(super) residuals: Vec<f64>,
+    pub(super) jacobian: DMatrix<f64>,
 }
 
 impl System {
@@ -160,8 +160,8 @@ impl System {
             Ok((drawn, left))
         };
         let (drawn, left_here) = settled(from(0.01))?;
-        let (_, slopes) = system.levelled(&drawn)?;
-        let left = Elimination::new(&slopes.select_rows(&wanted).select_columns(&columns))?.null_space()?;
+        let (_, jacobian) = system.levelled(&drawn)?;
+        let left = Elimination::new(&jacobian.select_rows(&wanted).select_columns(&columns))?.null_space()?;
         let is_free =
             |body: usize| left.iter().any(|motion| motion[2 * body..][..2].iter().any(|x| x.abs() > FREE));
         let unplaced =
@@ -228,13 +228,13 @@ impl System {
 
     /// The value of a measure.
     pub fn value(&self, measure: &Measure, positions: &[[f64; 3]]) -> f64 {
-        slope(measure, &poses(positions)).value
+        gradient(measure, &poses(positions)).value
     }
 
     /// The velocity of a measure.
     pub fn rate(&self, measure: &Measure, state: &State) -> f64 {
-        let slope = slope(measure, &poses(&state.positions));
-        project(measure, &slope, &state.velocities)
+        let gradient = gradient(measure, &poses(&state.positions));
+        project(measure, &gradient, &state.velocities)
     }
 
     /// Position, velocity and acceleration of a point.
@@ -257,25 +257,25 @@ impl System {
     /// `DoesNotClose`, `NotFinite`.
     pub fn assemble(&self, drawn: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, PlanarError> {
         let mut positions = drawn.to_vec();
-        let (mut gaps, mut slopes) = self.levelled(&positions)?;
-        let (mut open, mut damping) = (square(&gaps), 1e-3);
+        let (mut residuals, mut jacobian) = self.levelled(&positions)?;
+        let (mut open, mut damping) = (square(&residuals), 1e-3);
         let (mut best, mut stalled) = (f64::INFINITY, 0);
         for _ in 0..STEPS {
-            let largest = gaps.iter().fold(0.0f64, |most, gap| most.max(gap.abs()));
+            let largest = residuals.iter().fold(0.0f64, |most, residual| most.max(residual.abs()));
             if largest <= CLOSED * self.reach(&positions) || stalled > 20 {
                 break;
             }
-            let mut normal = &slopes * slopes.transpose();
+            let mut normal = &jacobian * jacobian.transpose();
             for at in 0..normal.nrows() {
                 normal[(at, at)] += damping * f64::min(1.0, largest / self.length);
             }
-            let multipliers = Elimination::new(&normal)?.solve(&gaps)?;
-            let change = slopes.tr_mul(&nalgebra::DVector::from_vec(multipliers));
+            let multipliers = Elimination::new(&normal)?.solve(&residuals)?;
+            let change = jacobian.tr_mul(&nalgebra::DVector::from_vec(multipliers));
             let tried = self.moved(&positions, change.as_slice(), -1.0);
             let (new_gaps, new_slopes) = self.levelled(&tried)?;
             let new_open = square(&new_gaps);
             if new_open < open {
-                (positions, gaps, slopes, open) = (tried, new_gaps, new_slopes, new_open);
+                (positions, residuals, jacobian, open) = (tried, new_gaps, new_slopes, new_open);
                 damping = f64::max(damping * 0.1, 1e-15);
             } else {
                 damping = f64::max(damping * 10.0, 1e-12);
@@ -289,15 +289,14 @@ impl System {
 
     /// Refuses positions in which an equation does not hold.
     pub(super) fn closed(&self, positions: &[[f64; 3]]) -> Result<(), PlanarError> {
-        let (gaps, _) = self.levelled(positions)?;
-        let (equation, gap) = gaps
-            .iter()
-            .enumerate()
-            .fold((0, 0.0f64), |worst, (at, gap)| if gap.abs() > worst.1 { (at, gap.abs()) } else { worst });
-        if gap <= 1e-10 * self.reach(positions) {
+        let (residuals, _) = self.levelled(positions)?;
+        let (equation, residual) = residuals.iter().enumerate().fold((0, 0.0f64), |worst, (at, residual)| {
+            if residual.abs() > worst.1 { (at, residual.abs()) } else { worst }
+        });
+        if residual <= 1e-10 * self.reach(positions) {
             Ok(())
         } else {
-            Err(PlanarError::DoesNotClose { joint: self.owners[equation], gap })
+            Err(PlanarError::DoesNotClose { joint: self.owners[equation], residual })
         }
     }
 
@@ -307,8 +306,8 @@ impl System {
     /// `NotFinite`.
     pub fn mobility(&self, positions: &[[f64; 3]]) -> Result<Mobility, PlanarError> {
         let joints = self.first_driver();
-        let slopes = self.gaps(positions).slopes.rows(0, joints).into_owned();
-        let elimination = Elimination::new(&slopes)?;
+        let jacobian = self.constraints(positions).jacobian.rows(0, joints).into_owned();
+        let elimination = Elimination::new(&jacobian)?;
         let mut redundant: Vec<usize> =
             elimination.dependent_rows().iter().map(|&row| self.owners[row]).collect();
         redundant.sort_unstable();
@@ -326,8 +325,8 @@ impl System {
     /// # Errors
     /// `UnderDriven`, `OverDriven`, `DeadCentre`; `NotFinite`.
     pub(super) fn factored(&self, positions: &[[f64; 3]]) -> Result<Elimination, PlanarError> {
-        let slopes = self.gaps(positions).slopes;
-        let elimination = Elimination::new(&slopes)?;
+        let jacobian = self.constraints(positions).jacobian;
+        let elimination = Elimination::new(&jacobian)?;
         let unknowns = 3 * self.mechanism.bodies.len();
         let drivers = self.mechanism.drivers.len();
         if elimination.rank() == unknowns && elimination.dependent_rows().is_empty() {
@@ -342,11 +341,11 @@ impl System {
             return Err(PlanarError::UnderDriven { free: free - drivers, singular });
         }
         // Of the motions that the joints leave, which driver moves none that the others do not?
-        let joints = Elimination::new(&slopes.rows(0, self.first_driver()).into_owned())?;
+        let joints = Elimination::new(&jacobian.rows(0, self.first_driver()).into_owned())?;
         let motions = joints.null_space()?;
         let driven = DMatrix::from_fn(drivers, motions.len().max(1), |driver, motion| {
             motions.get(motion).map_or(0.0, |motion| {
-                slopes.row(self.first_driver() + driver).iter().zip(motion).map(|(a, b)| a * b).sum()
+                jacobian.row(self.first_driver() + driver).iter().zip(motion).map(|(a, b)| a * b).sum()
             })
         });
         let idle = Elimination::new(&driven)?.dependent_rows().first().copied();
@@ -415,35 +414,35 @@ impl System {
         Ok(State { positions: positions.to_vec(), velocities, accelerations })
     }
 
-    /// How far the equations are from holding, and their slopes.
-    pub(super) fn gaps(&self, positions: &[[f64; 3]]) -> Gaps {
+    /// The constraint residuals Φ and their Jacobian Φ_q.
+    pub(super) fn constraints(&self, positions: &[[f64; 3]]) -> Constraints {
         let poses = poses(positions);
-        let mut slopes = DMatrix::zeros(self.equations.len(), 3 * positions.len());
-        let mut gaps = Vec::with_capacity(self.equations.len());
+        let mut jacobian = DMatrix::zeros(self.equations.len(), 3 * positions.len());
+        let mut residuals = Vec::with_capacity(self.equations.len());
         for (row, equation) in self.equations.iter().enumerate() {
             let mut left = 0.0;
             for term in &equation.terms {
-                let slope = slope(&term.measure, &poses);
+                let gradient = gradient(&term.measure, &poses);
                 let [value, rate] = match &term.profile {
                     Some(profile) => {
-                        let [value, rate, _] = profile.at(slope.value);
+                        let [value, rate, _] = profile.at(gradient.value);
                         [value, rate]
                     }
-                    None => [slope.value, 1.0],
+                    None => [gradient.value, 1.0],
                 };
                 left += term.weight * value;
-                for (frame, part) in term.measure.bodies().into_iter().zip([slope.from, slope.to]) {
+                for (frame, part) in term.measure.bodies().into_iter().zip([gradient.from, gradient.to]) {
                     if let Some(body) = frame {
                         let factor = term.weight * rate;
-                        slopes[(row, 3 * body)] += factor * part[0];
-                        slopes[(row, 3 * body + 1)] += factor * part[1];
-                        slopes[(row, 3 * body + 2)] += factor * part[2] / self.length;
+                        jacobian[(row, 3 * body)] += factor * part[0];
+                        jacobian[(row, 3 * body + 1)] += factor * part[1];
+                        jacobian[(row, 3 * body + 2)] += factor * part[2] / self.length;
                     }
                 }
             }
-            gaps.push(left - equation.sum.unwrap_or(0.0));
+            residuals.push(left - equation.sum.unwrap_or(0.0));
         }
-        Gaps { gaps, slopes }
+        Constraints { residuals, jacobian }
     }
 
     /// The accelerations of the equations' left sides when no body accelerates.
@@ -453,9 +452,9 @@ impl System {
             let bias = bias(&term.measure, &poses, velocities);
             let through = match &term.profile {
                 Some(profile) => {
-                    let slope = slope(&term.measure, &poses);
-                    let rate = project(&term.measure, &slope, velocities);
-                    let [_, first, second] = profile.at(slope.value);
+                    let gradient = gradient(&term.measure, &poses);
+                    let rate = project(&term.measure, &gradient, velocities);
+                    let [_, first, second] = profile.at(gradient.value);
                     first * bias + second * rate * rate
                 }
                 None => bias,
@@ -465,20 +464,20 @@ impl System {
         self.equations.iter().map(|equation| equation.terms.iter().map(of_term).sum()).collect()
     }
 
-    /// Gaps and slopes with each equation divided by its largest slope: gaps in m whatever is measured.
+    /// Residuals and Jacobian, each row scaled by its largest entry: residuals in m whatever is measured.
     fn levelled(&self, positions: &[[f64; 3]]) -> Result<(Vec<f64>, DMatrix<f64>), PlanarError> {
-        let Gaps { mut gaps, mut slopes } = self.gaps(positions);
-        if gaps.iter().chain(slopes.iter()).any(|x| !x.is_finite()) {
+        let Constraints { mut residuals, mut jacobian } = self.constraints(positions);
+        if residuals.iter().chain(jacobian.iter()).any(|x| !x.is_finite()) {
             return Err(PlanarError::NotFinite);
         }
-        for (gap, mut row) in gaps.iter_mut().zip(slopes.row_iter_mut()) {
+        for (residual, mut row) in residuals.iter_mut().zip(jacobian.row_iter_mut()) {
             let largest = row.amax();
             if largest > 0.0 {
-                *gap /= largest;
+                *residual /= largest;
                 row /= largest;
             }
         }
-        Ok((gaps, slopes))
+        Ok((residuals, jacobian))
     }
 
     /// Positions moved by so many scaled steps.
@@ -497,7 +496,7 @@ impl System {
 
     /// Scaled rates as those of the bodies.
     #[inline(always)]
-    pub(super) fn unscale<S: Numbers>(&self, scaled: &[S], of_bodies: &mut [[S; 3]]) {
+    pub(super) fn unscale<S: SimdReal>(&self, scaled: &[S], of_bodies: &mut [[S; 3]]) {
         let per_length = 1.0 / self.length;
         for (rate, scaled) in of_bodies.iter_mut().zip(scaled.chunks_exact(3)) {
             *rate = [scaled[0], scaled[1], scaled[2] * per_length];
@@ -535,8 +534,8 @@ pub(super) fn pair<'a, S>(measure: &Measure, poses: &'a [Pose<S>]) -> [&'a Pose<
 }
 
 #[inline(always)]
-pub(super) fn slope<S: Real>(measure: &Measure, poses: &[Pose<S>]) -> Slope<S> {
-    measure.slope(pair(measure, poses))
+pub(super) fn gradient<S: Real>(measure: &Measure, poses: &[Pose<S>]) -> Gradient<S> {
+    measure.gradient(pair(measure, poses))
 }
 
 pub(super) fn bias(measure: &Measure, poses: &[Pose<f64>], velocities: &[[f64; 3]]) -> f64 {
@@ -547,23 +546,23 @@ pub(super) fn bias(measure: &Measure, poses: &[Pose<f64>], velocities: &[[f64; 3
 
 /// The velocity of a measure.
 #[inline(always)]
-pub(super) fn project<S: Real>(measure: &Measure, slope: &Slope<S>, velocities: &[[S; 3]]) -> S {
+pub(super) fn project<S: Real>(measure: &Measure, gradient: &Gradient<S>, velocities: &[[S; 3]]) -> S {
     let dot = |[ax, ay, aw]: [S; 3], [bx, by, bw]: [S; 3]| ax * bx + ay * by + aw * bw;
     let of = |frame: Frame, part: [S; 3]| frame.map_or(S::from(0.0), |body| dot(part, velocities[body]));
     let [from, to] = measure.bodies();
-    of(from, slope.from) + of(to, slope.to)
+    of(from, gradient.from) + of(to, gradient.to)
 }
 
 fn left_side(equation: &Equation, poses: &[Pose<f64>]) -> f64 {
     let of_term = |term: &super::Term| {
-        let value = slope(&term.measure, poses).value;
+        let value = gradient(&term.measure, poses).value;
         term.weight * term.profile.as_ref().map_or(value, |profile| profile.at(value)[0])
     };
     equation.terms.iter().map(of_term).sum()
 }
 
-fn square(gaps: &[f64]) -> f64 {
-    gaps.iter().map(|gap| gap * gap).sum()
+fn square(residuals: &[f64]) -> f64 {
+    residuals.iter().map(|residual| residual * residual).sum()
 }
 
 /// The largest length of the mechanism: of the arms to its points, of its rods, of the drawing.

@@ -6,8 +6,8 @@ use faer::{Accum, MatMut, MatRef, Par, linalg::matmul::matmul};
 use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::{
-    lanes::widest,
     linalg::{self, LinalgError},
+    simd::widest,
 };
 
 /// So many frequencies are worked at a time: they stay in the nearest cache.

@@ -4,8 +4,8 @@
 use dalembert_mechanics::{
     ode::OdeError,
     planar::{
-        Body, Braked, Contact, Driver, Effort, End, Joint, Load, Measure, Mechanism, Moved, PlanarError,
-        Point, Run, State, System,
+        Body, Contact, Driver, Effort, End, Joint, JointFriction, Load, Measure, Mechanism, PlanarError,
+        Point, Run, State, System, Trajectory,
     },
     vibration::{free::FreeMotion, friction::FrictionDecay},
 };
@@ -47,7 +47,7 @@ fn along(direction: f64, to: Point) -> Measure {
     }
 }
 
-fn only(frictions: &[Braked]) -> Braked {
+fn only(frictions: &[JointFriction]) -> JointFriction {
     assert_eq!(frictions.len(), 1);
     frictions[0]
 }
@@ -56,7 +56,7 @@ fn only(frictions: &[Braked]) -> Braked {
 fn a_block_on_a_slope_holds_below_the_angle_of_friction() {
     for slope in [0.1, 0.25, 0.29, 0.3, 0.5, 1.2f64] {
         let (system, drawn) = block(slope, 0.3, vec![]);
-        let freed = found(system.freed(&drawn, &[[0.0; 3]]));
+        let freed = found(system.forward_dynamics(&drawn, &[[0.0; 3]]));
         let braked = only(&freed.frictions);
         let [x, y, _] = freed.state.accelerations[0];
         let downhill = -(x * slope.cos() + y * slope.sin());
@@ -64,7 +64,7 @@ fn a_block_on_a_slope_holds_below_the_angle_of_friction() {
         let [x, y, _] = moved.samples[2].state.positions[0];
         let way = -(x * slope.cos() + y * slope.sin());
         if slope.tan() < 0.3 {
-            assert_eq!(braked.contact, Contact::Holds);
+            assert_eq!(braked.contact, Contact::Sticking);
             assert!(downhill.abs() < 1e-14 && way.abs() < 1e-14, "{downhill} m/s², {way} m");
             close(braked.effort, 2.0 * G * slope.sin(), 1e-12);
         } else {
@@ -129,7 +129,7 @@ fn a_spring_comes_to_rest_stroke_by_stroke() {
             assert!((moment.state.positions[0][0] - x).abs() < 1e-9, "{} s", moment.time);
             assert!((moment.state.velocities[0][0] - v).abs() < 1e-7, "{} s", moment.time);
         }
-        assert_eq!(moved.contacts, [Contact::Holds]);
+        assert_eq!(moved.contacts, [Contact::Sticking]);
         let rest = moved.samples[400].state.positions[0][0];
         assert!((rest - expected.rest().position).abs() < 1e-9, "{rest} m");
         assert!(moved.imbalance() < 1e-9 * stiffness * 0.1 * 0.1 / 2.0);
@@ -288,11 +288,11 @@ fn added(system: &System, state: &State, cranks: &[usize]) -> Vec<f64> {
     found(found(System::new(&driven, &state.positions)).dynamics(state)).efforts
 }
 
-fn most_kinetic(moved: &Moved) -> f64 {
+fn most_kinetic(moved: &Trajectory) -> f64 {
     moved.samples.iter().fold(0.0, |most, moment| f64::max(most, moment.kinetic))
 }
 
-fn slides(moved: &Moved) -> impl Iterator<Item = &State> {
+fn slides(moved: &Trajectory) -> impl Iterator<Item = &State> {
     moved.samples.iter().map(|moment| &moment.state).filter(|state| state.velocities[0][2].abs() > 1e-6)
 }
 
@@ -362,7 +362,7 @@ proptest! {
         turned in -3.0..3.0f64, μ in 0.02..0.6f64, springs: bool,
     ) {
         let (system, drawn) = slider_crank(turned, [μ; 4], 0.02, springs);
-        let freed = found(system.freed(&drawn, &[[0.0; 3]; 3]));
+        let freed = found(system.forward_dynamics(&drawn, &[[0.0; 3]; 3]));
         let [.., begins] = freed.state.accelerations[0];
         // Moved slowly one way and the other by a driver: the loads overcome friction if the driver has to hold back.
         let crank = Measure::Angle { of: Some(0), against: None };
@@ -401,10 +401,10 @@ proptest! {
             [end[0] + second.cos() / 2.0, end[1] + second.sin() / 2.0, second],
         ];
         let system = found(System::new(&mechanism, &drawn));
-        let freed = found(system.freed(&drawn, &[[0.0; 3]; 2]));
+        let freed = found(system.forward_dynamics(&drawn, &[[0.0; 3]; 2]));
         let couples = [G * (1.5 * first.cos() + 0.5 * second.cos()), G * 0.5 * second.cos()];
         let held = [couples[0].abs() < μ * 0.5 * 2.0 * G, couples[1].abs() < other * 0.5 * G];
-        let all = freed.frictions.iter().all(|braked| braked.contact == Contact::Holds);
+        let all = freed.frictions.iter().all(|braked| braked.contact == Contact::Sticking);
         prop_assert_eq!(all, held[0] && held[1], "{:?} {:?}", couples, freed.frictions);
         if all {
             for (braked, couple) in freed.frictions.iter().zip_eq(couples) {
@@ -416,7 +416,7 @@ proptest! {
         let relative = [first, second - first];
         for (braked, relative) in freed.frictions.iter().zip_eq(relative) {
             match braked.contact {
-                Contact::Slides { sense, .. } => {
+                Contact::Sliding { sense, .. } => {
                     prop_assert!(sense * relative >= -1e-9);
                     prop_assert!(braked.effort * sense < 0.0);
                 }

@@ -5,8 +5,8 @@
 //! §VII.7, and of the test set for IVP solvers.
 
 use dalembert_mechanics::planar::{
-    Body, Driver, Effort, End, Joint, Load, Measure, Mechanism, Moved, PlanarError, Point, Run, Snapshot,
-    System,
+    Body, Driver, Effort, End, Joint, Load, Measure, Mechanism, PlanarError, Point, Run, Snapshot, System,
+    Trajectory,
 };
 use itertools::Itertools as _;
 
@@ -66,7 +66,7 @@ fn a_motion_ends_where_it_is_told_to() {
     close(moved.samples.last().expect("a sample").time, period / 2.0, 1e-10);
 }
 
-fn fall(n: usize, tolerance: f64) -> Moved {
+fn fall(n: usize, tolerance: f64) -> Trajectory {
     let (system, drawn) = four_bars(n);
     let velocities = found(system.starting(&drawn, &[(angle(0), -1.0)]));
     found(system.simulate(&drawn, &velocities, &run(10.0, tolerance, 2)))
@@ -129,7 +129,7 @@ fn relative(q: &[[f64; 3]]) -> [f64; 7] {
 fn andrews_mechanism_starts_with_the_published_accelerations_and_multipliers() {
     let (system, drawn) = andrews();
     let positions = found(system.assemble(&drawn));
-    let freed = found(system.freed(&positions, &[[0.0; 3]; 7]));
+    let freed = found(system.forward_dynamics(&positions, &[[0.0; 3]; 7]));
     assert_eq!(freed.freedoms, 1);
     let [beta, theta, ..] = relative(&freed.state.accelerations);
     close(beta, 14222.443919954114, 1e-11);
@@ -183,7 +183,7 @@ fn the_accelerations_of_a_motion_are_those_of_the_full_equations() {
     let start = found(system.assemble(&drawn));
     let moved = found(system.simulate(&start, &[[0.0; 3]; 7], &run(0.03, 1e-9, 13)));
     for sample in &moved.samples {
-        let freed = found(system.freed(&sample.state.positions, &sample.state.velocities));
+        let freed = found(system.forward_dynamics(&sample.state.positions, &sample.state.velocities));
         let size = freed.state.accelerations.iter().flatten().fold(0.0f64, |most, a| most.max(a.abs()));
         for (a, b) in
             freed.state.accelerations.iter().flatten().zip_eq(sample.state.accelerations.iter().flatten())
@@ -293,7 +293,7 @@ fn what_cannot_move_freely_is_named() {
     let still = [[0.0; 3]; 2];
     let system = found(System::new(&mechanism, &drawn));
     assert_eq!(system.simulate(&drawn, &still, &run(1.0, 1e-8, 2)), Err(PlanarError::Massless { body: 1 }));
-    assert_eq!(system.freed(&drawn, &still), Err(PlanarError::Massless { body: 1 }));
+    assert_eq!(system.forward_dynamics(&drawn, &still), Err(PlanarError::Massless { body: 1 }));
     let (system, drawn) = pendulum(1.0);
     let twice = [(angle(0), 1.0), (angle(0), 2.0)];
     assert_eq!(system.starting(&drawn, &twice), Err(PlanarError::Rate { index: 1 }));

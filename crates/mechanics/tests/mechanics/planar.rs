@@ -213,7 +213,7 @@ fn a_crank_too_short_to_turn_stops_at_its_limit() {
     let mechanism = four_bar(lengths, [Body::default(); 3], turning(0, start, 0.0, 0.0));
     let (system, state) = moving(&mechanism, &drawn(lengths, [start, -0.6, 1.0]));
     let limit = ((a * a + d * d - (b + c) * (b + c)) / (2.0 * a * d)).acos();
-    match system.follow(&state.positions, &[2.5]) {
+    match system.continue_to(&state.positions, &[2.5]) {
         Err(PlanarError::Limit { driver: 0, at }) => close(at, limit, 1e-8),
         other => panic!("{other:?}"),
     }
@@ -226,7 +226,7 @@ fn what_is_wrong_is_named() {
     let system = found(System::new(&apart, &drawn(lengths, [1.0, 0.0, 2.0])));
     assert!(matches!(
         system.assemble(&drawn(lengths, [1.0, 0.0, 2.0])),
-        Err(PlanarError::DoesNotClose { gap, .. }) if gap > 0.05
+        Err(PlanarError::DoesNotClose { residual, .. }) if residual > 0.05
     ));
     let lengths = [0.04, 0.12, 0.08, 0.1];
     let good = four_bar(lengths, [Body::default(); 3], turning(0, 1.0, 0.0, 0.0));
@@ -312,7 +312,7 @@ proptest! {
         let at = drawn(lengths, [0.0, 0.9, 1.9]);
         let system = found(System::new(&mechanism, &at));
         let first = found(system.assemble(&at));
-        let there = found(system.follow(&first, &[angle]));
+        let there = found(system.continue_to(&first, &[angle]));
         mechanism.drivers[0].value = angle;
         let system = found(System::new(&mechanism, &there.positions));
         let state = found(system.motion(&there.positions));
@@ -321,7 +321,7 @@ proptest! {
         prop_assert!((dynamics.efforts[0] - dynamics.newton_euler[0]).abs() <= 1e-12 * largest);
         // What the loads and the driver bring in is the rate of the kinetic energy.
         let applied: f64 = dynamics.powers.iter().filter(|load| !matches!(load.of,
-            dalembert_mechanics::planar::Acting::InertiaForce(_) | dalembert_mechanics::planar::Acting::InertiaCouple(_)))
+            dalembert_mechanics::planar::LoadId::InertiaForce(_) | dalembert_mechanics::planar::LoadId::InertiaCouple(_)))
             .map(|load| load.power).sum();
         let size = largest * speed.abs() + dynamics.energy_rate.abs();
         prop_assert!((applied + dynamics.efforts[0] * speed - dynamics.energy_rate).abs() <= 1e-11 * size);
@@ -348,8 +348,8 @@ proptest! {
         let end = 1.0 + 2.0 * TAU;
         while angle < end {
             angle = (angle + step.to_radians()).min(end);
-            let followed = found(system.follow(&here, &[angle]));
-            prop_assert!(followed.passed.is_empty());
+            let followed = found(system.continue_to(&here, &[angle]));
+            prop_assert!(followed.change_points.is_empty());
             here = followed.positions;
         }
         for (now, then) in here.iter().zip_eq(&first) {
@@ -382,8 +382,8 @@ fn goes_through_its_change_points(step: f64) {
     let (mut here, mut angle, mut passed) = (found(system.assemble(&at)), 1.0, 0);
     while angle < 1.0 + TAU {
         angle = (angle + step.to_radians()).min(1.0 + TAU);
-        let followed = found(system.follow(&here, &[angle]));
-        passed += followed.passed.len();
+        let followed = found(system.continue_to(&here, &[angle]));
+        passed += followed.change_points.len();
         here = followed.positions;
         assert!(here[1][2].abs() < 1e-6, "the coupler has turned to {}", here[1][2]);
     }
@@ -445,7 +445,7 @@ fn a_chain_of_bars_hangs_where_its_weights_and_the_pull_let_it() {
         let mut values = here.values.clone();
         values[row] += a;
         values[column] += b;
-        let there = found(system.follow(&here.positions, &values));
+        let there = found(system.continue_to(&here.positions, &values));
         system.potential(&there.positions).expect("weights and a force have a potential")
     };
     let h = 1e-3;
@@ -480,7 +480,7 @@ fn a_pendulum_has_its_two_places_of_rest() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Every measure along a motion, differentiated by jets, moves as its slope and its bias say.
+    /// Every measure along a motion, differentiated by jets, moves as its derivative and its bias say.
     #[test]
     fn slopes_and_biases_are_those_of_jets(
         motion in prop::array::uniform2(prop::array::uniform3(prop::array::uniform3(-3.0..3.0f64))),
@@ -496,11 +496,11 @@ proptest! {
         ][kind];
         // Each body: x, y, θ, each with velocity and acceleration.
         let jets = motion.map(|body| Pose::new(body.map(Jet)));
-        let Jet([value, rate, acceleration]) = measure.slope([&jets[0], &jets[1]]).value;
+        let Jet([value, rate, acceleration]) = measure.gradient([&jets[0], &jets[1]]).value;
         prop_assume!(kind != 3 || value > 0.1);
         let part = |k: usize| motion.map(|body| body.map(|coordinate| coordinate[k]));
         let poses = part(0).map(Pose::new);
-        let slope = measure.slope([&poses[0], &poses[1]]);
+        let slope = measure.gradient([&poses[0], &poses[1]]);
         let along = |[from, to]: [[f64; 3]; 2]| -> f64 {
             slope.from.iter().zip_eq(from).chain(slope.to.iter().zip_eq(to)).map(|(a, b)| a * b).sum()
         };

@@ -4,7 +4,7 @@ use itertools::Itertools as _;
 use std::f64::consts::TAU;
 
 use dalembert_mechanics::planar::{
-    Body, Driver, Effort, Joint, Load, Measure, Mechanism, PlanarError, Point, Profile, Swept, System,
+    Body, Driver, Effort, Joint, Load, Measure, Mechanism, PlanarError, Point, Profile, SweepResult, System,
 };
 
 use crate::{
@@ -12,16 +12,16 @@ use crate::{
     models::{Driven, crank_rocker, driven_slider, driven_squeezer, six_bar},
 };
 
-/// Every position of a sweep against [`System::follow`] and [`System::solved`].
+/// Every position of a sweep against [`System::continue_to`] and [`System::solved`].
 fn held((system, drawn): &Driven, values: &[f64], within: f64) {
-    let mut swept = Swept::default();
+    let mut swept = SweepResult::default();
     found(found(system.sweep(drawn, 0)).over(values, &mut swept));
     assert_eq!(swept.reached(), values.len());
     let mut here = drawn.clone();
     for (n, value) in values.iter().enumerate() {
         let mut held: Vec<f64> = system.mechanism().drivers.iter().map(|driver| driver.value).collect();
         held[0] = *value;
-        here = found(system.follow(&here, &held)).positions;
+        here = found(system.continue_to(&here, &held)).positions;
         let (state, dynamics) = found(system.solved(&here));
         let ours = swept.state(n);
         for (what, [ours, general]) in [
@@ -70,7 +70,7 @@ fn the_torque_of_the_four_bar_and_the_slider_crank_are_the_known_ones() {
     let torques =
         [-5.037504590790, 5.660819057759, -0.988805188559, -2.204232306681, 1.597334060676, 2.482987048630];
     let (system, drawn) = crank_rocker([30.0, 5.0]);
-    let mut swept = Swept::default();
+    let mut swept = SweepResult::default();
     found(found(system.sweep(&drawn, 0)).over(&turn(0.3, 6), &mut swept));
     for (n, torque) in torques.iter().enumerate() {
         close(swept.effort(n), *torque, 1e-11);
@@ -134,7 +134,7 @@ fn a_sweep_ends_at_the_limit_that_following_finds() {
     };
     let system = found(System::new(&mechanism, &drawn));
     let values: Vec<f64> = (0..200).map(|n| drawn[2][2] + 0.02 * f64::from(n)).collect();
-    let mut swept = Swept::default();
+    let mut swept = SweepResult::default();
     let limit = match found(system.sweep(&drawn, 0)).over(&values, &mut swept) {
         Err(PlanarError::Limit { driver: 0, at }) => at,
         other => panic!("a rocker has its limits, not {other:?}"),
@@ -156,11 +156,11 @@ fn redundant_joints_and_friction_are_swept_the_general_way() {
     let mut mechanism = system.mechanism().clone();
     mechanism.loads.push(Load::Friction { joint: 3, coefficient: 0.1, radius: 0.0 });
     let rough = found(System::new(&mechanism, &drawn));
-    let mut swept = Swept::default();
+    let mut swept = SweepResult::default();
     found(found(rough.sweep(&drawn, 0)).over(&turn(0.4, 80), &mut swept));
-    let mut smooth = Swept::default();
+    let mut smooth = SweepResult::default();
     found(found(system.sweep(&drawn, 0)).over(&turn(0.4, 80), &mut smooth));
     // Friction takes power: over the turn the driver must bring in more.
-    let work = |swept: &Swept| (0..80).map(|n| swept.effort(n)).sum::<f64>();
+    let work = |swept: &SweepResult| (0..80).map(|n| swept.effort(n)).sum::<f64>();
     assert!(work(&swept) > 1.05 * work(&smooth), "{} {}", work(&swept), work(&smooth));
 }

@@ -4,7 +4,7 @@ use dalembert_core::{
     Axis, DrawnShape, Exhibit, Film, Ink, Name, Plot, Series, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
 };
-use dalembert_mechanics::planar::{Acting, Point, State};
+use dalembert_mechanics::planar::{LoadId, Point, State};
 
 use super::{Mechanism, Sample, Solved};
 use crate::parts::{Driven, Joint, drawing::place, verbatim};
@@ -138,10 +138,10 @@ impl Solved<'_> {
         let row = |power: &dalembert_mechanics::planar::LoadPower| {
             let of = |words: &'static str| Text::new(words).with("name", self.name(power.of));
             let name = match power.of {
-                Acting::Load(_) => verbatim(self.name(power.of)),
-                Acting::Weight(_) => of("Weight of {name}"),
-                Acting::InertiaForce(_) => of("Inertia force of {name}"),
-                Acting::InertiaCouple(_) => of("Inertia couple of {name}"),
+                LoadId::Load(_) => verbatim(self.name(power.of)),
+                LoadId::Weight(_) => of("Weight of {name}"),
+                LoadId::InertiaForce(_) => of("Inertia force of {name}"),
+                LoadId::InertiaCouple(_) => of("Inertia couple of {name}"),
             };
             vec![Cell::Text(name), Cell::Number(power.generalised[0]), Cell::Number(power.power)]
         };
@@ -205,7 +205,7 @@ impl Solved<'_> {
     /// The size of the drawn mechanism, which is the same wherever its drivers have taken it.
     fn drawn_size(&self) -> f64 {
         let drawn: Vec<f64> = self.parts.drivers.iter().map(|drive| drive.what.drawn()).collect();
-        let there = self.system.follow(&self.state.positions, &drawn);
+        let there = self.system.continue_to(&self.state.positions, &drawn);
         let there = there.and_then(|there| self.system.solved(&there.positions));
         self.parts.size(self.system, there.as_ref().map_or(self.state, |(state, _)| state))
     }

@@ -3,7 +3,7 @@
 use dalembert_core::{Symbol, Text, Why, Worksheet};
 use dalembert_mechanics::{
     Real,
-    planar::{Acting, Measure, Point, State},
+    planar::{LoadId, Measure, Point, State},
     work,
 };
 use nalgebra::{Rotation2, Vector2, Vector3};
@@ -68,7 +68,7 @@ impl Solved<'_> {
 
     /// All that is brought in is the rate of the kinetic energy.
     fn check_power<W: Worksheet>(&self, sheet: W) {
-        let inertia = |of: Acting| matches!(of, Acting::InertiaForce(_) | Acting::InertiaCouple(_));
+        let inertia = |of: LoadId| matches!(of, LoadId::InertiaForce(_) | LoadId::InertiaCouple(_));
         let applied = self.dynamics.powers.iter().filter(|power| !inertia(power.of)).map(|power| power.power);
         let drivers = &self.system.mechanism().drivers;
         let driving =
@@ -87,7 +87,7 @@ impl Solved<'_> {
     /// The virtual power of a load for a unit velocity of a driver.
     fn work<W: Worksheet>(
         &self,
-        of: Acting,
+        of: LoadId,
         given: &MechanismGiven<W>,
         angular: &[W::Num],
         (driver, row): (usize, usize),
@@ -127,12 +127,12 @@ impl Solved<'_> {
         };
         const OF_CENTRE: &str = "How far the mass centre of {name} moves when the driver moves by one unit";
         match of {
-            Acting::Weight(body) => {
+            LoadId::Weight(body) => {
                 let way = way(Point::body(body, [0.0; 2]), OF_CENTRE);
                 let weight = work::weight(given.bodies[body].mass, given.gravity);
                 of_force(sheet.step_vector(symbol("F"), "N", weight, why("Weight of {name}")), way, power)
             }
-            Acting::InertiaForce(body) => {
+            LoadId::InertiaForce(body) => {
                 let way = way(Point::body(body, [0.0; 2]), OF_CENTRE);
                 let [x, y, _] = self.state.accelerations[body];
                 let reason = why("Acceleration of the mass centre of {name}");
@@ -141,13 +141,13 @@ impl Solved<'_> {
                 let reason = why("Inertia force of {name}, against the acceleration");
                 of_force(sheet.step_vector(symbol("F"), "N", force, reason), way, power)
             }
-            Acting::InertiaCouple(body) => {
+            LoadId::InertiaCouple(body) => {
                 let turning = rate(&Measure::Angle { of: Some(body), against: None });
                 let couple = -(given.bodies[body].inertia * angular[body]);
                 let reason = why("Inertia couple of {name}, against the angular acceleration");
                 of_effort(sheet.step(symbol("M"), "N*m", couple, reason), turning, power)
             }
-            Acting::Load(load) => {
+            LoadId::Load(load) => {
                 let described = &self.parts.loads[load].load;
                 let measured = self.parts.measure(described).map(|measure| {
                     let value = self.system.value(&measure, &self.state.positions);
@@ -217,10 +217,10 @@ impl Solved<'_> {
     }
 
     /// The name of a load, or of the body that is heavy or inert.
-    pub(super) fn name(&self, of: Acting) -> &str {
+    pub(super) fn name(&self, of: LoadId) -> &str {
         match of {
-            Acting::Load(load) => &self.parts.loads[load].name,
-            Acting::Weight(body) | Acting::InertiaForce(body) | Acting::InertiaCouple(body) => {
+            LoadId::Load(load) => &self.parts.loads[load].name,
+            LoadId::Weight(body) | LoadId::InertiaForce(body) | LoadId::InertiaCouple(body) => {
                 &self.parts.bodies[body].name
             }
         }

@@ -1,7 +1,7 @@
 //! What ends a motion before its time.
 
 use dalembert_core::{Inputs, Reference, Refusal, Text};
-use dalembert_mechanics::planar::{End, Measure, Moved, Snapshot};
+use dalembert_mechanics::planar::{End, Measure, Snapshot, Trajectory};
 
 use crate::parts::{Part, Parts};
 
@@ -62,7 +62,7 @@ impl Ends {
     }
 
     /// Refuses the rest of a body that keeps its angle: the zeros of its angular velocity are those of rounding.
-    pub(super) fn means_something(&self, moved: &Moved, bodies: &[Part]) -> Result<(), Refusal> {
+    pub(super) fn means_something(&self, moved: &Trajectory, bodies: &[Part]) -> Result<(), Refusal> {
         let (Ends::Rest { body }, Some(_)) = (self, moved.ended) else { return Ok(()) };
         let angle = |moment: &Snapshot| moment.state.positions[body.0][2];
         let start = moved.samples.first().map_or(0.0, angle);

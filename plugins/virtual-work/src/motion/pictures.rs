@@ -91,7 +91,7 @@ impl Solved<'_> {
         let moments = &self.moved.samples;
         let sizes = moments.iter().map(|moment| self.parts.size(self.system, &moment.state));
         let size = sizes.fold(0.0, f64::max);
-        let path = |followed: &super::Followed| {
+        let path = |followed: &super::Continuation| {
             let point = self.parts.point(followed.point);
             let at = |moment: &Snapshot| place(self.system, point, &moment.state);
             DrawnShape::Polyline(moments.iter().map(at).collect(), Ink::Faint)

@@ -3,7 +3,7 @@
 use dalembert_core::{Text, Worksheet};
 use dalembert_mechanics::{
     Real,
-    planar::{self, Braked, Contact, Frame, Run, State},
+    planar::{self, Contact, Frame, JointFriction, Run, State},
 };
 
 use super::{DOUBTFUL, ROUNDINGS, STEPS, Solved, WRONG};
@@ -11,19 +11,19 @@ use crate::parts::Load;
 
 impl Solved<'_> {
     /// How a joint with friction slides at the end, where the bodies move as shown.
-    pub(super) fn sliding<W: Worksheet>(&self, braked: &Braked, shown: &State, sheet: W) {
+    pub(super) fn sliding<W: Worksheet>(&self, braked: &JointFriction, shown: &State, sheet: W) {
         let row = braked.load + 1;
         let name = &self.parts.loads[braked.load].name;
         let (reason, sliding) = match braked.contact {
-            Contact::Slides { .. } => ("Sliding against {name} at the end", braked.sliding),
-            Contact::Holds | Contact::Follows => ("At the end {name} holds its joint at rest", 0.0),
+            Contact::Sliding { .. } => ("Sliding against {name} at the end", braked.sliding),
+            Contact::Sticking | Contact::Indeterminate => ("At the end {name} holds its joint at rest", 0.0),
         };
         let unit = if braked.pin { "rad/s" } else { "m/s" };
         let why = Text::new(reason).with("name", name);
         let sliding = sheet.found(("u", row), unit, sliding, why);
         sheet.answer(("sliding", row), "Sliding against friction at the end", sliding);
         sheet.whose(("sliding", row), name);
-        let (Contact::Slides { .. }, Load::Friction { joint, .. }) =
+        let (Contact::Sliding { .. }, Load::Friction { joint, .. }) =
             (braked.contact, &self.parts.loads[braked.load].load)
         else {
             return;

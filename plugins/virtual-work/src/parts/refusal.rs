@@ -20,11 +20,11 @@ impl Parts<'_> {
         let joint = |joint: usize| rows.get(joint).map_or("", |row| self.joints[*row].name.as_str());
         let unit = |driver: usize| self.unit(driver);
         Refusal::because(match error {
-            PlanarError::DoesNotClose { joint: at, gap } if *at < rows.len() => Text::new(
+            PlanarError::DoesNotClose { joint: at, residual } if *at < rows.len() => Text::new(
                 "the mechanism cannot be assembled: {joint} stays open by {gap}; look at the lengths, the driven values and the angles at which the bodies lie",
             )
             .with("joint", joint(*at))
-            .with_quantity("gap", *gap, "mm"),
+            .with_quantity("gap", *residual, "mm"),
             PlanarError::DoesNotClose { joint: at, .. } => {
                 Text::new("the mechanism does not reach the value of {driver}; choose another")
                     .with("driver", drive(at - rows.len()))

@@ -6,7 +6,7 @@ use super::{bits_at, key, normals, two_uniform};
 use crate::{
     Real,
     balance::{Phasor, two_plane_weights},
-    lanes::{Lanes, WIDTH, widest},
+    simd::{SimdVector, WIDTH, widest},
 };
 
 /// Samples whose sums are taken together, whatever thread does it: a whole number of lanes.
@@ -33,10 +33,10 @@ pub fn two_plane_statistics(
     samples: usize,
     threads: usize,
 ) -> [Statistics; 2] {
-    let lanes = |p: Phasor<f64>| Phasor { x: Lanes::from(p.x), y: Lanes::from(p.y) };
+    let lanes = |p: Phasor<f64>| Phasor { x: SimdVector::from(p.x), y: SimdVector::from(p.y) };
     let job = Job { alpha: alpha.map(|row| row.map(lanes)), readings: readings.map(lanes), spread };
     // Deviations are summed about the weights without disturbance, so that nothing cancels.
-    let centre = job.sizes(|| Phasor { x: Lanes::from(0.0), y: Lanes::from(0.0) });
+    let centre = job.sizes(|| Phasor { x: SimdVector::from(0.0), y: SimdVector::from(0.0) });
     let block = |block: usize| {
         let end = samples.min((block + 1) * BLOCK);
         widest(
@@ -71,8 +71,8 @@ pub fn two_plane_statistics(
 
 /// What is disturbed, and how much.
 struct Job {
-    alpha: [[Phasor<Lanes>; 2]; 2],
-    readings: [Phasor<Lanes>; 2],
+    alpha: [[Phasor<SimdVector>; 2]; 2],
+    readings: [Phasor<SimdVector>; 2],
     spread: [f64; 2],
 }
 
@@ -80,7 +80,7 @@ struct Job {
 impl Job {
     /// The sizes of the weights under disturbances by such standard normal numbers.
     #[inline(always)]
-    fn sizes(&self, mut normal: impl FnMut() -> Phasor<Lanes>) -> [Lanes; 2] {
+    fn sizes(&self, mut normal: impl FnMut() -> Phasor<SimdVector>) -> [SimdVector; 2] {
         let [of_alpha, of_readings] = self.spread;
         let (mut alpha, mut readings) = (self.alpha, self.readings);
         for a in alpha.as_flattened_mut() {
@@ -97,8 +97,8 @@ impl Job {
 
     /// The sums of the deviations of both sizes, and of their squares, over some samples.
     #[inline(always)]
-    fn sums(&self, centre: [Lanes; 2], samples: std::ops::Range<usize>) -> [f64; 4] {
-        let mut sums = [Lanes::from(0.0); 4];
+    fn sums(&self, centre: [SimdVector; 2], samples: std::ops::Range<usize>) -> [f64; 4] {
+        let mut sums = [SimdVector::from(0.0); 4];
         for first in samples.clone().step_by(WIDTH) {
             let mut keys = [0; WIDTH];
             for (sample, place) in (first..).zip(&mut keys) {
@@ -112,7 +112,7 @@ impl Job {
                     normal_lanes(&keys, place)
                 },
             );
-            let within = Lanes::of(|lane| if first + lane < samples.end { 1.0 } else { 0.0 });
+            let within = SimdVector::of(|lane| if first + lane < samples.end { 1.0 } else { 0.0 });
             for (plane, size) in sizes.into_iter().enumerate() {
                 let off = (size - centre[plane]) * within;
                 sums[2 * plane] = sums[2 * plane] + off;
@@ -126,12 +126,12 @@ impl Job {
 /// Independent standard normal numbers, two for each of the samples with those keys.
 #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 #[inline(always)]
-fn normal_lanes(keys: &[u64; WIDTH], place: u64) -> Phasor<Lanes> {
+fn normal_lanes(keys: &[u64; WIDTH], place: u64) -> Phasor<SimdVector> {
     let (mut u, mut v) = ([0.0; WIDTH], [0.0; WIDTH]);
     for lane in 0..WIDTH {
         [u[lane], v[lane]] = two_uniform(bits_at(keys[lane], place));
     }
-    let [x, y] = normals(Lanes(u), Lanes(v));
+    let [x, y] = normals(SimdVector(u), SimdVector(v));
     Phasor { x, y }
 }
 

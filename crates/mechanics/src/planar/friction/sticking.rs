@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use super::{Contact, Response};
 use crate::{
     linalg::Elimination,
-    planar::{PlanarError, follow::largest, free::dot},
+    planar::{PlanarError, continuation::largest, forward_dynamics::dot},
 };
 
 /// If it is not found at once which joints stick, it is guessed with so many rounds over all of them; an acceleration
@@ -22,7 +22,7 @@ const MOST_WAYS: usize = 10_000;
 
 impl Response<'_> {
     /// Which joints stick and which begin to slide, from those that slide already, whose contacts are given as
-    /// [`Contact::Slides`]; and the efforts of the frictions, N. A joint that slides slower than `noise` times `fastest`
+    /// [`Contact::Sliding`]; and the efforts of the frictions, N. A joint that slides slower than `noise` times `fastest`
     /// may be put to rest again; an acceleration below `noise` times the largest is none, and one below `opens` times the
     /// largest begins no motion.
     ///
@@ -62,13 +62,13 @@ impl Response<'_> {
         for (row, contact) in contacts.iter_mut().enumerate() {
             let acceleration = self.sliding(row, efforts);
             let right = match *contact {
-                Contact::Slides { sense, .. }
+                Contact::Sliding { sense, .. }
                     if self.rates[row].abs() <= still && sense * acceleration < -none =>
                 {
-                    Contact::Follows
+                    Contact::Indeterminate
                 }
-                Contact::Holds | Contact::Follows if acceleration.abs() > none => {
-                    Contact::Slides { sense: acceleration.signum(), side: 1.0 }
+                Contact::Sticking | Contact::Indeterminate if acceleration.abs() > none => {
+                    Contact::Sliding { sense: acceleration.signum(), side: 1.0 }
                 }
                 _ => continue,
             };
@@ -89,7 +89,7 @@ impl Response<'_> {
                     return;
                 }
                 efforts[row] = match contact {
-                    Contact::Slides { sense, .. } if self.rates[row].abs() > still => -sense * most,
+                    Contact::Sliding { sense, .. } if self.rates[row].abs() > still => -sense * most,
                     _ => {
                         let stops = efforts[row] - self.sliding(row, &efforts) / self.yields[(row, row)];
                         if stops.is_nan() { 0.0 } else { stops.clamp(-most, most) }
@@ -102,9 +102,9 @@ impl Response<'_> {
             if self.rates[row].abs() <= still {
                 let acceleration = self.sliding(row, &efforts);
                 *contact = if acceleration.abs() <= none {
-                    Contact::Follows
+                    Contact::Indeterminate
                 } else {
-                    Contact::Slides { sense: acceleration.signum(), side: 1.0 }
+                    Contact::Sliding { sense: acceleration.signum(), side: 1.0 }
                 };
             }
         }
@@ -119,7 +119,8 @@ impl Response<'_> {
         &self,
         contacts: &[Contact],
     ) -> Result<Option<(f64, Vec<Contact>)>, PlanarError> {
-        let held: Vec<usize> = (0..contacts.len()).filter(|&row| contacts[row] == Contact::Holds).collect();
+        let held: Vec<usize> =
+            (0..contacts.len()).filter(|&row| contacts[row] == Contact::Sticking).collect();
         let groups = self.groups(contacts);
         let mut best: Option<(f64, Vec<Contact>)> = None;
         let Some(others) = held.len().checked_sub(1) else { return Ok(None) };
@@ -146,12 +147,13 @@ impl Response<'_> {
     fn beginning(&self, contacts: &[Contact], kept: &[usize]) -> Option<(f64, Vec<Contact>)> {
         let mut trial = contacts.to_vec();
         for (row, contact) in trial.iter_mut().enumerate() {
-            if !matches!(contact, Contact::Slides { .. }) {
-                *contact = if kept.contains(&row) { Contact::Holds } else { Contact::Follows };
+            if !matches!(contact, Contact::Sliding { .. }) {
+                *contact = if kept.contains(&row) { Contact::Sticking } else { Contact::Indeterminate };
             }
         }
         // How the released joints slide with one another: by a unit of the friction of one of them.
-        let released: Vec<usize> = (0..trial.len()).filter(|&row| trial[row] == Contact::Follows).collect();
+        let released: Vec<usize> =
+            (0..trial.len()).filter(|&row| trial[row] == Contact::Indeterminate).collect();
         let ways = self.released(kept, &released)?;
         let fastest = largest(&ways);
         let lead = (0..ways.len()).find(|&at| ways[at].abs() == fastest)?;
@@ -159,7 +161,7 @@ impl Response<'_> {
         let tends = if self.sliding(released[lead], &freely) * ways[lead] < 0.0 { -1.0 } else { 1.0 };
         for (&row, way) in released.iter().zip(&ways) {
             if way.abs() > TOGETHER * fastest {
-                trial[row] = Contact::Slides { sense: tends * way.signum(), side: 1.0 };
+                trial[row] = Contact::Sliding { sense: tends * way.signum(), side: 1.0 };
             }
         }
         let efforts = self.bearing(&mut trial)?;
@@ -190,15 +192,15 @@ impl Response<'_> {
     /// Holds as many of the joints at rest as that takes.
     fn hold(&self, contacts: &mut [Contact]) -> Result<(), PlanarError> {
         let resting = self.resting(contacts);
-        for contact in contacts.iter_mut().filter(|contact| **contact == Contact::Holds) {
-            *contact = Contact::Follows;
+        for contact in contacts.iter_mut().filter(|contact| **contact == Contact::Sticking) {
+            *contact = Contact::Indeterminate;
         }
         let Some(&first) = resting.first() else { return Ok(()) };
         let rows = DMatrix::from_fn(resting.len(), self.rows[first].len(), |row, column| {
             self.rows[resting[row]][column]
         });
         for &row in Elimination::new(&rows)?.independent_rows() {
-            contacts[resting[row]] = Contact::Holds;
+            contacts[resting[row]] = Contact::Sticking;
         }
         Ok(())
     }
@@ -206,7 +208,7 @@ impl Response<'_> {
     /// The joints at rest that friction could hold.
     fn resting(&self, contacts: &[Contact]) -> Vec<usize> {
         let rests = |row: &usize| {
-            !matches!(contacts[*row], Contact::Slides { .. }) && largest(&self.rows[*row]) > DEAD
+            !matches!(contacts[*row], Contact::Sliding { .. }) && largest(&self.rows[*row]) > DEAD
         };
         (0..contacts.len()).filter(rests).collect()
     }

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::lanes::Numbers;
+use crate::simd::SimdReal;
 
 /// So small that adding it to anything else changes nothing, and its square is still a number.
 const NOTHING: f64 = 1e-150;
@@ -51,7 +51,7 @@ pub(in super::super) struct Core<S> {
     signed: Vec<usize>,
 }
 
-impl<S: Numbers> Core<S> {
+impl<S: SimdReal> Core<S> {
     /// For matrices whose rows have these columns.
     pub(in super::super) fn new(rows: &[Vec<(usize, usize)>]) -> Self {
         let size = rows.len();

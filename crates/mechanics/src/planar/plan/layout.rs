@@ -1,4 +1,4 @@
-//! Where the slopes of the equations stand in a flat array, and which coordinates are explicit.
+//! Where the entries of the Jacobian stand in a flat array, and which coordinates are explicit.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -6,28 +6,28 @@ use std::collections::VecDeque;
 
 use super::super::{
     Equation, Frame, Measure, Point, Pose, System, Term,
-    system::{pair, project, slope},
+    system::{gradient, pair, project},
 };
 use crate::{
     Real,
-    lanes::{Lanes, Numbers, WIDTH, widest},
+    simd::{SimdReal, SimdVector, WIDTH, widest},
 };
 
 /// The structure of a mechanism's equations, whatever its position.
 ///
 /// Columns are scaled positions: `3 body + (0, 1, 2)` for `(x, y, θ · length)`. Entry 0 of the flat array takes what
-/// belongs nowhere: slopes by the ground and those that are always zero.
+/// belongs nowhere: entries by the ground and those that are always zero.
 #[derive(Debug, Clone)]
 pub(in super::super) struct Layout {
     /// Rows of the equations, each with its columns and their places in the flat array.
     pub(super) rows: Vec<Vec<(usize, usize)>>,
     /// How many places there are.
     pub(super) places: usize,
-    /// The equations that give a coordinate, in the order in which they can be used: row, column, slope.
+    /// The equations that give a coordinate, in the order in which they can be used: row, column, Jacobian entry.
     pub(super) explicit: Vec<(usize, usize, f64)>,
     /// The other rows.
     pub(super) loops: Vec<usize>,
-    /// The largest slope of each of them that never changes; zero where all do.
+    /// The largest constant Jacobian entry of each of them; zero where none is constant.
     constant: Vec<f64>,
     /// The columns that are not explicit.
     pub(in super::super) kept: Vec<usize>,
@@ -48,11 +48,11 @@ pub(in super::super) struct Work<S = f64> {
     /// Positions `(x, y, θ)` of the bodies and, last, the ground.
     pub(in super::super) poses: Vec<Pose<S>>,
     /// How far each equation is from holding.
-    pub(in super::super) gaps: Vec<S>,
+    pub(in super::super) residuals: Vec<S>,
     /// The constants of the equations.
     pub(in super::super) sums: Vec<S>,
-    /// The slopes, in the places of the layout and, behind, those of an order.
-    pub(in super::super) slopes: Vec<S>,
+    /// The entries of the Jacobian, in the places of the layout and, behind, those of an order.
+    pub(in super::super) jacobian: Vec<S>,
     /// The arms of the pins.
     arms: Vec<[S; 4]>,
 }
@@ -67,9 +67,9 @@ fn numbered(kept: &[usize]) -> [Vec<(usize, usize)>; 2] {
 /// One equation, or the two of a pin.
 #[derive(Debug, Clone)]
 enum Kernel {
-    /// `B − A = 0` in both directions: row of the first, and the places of the slopes by θ_A and θ_B of each.
+    /// `B − A = 0` in both directions: row of the first, and the places of the entries by θ_A and θ_B of each.
     Pin { row: usize, points: [Point; 2], bodies: [usize; 2], places: [[usize; 2]; 2], is_loop: bool },
-    /// Anything; its slopes may be constant.
+    /// Anything; its entries may be constant.
     General { row: usize, terms: Vec<(Term, [[usize; 3]; 2])>, is_constant: bool, is_loop: bool },
 }
 
@@ -78,7 +78,7 @@ enum Setting {
     /// The origin of a body, or one coordinate of it, from a pin whose first (0) or second (1) point it carries.
     Pin { kernel: usize, side: usize, parts: [bool; 2] },
     /// A coordinate from an equation.
-    General { kernel: usize, column: usize, slope: f64 },
+    General { kernel: usize, column: usize, entry: f64 },
 }
 
 impl Layout {
@@ -119,7 +119,7 @@ impl Layout {
                         (term.clone(), term.measure.bodies().map(of))
                     };
                     let terms = system.equations[row].terms.iter().map(of_term).collect();
-                    let is_constant = shapes[row].iter().all(|(_, slope)| slope.is_some());
+                    let is_constant = shapes[row].iter().all(|(_, entry)| entry.is_some());
                     Kernel::General { row, terms, is_constant, is_loop: true }
                 }
             };
@@ -130,7 +130,7 @@ impl Layout {
         let (explicit, kept) = explicit(&shapes, 3 * bodies);
         let mut is_loop = vec![true; rows.len()];
         let mut settings: Vec<Setting> = Vec::new();
-        for &(row, column, slope) in &explicit {
+        for &(row, column, entry) in &explicit {
             is_loop[row] = false;
             let kernel = kernel_of[row];
             match &kernels[kernel] {
@@ -148,7 +148,7 @@ impl Layout {
                         }
                     }
                 }
-                Kernel::General { .. } => settings.push(Setting::General { kernel, column, slope }),
+                Kernel::General { .. } => settings.push(Setting::General { kernel, column, entry }),
             }
         }
         for kernel in &mut kernels {
@@ -159,8 +159,8 @@ impl Layout {
         }
         let loops: Vec<usize> = (0..rows.len()).filter(|&row| is_loop[row]).collect();
         let constant = |row: &usize| {
-            let slopes = shapes[*row].iter().filter_map(|(_, slope)| *slope);
-            slopes.fold(0.0f64, |most, slope| most.max(slope.abs()))
+            let jacobian = shapes[*row].iter().filter_map(|(_, entry)| *entry);
+            jacobian.fold(0.0f64, |most, entry| most.max(entry.abs()))
         };
         let constant = loops.iter().map(constant).collect();
         let [turning, moving] = numbered(&kept);
@@ -189,28 +189,28 @@ impl Layout {
     }
 
     /// Room for the numbers of a position.
-    pub(in super::super) fn work<S: Numbers>(&self, system: &System) -> Work<S> {
+    pub(in super::super) fn work<S: SimdReal>(&self, system: &System) -> Work<S> {
         let zero = S::from(0.0);
-        let mut slopes = vec![zero; self.places];
+        let mut jacobian = vec![zero; self.places];
         for (row, equation) in system.equations.iter().enumerate() {
-            for (column, slope) in shape(equation, self.length) {
+            for (column, entry) in shape(equation, self.length) {
                 let place =
                     self.rows[row].iter().find(|(at, _)| *at == column).map_or(0, |(_, place)| *place);
-                slopes[place] = S::from(slope.unwrap_or(0.0));
+                jacobian[place] = S::from(entry.unwrap_or(0.0));
             }
         }
         Work {
             poses: vec![Pose::ground(); self.bodies + 1],
-            gaps: vec![zero; self.rows.len()],
+            residuals: vec![zero; self.rows.len()],
             sums: system.equations.iter().map(|equation| S::from(equation.sum.unwrap_or(0.0))).collect(),
-            slopes,
+            jacobian,
             arms: vec![[zero; 4]; self.kernels.len()],
         }
     }
 
-    /// The position with these kept coordinates: poses, gaps and slopes.
+    /// The position with these kept coordinates: poses, residuals and Jacobian.
     #[inline(always)]
-    pub(in super::super) fn set<S: Numbers>(&self, kept: &[S], work: &mut Work<S>) {
+    pub(in super::super) fn set<S: SimdReal>(&self, kept: &[S], work: &mut Work<S>) {
         self.turn(kept, &mut work.poses);
         for &(number, column) in &self.moving {
             self.put(column, kept[number], work);
@@ -232,11 +232,11 @@ impl Layout {
                         moved.y = other.y + dy;
                     }
                 }
-                Setting::General { kernel, column, slope } => {
+                Setting::General { kernel, column, entry } => {
                     let Kernel::General { row, terms, .. } = &self.kernels[kernel] else { continue };
                     self.put(column, S::from(0.0), work);
                     let left = S::sum(terms.iter().map(|(term, _)| value(term, &work.poses)));
-                    self.put(column, (work.sums[*row] - left) / slope, work);
+                    self.put(column, (work.sums[*row] - left) / entry, work);
                 }
             }
         }
@@ -244,7 +244,7 @@ impl Layout {
 
     /// The kept angles, with cosines and sines: those of several bodies at once where positions come one by one.
     #[inline(always)]
-    fn turn<S: Numbers>(&self, kept: &[S], poses: &mut [Pose<S>]) {
+    fn turn<S: SimdReal>(&self, kept: &[S], poses: &mut [Pose<S>]) {
         let per_length = 1.0 / self.length;
         if S::COUNT > 1 {
             for &(body, number) in &self.turning {
@@ -255,7 +255,7 @@ impl Layout {
         }
         for bodies in self.turning.chunks(WIDTH) {
             let angle = |lane: usize| bodies.get(lane).map_or(0.0, |(_, number)| kept[*number].value());
-            let angles = Lanes::of(|lane| angle(lane) * per_length);
+            let angles = SimdVector::of(|lane| angle(lane) * per_length);
             let (cos, sin) = widest(
                 #[inline(always)]
                 || (angles.cos(), angles.sin()),
@@ -267,9 +267,9 @@ impl Layout {
         }
     }
 
-    /// Gaps and slopes of the position that was set.
+    /// Residuals and Jacobian of the position that was set.
     #[inline(always)]
-    pub(in super::super) fn measure<S: Numbers>(&self, work: &mut Work<S>) {
+    pub(in super::super) fn measure<S: SimdReal>(&self, work: &mut Work<S>) {
         let per_length = 1.0 / self.length;
         for (index, kernel) in self.kernels.iter().enumerate() {
             match kernel {
@@ -278,41 +278,41 @@ impl Layout {
                         let (pa, pb) = (&work.poses[bodies[0]], &work.poses[bodies[1]]);
                         let ([ax, ay], [bx, by]) = (pa.turned(a.at), pb.turned(b.at));
                         work.arms[index] = [ax, ay, bx, by];
-                        work.gaps[*row] = pb.x + bx - pa.x - ax;
-                        work.gaps[row + 1] = pb.y + by - pa.y - ay;
+                        work.residuals[*row] = pb.x + bx - pa.x - ax;
+                        work.residuals[row + 1] = pb.y + by - pa.y - ay;
                     }
                     let [ax, ay, bx, by] = work.arms[index];
-                    work.slopes[x[0]] = ay * per_length;
-                    work.slopes[x[1]] = -by * per_length;
-                    work.slopes[y[0]] = -ax * per_length;
-                    work.slopes[y[1]] = bx * per_length;
+                    work.jacobian[x[0]] = ay * per_length;
+                    work.jacobian[x[1]] = -by * per_length;
+                    work.jacobian[y[0]] = -ax * per_length;
+                    work.jacobian[y[1]] = bx * per_length;
                 }
-                // What gives a coordinate holds, and its slopes are what they were.
+                // What gives a coordinate holds, and its entries are what they were.
                 Kernel::General { is_constant: true, is_loop: false, .. } => {}
                 Kernel::General { row, terms, .. } => {
                     for place in terms.iter().flat_map(|(_, places)| places.iter().flatten()) {
-                        work.slopes[*place] = S::from(0.0);
+                        work.jacobian[*place] = S::from(0.0);
                     }
                     let mut left = S::from(0.0);
                     for (term, places) in terms {
-                        let slope = slope(&term.measure, &work.poses);
+                        let gradient = gradient(&term.measure, &work.poses);
                         let (value, rate) = match &term.profile {
                             Some(profile) => (
-                                slope.value.each(|x| profile.at(x)[0]),
-                                slope.value.each(|x| profile.at(x)[1]),
+                                gradient.value.each(|x| profile.at(x)[0]),
+                                gradient.value.each(|x| profile.at(x)[1]),
                             ),
-                            None => (slope.value, S::from(1.0)),
+                            None => (gradient.value, S::from(1.0)),
                         };
                         left = left + value * term.weight;
                         let factor = rate * term.weight;
-                        for (places, part) in places.iter().zip([slope.from, slope.to]) {
+                        for (places, part) in places.iter().zip([gradient.from, gradient.to]) {
                             let turn = part[2] * per_length;
                             for (place, part) in places.iter().zip([part[0], part[1], turn]) {
-                                work.slopes[*place] = work.slopes[*place] + factor * part;
+                                work.jacobian[*place] = work.jacobian[*place] + factor * part;
                             }
                         }
                     }
-                    work.gaps[*row] = left - work.sums[*row];
+                    work.residuals[*row] = left - work.sums[*row];
                 }
             }
         }
@@ -320,7 +320,7 @@ impl Layout {
 
     /// The accelerations of the left sides when no body accelerates, with the signs changed.
     #[inline(always)]
-    pub(in super::super) fn bend<S: Numbers>(&self, work: &Work<S>, velocities: &[[S; 3]], out: &mut [S]) {
+    pub(in super::super) fn bend<S: SimdReal>(&self, work: &Work<S>, velocities: &[[S; 3]], out: &mut [S]) {
         for (index, kernel) in self.kernels.iter().enumerate() {
             match kernel {
                 Kernel::Pin { row, bodies: [a, b], .. } => {
@@ -338,9 +338,10 @@ impl Layout {
                         let velocity = |frame: Frame| velocities[frame.unwrap_or(self.bodies)];
                         let bias = term.measure.bias(poses, [velocity(from), velocity(to)]);
                         let Some(profile) = &term.profile else { return bias * term.weight };
-                        let slope = term.measure.slope(poses);
-                        let rate = project(&term.measure, &slope, velocities);
-                        let [first, second] = [1, 2].map(|n: usize| slope.value.each(|x| profile.at(x)[n]));
+                        let gradient = term.measure.gradient(poses);
+                        let rate = project(&term.measure, &gradient, velocities);
+                        let [first, second] =
+                            [1, 2].map(|n: usize| gradient.value.each(|x| profile.at(x)[n]));
                         (first * bias + second * rate * rate) * term.weight
                     };
                     out[*row] = -S::sum(terms.iter().map(of_term));
@@ -354,29 +355,36 @@ impl Layout {
         &self.loops
     }
 
-    /// The largest gap of the equations that are not explicit, each in parts of its largest slope, of those that never
-    /// change where there are such; not a number where a gap is not.
+    /// The largest residual of the equations that are not explicit, each in parts of the largest entry of its row, of those that never
+    /// change where there are such; not a number where a residual is not.
     #[inline(always)]
-    pub(in super::super) fn open<S: Numbers>(&self, work: &Work<S>) -> S {
+    pub(in super::super) fn open<S: SimdReal>(&self, work: &Work<S>) -> S {
         let mut open = S::from(0.0);
         for (&row, &constant) in self.loops.iter().zip(&self.constant) {
-            let mut gap = work.gaps[row].abs();
+            let mut residual = work.residuals[row].abs();
             if constant > 0.0 {
-                gap = gap * (1.0 / constant);
+                residual = residual * (1.0 / constant);
             } else {
                 let mut most = S::from(0.0);
                 for (_, place) in &self.rows[row] {
-                    most = most.with(work.slopes[*place].abs(), f64::max);
+                    most = most.with(work.jacobian[*place].abs(), f64::max);
                 }
-                gap = gap.with(most, |gap, most| if most > 0.0 || gap.is_nan() { gap / most } else { 0.0 });
+                residual =
+                    residual.with(
+                        most,
+                        |residual, most| if most > 0.0 || residual.is_nan() { residual / most } else { 0.0 },
+                    );
             }
-            open = open.with(gap, |open, gap| if gap > open || gap.is_nan() { gap } else { open });
+            open = open.with(
+                residual,
+                |open, residual| if residual > open || residual.is_nan() { residual } else { open },
+            );
         }
         open
     }
 
     #[inline(always)]
-    fn put<S: Numbers>(&self, column: usize, value: S, work: &mut Work<S>) {
+    fn put<S: SimdReal>(&self, column: usize, value: S, work: &mut Work<S>) {
         let pose = &mut work.poses[column / 3];
         match column % 3 {
             0 => pose.x = value,
@@ -387,8 +395,8 @@ impl Layout {
 }
 
 #[inline(always)]
-fn value<S: Numbers>(term: &Term, poses: &[Pose<S>]) -> S {
-    let value = slope(&term.measure, poses).value;
+fn value<S: SimdReal>(term: &Term, poses: &[Pose<S>]) -> S {
+    let value = gradient(&term.measure, poses).value;
     term.profile.as_ref().map_or(value, |profile| value.each(|x| profile.at(x)[0])) * term.weight
 }
 
@@ -407,22 +415,22 @@ fn pin(equations: &[Equation]) -> Option<[Point; 2]> {
     (component(y, [0.0, 1.0])? == points).then_some(points)
 }
 
-/// The columns of an equation in ascending order, and their slopes where these never change.
+/// The columns of an equation in ascending order, and their Jacobian entries where these are constant.
 fn shape(equation: &Equation, length: f64) -> Vec<(usize, Option<f64>)> {
     let mut shape: Vec<(usize, Option<f64>)> = Vec::new();
-    let mut add = |frame: Frame, part: usize, slope: Option<f64>| {
+    let mut add = |frame: Frame, part: usize, entry: Option<f64>| {
         let Some(body) = frame else { return };
-        if slope == Some(0.0) {
+        if entry == Some(0.0) {
             return;
         }
         let column = 3 * body + part;
         match shape.iter_mut().find(|(at, _)| *at == column) {
-            Some((_, known)) => *known = known.zip(slope).map(|(a, b)| a + b),
-            None => shape.push((column, slope)),
+            Some((_, known)) => *known = known.zip(entry).map(|(a, b)| a + b),
+            None => shape.push((column, entry)),
         }
     };
     for Term { weight, measure, profile } in &equation.terms {
-        let constant = |slope: f64| profile.is_none().then_some(weight * slope);
+        let constant = |entry: f64| profile.is_none().then_some(weight * entry);
         let arm = |point: Point| if point.at == [0.0, 0.0] { Some(0.0) } else { None };
         match *measure {
             Measure::Angle { of, against } => {
@@ -463,7 +471,7 @@ fn shape(equation: &Equation, length: f64) -> Vec<(usize, Option<f64>)> {
 }
 
 /// Equations that give a coordinate each, in an order in which they use only what is known, and the columns that
-/// remain: row, column and slope.
+/// remain: row, column and Jacobian entry.
 ///
 /// Angles come first. An origin is found from a pin whose other body is known; where nothing leads on, a coordinate of
 /// the equation with fewest unknown ones is kept.
@@ -473,13 +481,13 @@ fn explicit(shapes: &[Vec<(usize, Option<f64>)>], columns: usize) -> (Vec<(usize
     // A column is settled once it is explicit or an explicit equation needs it.
     let mut settled = vec![false; columns];
     for (row, shape) in shapes.iter().enumerate() {
-        let angles = shape.iter().all(|(column, slope)| column % 3 == 2 && slope.is_some());
+        let angles = shape.iter().all(|(column, entry)| column % 3 == 2 && entry.is_some());
         let best = shape
             .iter()
-            .filter(|(column, slope)| !settled[*column] && slope.is_some_and(|slope| slope != 0.0))
+            .filter(|(column, entry)| !settled[*column] && entry.is_some_and(|entry| entry != 0.0))
             .max_by(|a, b| a.1.unwrap_or(0.0).abs().total_cmp(&b.1.unwrap_or(0.0).abs()));
-        if let (true, Some(&(column, Some(slope)))) = (angles, best) {
-            explicit.push((row, column, slope));
+        if let (true, Some(&(column, Some(entry)))) = (angles, best) {
+            explicit.push((row, column, entry));
             used[row] = true;
             for (column, _) in shape {
                 settled[*column] = true;
@@ -495,7 +503,7 @@ fn explicit(shapes: &[Vec<(usize, Option<f64>)>], columns: usize) -> (Vec<(usize
     let mut unknown = vec![0; shapes.len()];
     for (row, shape) in shapes.iter().enumerate() {
         let constant =
-            shape.iter().all(|&(column, slope)| column % 3 == 2 || slope.is_some_and(|slope| slope != 0.0));
+            shape.iter().all(|&(column, entry)| column % 3 == 2 || entry.is_some_and(|entry| entry != 0.0));
         if constant && !used[row] {
             for &(column, _) in shape.iter().filter(|(column, _)| column % 3 < 2) {
                 rows_of[column].push(row);
@@ -515,7 +523,7 @@ fn explicit(shapes: &[Vec<(usize, Option<f64>)>], columns: usize) -> (Vec<(usize
         let mut left: Vec<(usize, f64)> = shapes[row]
             .iter()
             .filter(|(column, _)| !known[*column])
-            .map(|&(column, slope)| (column, slope.unwrap_or(0.0)))
+            .map(|&(column, entry)| (column, entry.unwrap_or(0.0)))
             .collect();
         left.sort_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
         for &(column, _) in &left {
@@ -527,9 +535,9 @@ fn explicit(shapes: &[Vec<(usize, Option<f64>)>], columns: usize) -> (Vec<(usize
                 }
             }
         }
-        if let Some((column, slope)) = left.pop() {
+        if let Some((column, entry)) = left.pop() {
             kept.extend(left.iter().map(|(column, _)| *column));
-            explicit.push((row, column, slope));
+            explicit.push((row, column, entry));
         }
     }
     kept.extend((0..columns).filter(|&column| !known[column]));

@@ -3,9 +3,9 @@
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
 use super::Layout;
-use crate::lanes::Numbers;
+use crate::simd::SimdReal;
 
-/// A pivot must have this part of the largest slope of its row when it is chosen …
+/// A pivot must have this part of the largest entry of its row when it is chosen …
 const CHOSEN: f64 = 0.3;
 /// … and may fall to this part before another order is looked for.
 const KEPT: f64 = 0.03;
@@ -15,7 +15,7 @@ const LOST: f64 = 0.01;
 const LOW: f64 = 0.05;
 /// Below this part of it, it may vanish within a step.
 const FALLS: f64 = 0.5;
-/// A row whose slopes have fallen to this part of what they were follows from the others.
+/// A row whose entries have fallen to this part of what they were follows from the others.
 const FOLLOWS: f64 = 1e-8;
 
 /// An order of elimination, and the numbers of one position or of several side by side.
@@ -33,22 +33,22 @@ pub(in super::super) struct Order<S = f64> {
     pub(in super::super) free: Vec<usize>,
     /// Rows that follow from the others, with their places.
     dropped: Vec<(usize, Vec<usize>)>,
-    /// The slopes, overwritten by the elimination.
-    slopes: Vec<S>,
+    /// The Jacobian, overwritten by the elimination.
+    jacobian: Vec<S>,
     inverses: Vec<S>,
-    /// The slopes to the right of each pivot over it, with the sign changed.
+    /// The entries to the right of each pivot over it, with the sign changed.
     ratios: Vec<S>,
 }
 
-/// How well an order serves in a position.
+/// The conditioning of the constraint Jacobian in a position, eliminated in a given order of pivots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(in super::super) enum Standing {
-    Good,
+pub(in super::super) enum Conditioning {
+    Regular,
     /// The position is close to one in which an equation follows from the others: all that is left of a row is small,
     /// rather than its pivot alone.
-    NearlySingular,
+    NearSingular,
     /// A pivot is so small in its row that the order is of no use, where another would be.
-    Lost,
+    Singular,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -82,14 +82,14 @@ struct Entry {
 }
 
 impl Order {
-    /// Chooses an order for the slopes of a position.
-    pub(in super::super) fn new(layout: &Layout, slopes: &[f64], columns: usize) -> Self {
+    /// Chooses an order for the Jacobian of a position.
+    pub(in super::super) fn new(layout: &Layout, jacobian: &[f64], columns: usize) -> Self {
         let sizes: Vec<f64> = layout
             .rows
             .iter()
-            .map(|row| row.iter().fold(0.0, |most: f64, (_, place)| most.max(slopes[*place].abs())))
+            .map(|row| row.iter().fold(0.0, |most: f64, (_, place)| most.max(jacobian[*place].abs())))
             .collect();
-        let (mut maker, mut rows, mut of_column) = Maker::of_explicit(layout, slopes, columns);
+        let (mut maker, mut rows, mut of_column) = Maker::of_explicit(layout, jacobian, columns);
         let mut left = layout.loops.clone();
         while !left.is_empty() {
             let mut best: Option<(usize, usize, usize, f64)> = None;
@@ -126,17 +126,17 @@ impl Order {
     /// each.
     pub(in super::super) fn of_explicit(
         layout: &Layout,
-        slopes: &[f64],
+        jacobian: &[f64],
         columns: usize,
     ) -> (Self, Vec<Vec<(usize, usize)>>) {
-        let (maker, rows, _) = Maker::of_explicit(layout, slopes, columns);
+        let (maker, rows, _) = Maker::of_explicit(layout, jacobian, columns);
         let left = |row: &usize| rows[*row].iter().map(|entry| (entry.place, entry.column)).collect();
         let left = layout.loops.iter().map(left).collect();
         (maker.done(columns), left)
     }
 
     /// The same order for other numbers, none of them eliminated yet.
-    pub(in super::super) fn with_numbers<S: Numbers>(&self) -> Order<S> {
+    pub(in super::super) fn with_numbers<S: SimdReal>(&self) -> Order<S> {
         let zeros = |count| vec![S::from(0.0); count];
         Order {
             pivots: self.pivots.clone(),
@@ -146,7 +146,7 @@ impl Order {
             first_loop: self.first_loop,
             free: self.free.clone(),
             dropped: self.dropped.clone(),
-            slopes: zeros(self.slopes.len()),
+            jacobian: zeros(self.jacobian.len()),
             inverses: self.pivots.iter().map(|pivot| S::from(1.0 / pivot.chosen)).collect(),
             ratios: zeros(self.ratios.len()),
         }
@@ -154,40 +154,41 @@ impl Order {
 
     /// Whether another order should be chosen: a pivot has become small in its row, or a row that was dropped says
     /// something new.
-    pub(in super::super) fn is_weak(&self, layout: &Layout, slopes: &[f64]) -> bool {
+    pub(in super::super) fn is_weak(&self, layout: &Layout, jacobian: &[f64]) -> bool {
         (self.first_loop..self.pivots.len()).any(|index| self.is_small(index, KEPT))
             || self.dropped.iter().any(|(row, places)| {
-                let size =
-                    layout.rows[*row].iter().fold(0.0f64, |most, (_, place)| most.max(slopes[*place].abs()));
-                places.iter().any(|place| self.slopes[*place].abs() > 10.0 * FOLLOWS * size)
+                let size = layout.rows[*row]
+                    .iter()
+                    .fold(0.0f64, |most, (_, place)| most.max(jacobian[*place].abs()));
+                places.iter().any(|place| self.jacobian[*place].abs() > 10.0 * FOLLOWS * size)
             })
     }
 
     /// Whether a pivot is below a part of what else is left of its row.
     fn is_small(&self, index: usize, part: f64) -> bool {
-        let pivot = self.slopes[self.pivots[index].place].abs();
-        self.others(index).iter().any(|(place, _)| part * self.slopes[*place as usize].abs() > pivot)
+        let pivot = self.jacobian[self.pivots[index].place].abs();
+        self.others(index).iter().any(|(place, _)| part * self.jacobian[*place as usize].abs() > pivot)
     }
 
     /// How well the order serves in the position.
-    pub(in super::super) fn standing(&self) -> Standing {
+    pub(in super::super) fn conditioning(&self) -> Conditioning {
         let of_pivot = |index| {
             if self.is_small(index, LOST) {
-                Standing::Lost
+                Conditioning::Singular
             } else if self.is_small(index, CHOSEN) {
-                Standing::Good
+                Conditioning::Regular
             } else {
-                Standing::NearlySingular
+                Conditioning::NearSingular
             }
         };
-        self.low().map(of_pivot).max().unwrap_or(Standing::Good)
+        self.low().map(of_pivot).max().unwrap_or(Conditioning::Regular)
     }
 
     /// The smallest part of what it was to which a pivot has fallen.
     pub(in super::super) fn weakest(&self) -> f64 {
         let parts = self.pivots[self.first_loop..]
             .iter()
-            .map(|pivot| (self.slopes[pivot.place] / pivot.chosen).abs());
+            .map(|pivot| (self.jacobian[pivot.place] / pivot.chosen).abs());
         parts.fold(1.0, f64::min)
     }
 
@@ -195,14 +196,14 @@ impl Order {
     pub(in super::super) fn falls(&self) -> bool {
         self.pivots[self.first_loop..]
             .iter()
-            .any(|pivot| self.slopes[pivot.place].abs() < FALLS * pivot.chosen.abs())
+            .any(|pivot| self.jacobian[pivot.place].abs() < FALLS * pivot.chosen.abs())
     }
 
     /// What the elimination left of the rows that are not explicit.
     pub(in super::super) fn rows_left(&self) -> Vec<f64> {
         let of_pivot = |index: usize| {
-            let others = self.others(index).iter().map(|(place, _)| self.slopes[*place as usize]);
-            std::iter::once(self.slopes[self.pivots[index].place]).chain(others)
+            let others = self.others(index).iter().map(|(place, _)| self.jacobian[*place as usize]);
+            std::iter::once(self.jacobian[self.pivots[index].place]).chain(others)
         };
         (self.first_loop..self.pivots.len()).flat_map(of_pivot).collect()
     }
@@ -230,22 +231,22 @@ impl Order {
     fn low(&self) -> impl Iterator<Item = usize> + '_ {
         (self.first_loop..self.pivots.len()).filter(|&index| {
             let Pivot { place, chosen, .. } = self.pivots[index];
-            self.slopes[place].abs() < LOW * chosen.abs()
+            self.jacobian[place].abs() < LOW * chosen.abs()
         })
     }
 }
 
-impl<S: Numbers> Order<S> {
-    /// Eliminates the slopes of a position.
+impl<S: SimdReal> Order<S> {
+    /// Eliminates the Jacobian of a position.
     #[inline(always)]
-    pub(in super::super) fn eliminate(&mut self, slopes: &[S]) {
-        let Self { pivots, removals, updates, others, slopes: w, inverses, ratios, first_loop, .. } = self;
-        let (given, filled) = w.split_at_mut(slopes.len());
-        given.copy_from_slice(slopes);
+    pub(in super::super) fn eliminate(&mut self, jacobian: &[S]) {
+        let Self { pivots, removals, updates, others, jacobian: w, inverses, ratios, first_loop, .. } = self;
+        let (given, filled) = w.split_at_mut(jacobian.len());
+        given.copy_from_slice(jacobian);
         filled.fill(S::from(0.0));
         let (mut removal, mut update) = (0, 0);
         for (index, (pivot, inverse)) in pivots.iter().zip(inverses).enumerate() {
-            // The slopes by explicit coordinates never change.
+            // The entries by explicit coordinates are constant.
             if index >= *first_loop {
                 *inverse = S::from(1.0) / w[pivot.place];
             }
@@ -282,7 +283,7 @@ impl<S: Numbers> Order<S> {
         for pivot in &self.pivots {
             let known = right[pivot.row];
             for one in &self.removals[removal..pivot.removals] {
-                right[one.row] = right[one.row] - self.slopes[one.place] * known;
+                right[one.row] = right[one.row] - self.jacobian[one.place] * known;
             }
             removal = pivot.removals;
         }
@@ -292,7 +293,7 @@ impl<S: Numbers> Order<S> {
     #[inline(always)]
     pub(in super::super) fn complete(&self, right: &[S], x: &mut [S]) {
         for (pivot, inverse) in self.pivots.iter().zip(&self.inverses).rev() {
-            x[pivot.column] = self.follow(pivot, right[pivot.row] * *inverse, x);
+            x[pivot.column] = self.continue_to(pivot, right[pivot.row] * *inverse, x);
         }
     }
 
@@ -304,7 +305,7 @@ impl<S: Numbers> Order<S> {
         }
         x[self.free[free]] = S::from(1.0);
         for pivot in self.pivots.iter().rev() {
-            x[pivot.column] = self.follow(pivot, S::from(0.0), x);
+            x[pivot.column] = self.continue_to(pivot, S::from(0.0), x);
         }
     }
 
@@ -323,7 +324,7 @@ impl<S: Numbers> Order<S> {
             let z = g[pivot.column] * self.inverses[index];
             y[pivot.row] = z;
             for &(place, column) in self.others(index) {
-                g[column as usize] = g[column as usize] - self.slopes[place as usize] * z;
+                g[column as usize] = g[column as usize] - self.jacobian[place as usize] * z;
             }
         }
     }
@@ -334,20 +335,20 @@ impl<S: Numbers> Order<S> {
         for (index, pivot) in self.pivots.iter().enumerate().rev() {
             let from = if index == 0 { 0 } else { self.pivots[index - 1].removals };
             for one in &self.removals[from..pivot.removals] {
-                y[pivot.row] = y[pivot.row] - self.slopes[one.place] * y[one.row];
+                y[pivot.row] = y[pivot.row] - self.jacobian[one.place] * y[one.row];
             }
         }
     }
 
-    /// The slopes as the elimination leaves them.
+    /// An entry as the elimination leaves it.
     #[inline(always)]
     pub(in super::super) fn eliminated(&self, place: usize) -> S {
-        self.slopes[place]
+        self.jacobian[place]
     }
 
     /// What the column of a pivot is, from those to its right.
     #[inline(always)]
-    fn follow(&self, pivot: &Pivot, start: S, x: &[S]) -> S {
+    fn continue_to(&self, pivot: &Pivot, start: S, x: &[S]) -> S {
         let [from, to] = pivot.others;
         let mut sum = start;
         for (ratio, (_, column)) in self.ratios[from..to].iter().zip(&self.others[from..to]) {
@@ -373,10 +374,10 @@ impl Maker {
     /// Takes the explicit columns out of all rows: the maker, what is left of the rows, and the rows of each column.
     fn of_explicit(
         layout: &Layout,
-        slopes: &[f64],
+        jacobian: &[f64],
         columns: usize,
     ) -> (Self, Vec<Vec<Entry>>, Vec<Vec<usize>>) {
-        let entry = |&(column, place): &(usize, usize)| Entry { column, place, value: slopes[place] };
+        let entry = |&(column, place): &(usize, usize)| Entry { column, place, value: jacobian[place] };
         let mut rows: Vec<Vec<Entry>> =
             layout.rows.iter().map(|row| row.iter().map(entry).collect()).collect();
         let mut of_column: Vec<Vec<usize>> = vec![Vec::new(); columns];
@@ -393,7 +394,7 @@ impl Maker {
             first_loop: layout.explicit.len(),
             free: Vec::new(),
             dropped: Vec::new(),
-            slopes: Vec::new(),
+            jacobian: Vec::new(),
             inverses: Vec::new(),
             ratios: Vec::new(),
         };
@@ -408,7 +409,7 @@ impl Maker {
     fn done(self, columns: usize) -> Order {
         let Self { mut order, places, taken } = self;
         order.free = (0..columns).filter(|column| !taken[*column]).collect();
-        order.slopes = vec![0.0; places];
+        order.jacobian = vec![0.0; places];
         order.ratios = vec![0.0; order.others.len()];
         order.inverses = order.pivots.iter().map(|pivot| 1.0 / pivot.chosen).collect();
         order

@@ -2,7 +2,7 @@
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
-use crate::lanes::Numbers;
+use crate::simd::SimdReal;
 
 /// So many positions before the present one are made use of.
 const BEFORE: usize = 2;
@@ -11,7 +11,7 @@ const LONGER: f64 = 2.0;
 
 /// First and second derivatives of the kept coordinates at the positions before, the last one first.
 ///
-/// A step integrates the polynomial that has the first derivatives of all positions and, as slopes, the second ones:
+/// A step integrates the polynomial that has the first derivatives of all positions and, as its derivatives, the second ones:
 /// Hermite's interpolation by divided differences (J. Stoer, R. Bulirsch, *Introduction to Numerical Analysis*, 3rd ed.,
 /// §2.1.5). Its error is of the seventh order of the step where two positions came before, and that of Taylor's series
 /// of second order where none did.
@@ -32,7 +32,7 @@ pub(super) struct Weights<S> {
     integrals: [S; 6],
 }
 
-impl<S: Numbers> Past<S> {
+impl<S: SimdReal> Past<S> {
     pub(super) fn new(kept: usize) -> Self {
         let zero = S::from(0.0);
         let derivatives = [(); BEFORE].map(|()| vec![[zero; 2]; kept]);
@@ -91,7 +91,7 @@ impl<S: Numbers> Past<S> {
         if known == 0 {
             return change;
         }
-        // f01 is the divided difference of the present position and the last one, f001 that with the present slope, …
+        // f01 is the divided difference of the present position and the last one, f001 that with the present derivative, …
         let [v1, a1] = self.derivatives[0][number];
         let f01 = (v - v1) * per_last;
         let (f001, f011) = ((a - f01) * per_last, (f01 - a1) * per_last);

@@ -4,11 +4,11 @@
 
 use super::super::{
     System,
-    follow::{JUMP, SMOOTH, STEP},
+    continuation::{JUMP, SMOOTH, STEP},
     plan::{Core, Layout, Order, Work},
 };
-use super::{Swept, past::Past};
-use crate::lanes::{Numbers, widest};
+use super::{SweepResult, past::Past};
+use crate::simd::{SimdReal, widest};
 
 /// The smallest step, in parts of the way between two positions.
 const SMALLEST: f64 = 1e-3;
@@ -63,7 +63,7 @@ pub(super) struct Station<S> {
     effort: S,
 }
 
-impl<S: Numbers> Station<S> {
+impl<S: SimdReal> Station<S> {
     pub(super) fn new(
         system: &System,
         layout: &Layout,
@@ -205,7 +205,7 @@ impl<S: Numbers> Station<S> {
             way.layout.measure(&mut self.work);
             let open = largest(way.layout.open(&self.work)) / length;
             let stays = open <= ALMOST && open > 0.3 * last;
-            self.order.eliminate(&self.work.slopes);
+            self.order.eliminate(&self.work.jacobian);
             for (row, entries) in way.loops.iter().enumerate() {
                 let row = &mut self.core.entries()[row * way.loops.len()..(row + 1) * way.loops.len()];
                 row.fill(S::from(0.0));
@@ -219,7 +219,7 @@ impl<S: Numbers> Station<S> {
             }
             last = open;
             for (inner, &row) in self.inner.iter_mut().zip(way.layout.loops()) {
-                *inner = self.work.gaps[row];
+                *inner = self.work.residuals[row];
             }
             self.core.solve(&mut self.inner);
             let mut size = S::from(0.0);
@@ -331,7 +331,7 @@ impl<S: Numbers> Station<S> {
     }
 
     /// Writes the position of each lane into a place among those that were swept.
-    pub(super) fn store(&self, way: &Way, swept: &mut Swept, at: impl Fn(usize) -> usize) {
+    pub(super) fn store(&self, way: &Way, swept: &mut SweepResult, at: impl Fn(usize) -> usize) {
         let per_length = 1.0 / way.system.length;
         let bodies = self.forces.len();
         for lane in 0..S::COUNT {
@@ -357,13 +357,13 @@ impl<S: Numbers> Station<S> {
 }
 
 /// Work with the widest registers, for numbers side by side.
-fn widest_of<S: Numbers, R>(mut work: impl FnMut() -> R) -> R {
+fn widest_of<S: SimdReal, R>(mut work: impl FnMut() -> R) -> R {
     if S::COUNT > 1 { widest(work) } else { work() }
 }
 
 /// `Φ_q x = right` with the factored equations. The right sides are overwritten.
 #[inline(always)]
-fn solve<S: Numbers>(
+fn solve<S: SimdReal>(
     way: &Way,
     order: &Order<S>,
     core: &Core<S>,
@@ -390,7 +390,7 @@ fn larger(a: f64, b: f64) -> f64 {
 
 /// The largest of numbers side by side; not a number if one is not.
 #[inline(always)]
-fn largest<S: Numbers>(x: S) -> f64 {
+fn largest<S: SimdReal>(x: S) -> f64 {
     let worse = |most: f64, x: f64| if most.is_nan() { most } else { larger(most, x) };
     (0..S::COUNT).fold(0.0, |most, lane| worse(most, x.lane(lane)))
 }

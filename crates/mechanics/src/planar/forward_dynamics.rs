@@ -1,4 +1,4 @@
-//! Free motion: the accelerations under the loads where nothing drives.
+//! Forward dynamics: the accelerations of a mechanism under its loads.
 //!
 //! With N a basis of the velocities that joints and drivers leave free (`Φ_q N = 0`) and `q̈ = a + N s̈`, where `a` is
 //! any acceleration that joints and drivers allow, virtual power leaves `(Nᵀ M N) s̈ = Nᵀ (Q − M a)`; the multipliers
@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{
     Contact, PlanarError, State, System,
-    friction::{Effect, Friction, Response, Unbraked},
+    friction::{Effect, Friction, Frictionless, Response},
     machine::{Machine, NOISE},
     measure::Measure,
     system::poses,
@@ -19,23 +19,23 @@ use crate::linalg::{self, Elimination};
 /// A pivot of the reduced masses below this part of the largest is no inertia.
 const MASSLESS: f64 = 1e-13;
 
-/// A mechanism left to its loads.
+/// The solution of the forward dynamics in a position with given velocities.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Freed {
-    /// Positions and velocities, and the accelerations that the loads give.
+pub struct ForwardDynamics {
+    /// Positions, velocities and the accelerations under the loads.
     pub state: State,
-    /// The multiplier of each equation, in the order of [`System::equations`]: the effort that a joint or driver
-    /// exerts along its measure.
+    /// The Lagrange multiplier λ of each constraint, in the order of [`System::equations`]: the force or torque that a
+    /// joint or driver exerts along its coordinate.
     pub multipliers: Vec<f64>,
-    /// What friction does in the joints that have any, in the order of these loads.
-    pub frictions: Vec<Braked>,
-    /// In how many ways it moves freely.
+    /// The Coulomb friction of each frictional joint, in the order of these loads.
+    pub frictions: Vec<JointFriction>,
+    /// Degrees of freedom left by joints and drivers.
     pub freedoms: usize,
 }
 
-/// What friction does in a joint.
+/// The Coulomb friction of a joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Braked {
+pub struct JointFriction {
     /// Which load it is.
     pub load: usize,
     /// How the joint moves.
@@ -55,8 +55,12 @@ impl System {
     ///
     /// # Errors
     /// `Massless`, `Jammed`, `Sticks`, `NotFinite`.
-    pub fn freed(&self, positions: &[[f64; 3]], velocities: &[[f64; 3]]) -> Result<Freed, PlanarError> {
-        let elimination = Elimination::new(&self.gaps(positions).slopes)?;
+    pub fn forward_dynamics(
+        &self,
+        positions: &[[f64; 3]],
+        velocities: &[[f64; 3]],
+    ) -> Result<ForwardDynamics, PlanarError> {
+        let elimination = Elimination::new(&self.constraints(positions).jacobian)?;
         let (masses, loads) = (self.scaled_masses(), self.scaled_forces(positions, velocities));
         let mut right: Vec<f64> = self.biases(positions, velocities).into_iter().map(|bias| -bias).collect();
         let first = self.first_driver();
@@ -91,23 +95,24 @@ impl System {
             Ok(Effect { free: free.as_slice().to_vec(), accelerations, multipliers })
         };
         let effect = under(&loads, held)?;
-        let (effect, frictions) = self
-            .braked(positions, velocities, &motions, effect, |force| under(force, vec![0.0; force.len()]))?;
+        let (effect, frictions) = self.with_friction(positions, velocities, &motions, effect, |force| {
+            under(force, vec![0.0; force.len()])
+        })?;
         let accelerations = self.unscaled(&effect.accelerations);
         let state = State { positions: positions.to_vec(), velocities: velocities.to_vec(), accelerations };
-        Ok(Freed { state, multipliers: effect.multipliers, frictions, freedoms: motions.len() })
+        Ok(ForwardDynamics { state, multipliers: effect.multipliers, frictions, freedoms: motions.len() })
     }
 
-    /// What the loads do together with the frictions, from what they do without.
-    fn braked(
+    /// The response to the loads with Coulomb friction, from that without.
+    fn with_friction(
         &self,
         positions: &[[f64; 3]],
         velocities: &[[f64; 3]],
         motions: &[Vec<f64>],
         effect: Effect,
         act: impl Fn(&[f64]) -> Result<Effect, PlanarError>,
-    ) -> Result<(Effect, Vec<Braked>), PlanarError> {
-        let frictions = self.rough();
+    ) -> Result<(Effect, Vec<JointFriction>), PlanarError> {
+        let frictions = self.frictional_joints();
         if frictions.is_empty() {
             return Ok((effect, Vec::new()));
         }
@@ -115,11 +120,11 @@ impl System {
         let gained = effect.free.iter().map(|a| (a.abs() * self.length).sqrt());
         let fastest = speeds.chain(gained).fold(0.0, f64::max);
         let poses = poses(positions);
-        let unbraked = Unbraked { system: self, poses: &poses, velocities, motions, effect };
-        let response = Response::new(&frictions, unbraked, act)?;
+        let frictionless = Frictionless { system: self, poses: &poses, velocities, motions, effect };
+        let response = Response::new(&frictions, frictionless, act)?;
         let mut contacts = response.contacts(NOISE * fastest);
         let efforts = response.settle(&mut contacts, fastest, [NOISE; 2])?;
-        let of_each = |(row, friction): (usize, &Friction)| Braked {
+        let of_each = |(row, friction): (usize, &Friction)| JointFriction {
             load: friction.load,
             contact: contacts[row],
             effort: efforts[row] * self.arm(friction),
@@ -210,14 +215,14 @@ impl System {
             elimination.free_columns().first().copied()
         };
         match weak {
-            Some(motion) => Err(PlanarError::Massless { body: most_moved(&motions[motion]) }),
+            Some(motion) => Err(PlanarError::Massless { body: body_that_moves_most(&motions[motion]) }),
             None => Ok(()),
         }
     }
 }
 
 /// The body that moves most in a scaled motion.
-pub(super) fn most_moved(motion: &[f64]) -> usize {
+pub(super) fn body_that_moves_most(motion: &[f64]) -> usize {
     let size = |body: &[f64]| body.iter().fold(0.0f64, |most, x| most.max(x.abs()));
     let bodies: Vec<f64> = motion.chunks_exact(3).map(size).collect();
     (0..bodies.len()).max_by(|&a, &b| bodies[a].total_cmp(&bodies[b])).unwrap_or(0)

@@ -5,8 +5,8 @@ use crate::{
     ode::{OdeError, Problem},
     planar::{
         Contact, PlanarError,
-        free::dot,
-        friction::{Effect, Response, Unbraked},
+        forward_dynamics::dot,
+        friction::{Effect, Frictionless, Response},
     },
 };
 
@@ -16,9 +16,9 @@ pub(in super::super) const NOISE: f64 = 1e-9;
 const NOISES: f64 = 100.0;
 
 impl Machine<'_> {
-    /// Adds what the frictions do to the accelerations and multipliers without them; their power. Without a balance the
+    /// Adds the Coulomb friction to accelerations and multipliers found without it; its power, W. Without a balance the
     /// accelerations are not numbers.
-    pub(super) fn brake(&mut self) -> f64 {
+    pub(super) fn apply_friction(&mut self) -> f64 {
         let response = self.response();
         let Some(efforts) = response.efforts(&self.contacts) else {
             let jammed = response.jammed();
@@ -33,7 +33,7 @@ impl Machine<'_> {
         // The joints that stick are independent: where there are as many as free motions and no driver moves, nothing
         // does. Rounding would let it creep.
         let drivers = &self.system.mechanism.drivers;
-        let sticking = self.contacts.iter().filter(|contact| **contact == Contact::Holds).count();
+        let sticking = self.contacts.iter().filter(|contact| **contact == Contact::Sticking).count();
         if sticking == self.motions.len()
             && drivers.iter().all(|driver| driver.velocity == 0.0 && driver.acceleration == 0.0)
         {
@@ -49,14 +49,14 @@ impl Machine<'_> {
             accelerations: self.held.clone(),
             multipliers: self.multipliers.clone(),
         };
-        let unbraked = Unbraked {
+        let frictionless = Frictionless {
             system: self.system,
             poses: &self.work.poses,
             velocities: &self.velocities,
             motions: &self.motions,
             effect,
         };
-        Response::new(&self.frictions, unbraked, |force| {
+        Response::new(&self.frictions, frictionless, |force| {
             let mut free: Vec<f64> = self.motions.iter().map(|motion| dot(motion, force)).collect();
             substitute(&self.reduced, &mut free);
             let mut accelerations = vec![0.0; force.len()];
@@ -135,21 +135,21 @@ impl Machine<'_> {
             contacts.clone_from(&slides);
         }
         for (contact, now) in contacts.iter_mut().zip(slides) {
-            if now == Contact::Follows && matches!(contact, Contact::Slides { .. }) {
+            if now == Contact::Indeterminate && matches!(contact, Contact::Sliding { .. }) {
                 *contact = now;
             }
         }
         let mut opens = noise;
         match used {
             Some((stopped, at_once)) if stopped < count => {
-                contacts[stopped] = Contact::Follows;
+                contacts[stopped] = Contact::Indeterminate;
                 if at_once {
                     // It slid, if at all, for less than can be told from rest.
                     opens = f64::INFINITY;
                 }
             }
             Some((turned, _)) if turned < 2 * count => {
-                if let Contact::Slides { side, .. } = &mut contacts[turned - count] {
+                if let Contact::Sliding { side, .. } = &mut contacts[turned - count] {
                     *side = -*side;
                 }
             }

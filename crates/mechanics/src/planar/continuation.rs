@@ -1,6 +1,6 @@
-//! Moving a mechanism from one position to another without leaving its branch.
+//! Continuation: a mechanism is moved from one position to another on its branch of assembly.
 
-use super::{PlanarError, System, system::Gaps};
+use super::{PlanarError, System, system::Constraints};
 use crate::linalg::Elimination;
 
 /// The largest move of one step, in parts of the size of the mechanism.
@@ -19,18 +19,18 @@ pub(super) const JUMP: f64 = 0.1;
 /// A correction below this part of the step stays on the smooth path, even where two branches cross.
 pub(super) const SMOOTH: f64 = 2e-3;
 
-/// Where a mechanism has come to.
+/// The end of a continuation.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Followed {
+pub struct Continuation {
     /// The positions.
     pub positions: Vec<[f64; 3]>,
-    /// The change points on the way: positions in which the drivers lose their hold and two branches cross.
-    pub passed: Vec<Passed>,
+    /// The change points passed: singular positions in which two branches of assembly cross.
+    pub change_points: Vec<ChangePoint>,
 }
 
-/// A change point.
+/// A change point: a singular position in which two branches of assembly cross.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Passed {
+pub struct ChangePoint {
     /// About where each driver was, m or rad.
     pub values: Vec<f64>,
 }
@@ -46,18 +46,18 @@ impl System {
     ///
     /// # Errors
     /// `Limit` with the last value that can be reached; `TooFar` beyond some thirty turns; as for [`motion`](System::motion) if it cannot even start.
-    pub fn follow(&self, positions: &[[f64; 3]], values: &[f64]) -> Result<Followed, PlanarError> {
+    pub fn continue_to(&self, positions: &[[f64; 3]], values: &[f64]) -> Result<Continuation, PlanarError> {
         let from: Vec<f64> =
             self.mechanism.drivers.iter().map(|driver| self.value(&driver.measure, positions)).collect();
         let way: Vec<f64> = values.iter().zip(&from).map(|(to, from)| to - from).collect();
         if largest(&way) <= 4.0 * f64::EPSILON * self.reach(positions) {
             self.closed_at(positions, values)?;
-            return Ok(Followed { positions: positions.to_vec(), passed: Vec::new() });
+            return Ok(Continuation { positions: positions.to_vec(), change_points: Vec::new() });
         }
         let still = vec![0.0; way.len()];
         let at =
             |done: f64| -> Vec<f64> { from.iter().zip(&way).map(|(from, way)| from + done * way).collect() };
-        let mut here = Followed { positions: positions.to_vec(), passed: Vec::new() };
+        let mut here = Continuation { positions: positions.to_vec(), change_points: Vec::new() };
         let mut moving = self.clone();
         let (mut done, mut step, mut steps) = (0.0, 1.0f64, 0);
         while done < 1.0 {
@@ -97,7 +97,7 @@ impl System {
                     let smooth = !turned || correction <= SMOOTH * step * fast || fast == 0.0;
                     if smooth && (apart > LOST || end >= 1.0) {
                         if turned && sign != 0.0 {
-                            here.passed.push(Passed { values: at(f64::midpoint(done, end)) });
+                            here.change_points.push(ChangePoint { values: at(f64::midpoint(done, end)) });
                         }
                         here.positions = found;
                         done = end;
@@ -117,13 +117,13 @@ impl System {
     /// The same mechanism with its drivers at other values, and its positions there, reached by continuation.
     ///
     /// # Errors
-    /// As for [`follow`](System::follow).
+    /// As for [`continue_to`](System::continue_to).
     pub fn taken_to(
         mut self,
         positions: &[[f64; 3]],
         values: &[f64],
     ) -> Result<(Self, Vec<[f64; 3]>), PlanarError> {
-        let reached = self.follow(positions, values)?.positions;
+        let reached = self.continue_to(positions, values)?.positions;
         self.driven_to(values);
         Ok((self, reached))
     }
@@ -151,7 +151,7 @@ impl System {
 
     /// The sign of the determinant of some of the equations, and how far they are from depending on each other.
     fn sign(&self, positions: &[[f64; 3]], rows: &[usize]) -> Result<[f64; 2], PlanarError> {
-        let elimination = Elimination::new(&self.gaps(positions).slopes.select_rows(rows))?;
+        let elimination = Elimination::new(&self.constraints(positions).jacobian.select_rows(rows))?;
         Ok([elimination.sign(), elimination.smallest_pivot()])
     }
 
@@ -166,21 +166,21 @@ impl System {
         let (mut total, mut last) = (0.0, f64::INFINITY);
         let rounding = 4.0 * f64::EPSILON * self.reach(&positions);
         for _ in 0..12 {
-            let Gaps { gaps, slopes } = self.gaps(&positions);
-            let gaps: Vec<f64> = rows.iter().map(|&row| gaps[row]).collect();
-            let is_closed = largest(&gaps) <= 4.0 * rounding;
-            let elimination = Elimination::new(&slopes.select_rows(rows)).ok()?;
+            let Constraints { residuals, jacobian } = self.constraints(&positions);
+            let residuals: Vec<f64> = rows.iter().map(|&row| residuals[row]).collect();
+            let is_closed = largest(&residuals) <= 4.0 * rounding;
+            let elimination = Elimination::new(&jacobian.select_rows(rows)).ok()?;
             if elimination.rank() < rows.len() {
                 return None;
             }
-            let change = elimination.solve(&gaps).ok()?;
+            let change = elimination.solve(&residuals).ok()?;
             positions = self.moved(&positions, &change, -1.0);
             let size = largest(&change);
             total += size;
             if total > allowed.max(16.0 * rounding) {
                 return None;
             }
-            // At the level of rounding, or no more progress there: near a change point the rounding of the gaps alone makes
+            // At the level of rounding, or no more progress there: near a change point the rounding of the residuals alone makes
             // corrections that are much larger than it.
             if size <= rounding || (size >= last && (is_closed || size <= 1e3 * rounding)) {
                 return Some((positions, total));

@@ -1,10 +1,11 @@
-//! Numbers side by side, which the compiler turns into vector instructions.
+//! SIMD: formulas over [`Real`] evaluated for sixteen samples at once.
 //!
-//! A formula over [`Real`] is read with [`Lanes`] as it is read with `f64`, for sixteen samples at once. [`widest`]
-//! compiles the loop over them for the widest registers of the machine too; that needs every function on the way to be
-//! inlined. No operation is fused with another, so that every machine gives the same bytes.
+//! A formula over [`Real`] takes a [`SimdVector`] as it takes an `f64`. [`widest`] compiles the loop over the samples
+//! for the widest registers of the processor as well (AVX-512 or AVX2, chosen at run time); every function in the loop
+//! has to be inlined for that. No multiplication is fused with an addition, so the results are bit for bit the same on
+//! every machine.
 //!
-//! Conditions see the first number alone ([`Real::value`]), so only formulas without any may be read with lanes.
+//! Conditions see the first lane alone ([`Real::value`]): only formulas without conditions may be evaluated so.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -17,38 +18,37 @@ use faer::traits::pulp::{Arch, NullaryFnOnce};
 
 use crate::Real;
 
-/// How many numbers go side by side: enough to work on some while others wait for their operands.
+/// The number of lanes: more than one register has, so that latencies overlap.
 pub const WIDTH: usize = 16;
 
-/// Sine and cosine are those of angles up to this size, rad; of larger ones, NaN.
+/// The largest angle of sine and cosine, rad; beyond it they are NaN.
 pub const LARGEST_ANGLE: f64 = 1e6;
 
-/// Numbers side by side.
+/// A SIMD vector of `f64`, aligned to a cache line: a load across two lines takes twice the time.
 ///
-/// Sine, cosine and logarithm are polynomials without conditions, of which each says its largest error. The
-/// other functions are those of the library, one number after the other. The numbers begin at a line of the cache: a
-/// wide register that is loaded across two lines takes twice the time.
+/// Sine, cosine and logarithm are polynomials without conditions, each with its maximum error stated. The other
+/// functions are those of the standard library, lane by lane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
-pub struct Lanes(pub [f64; WIDTH]);
+pub struct SimdVector(pub [f64; WIDTH]);
 
-/// A number, or as many as go side by side: what is computed with either.
-pub trait Numbers: Real {
-    /// How many they are.
+/// A scalar (`f64`) or a [`SimdVector`], for code that is written once for both.
+pub trait SimdReal: Real {
+    /// The number of lanes.
     const COUNT: usize;
-    /// One number for each place.
+    /// A value whose lanes are given by their index.
     fn of(number: impl Fn(usize) -> f64) -> Self;
-    /// The number in a place.
+    /// The value of a lane.
     fn lane(&self, place: usize) -> f64;
-    /// A function of each.
+    /// A function applied to each lane.
     #[must_use]
     fn each(self, f: impl Fn(f64) -> f64) -> Self;
-    /// A function of each and its partner.
+    /// A function of two values applied lane by lane.
     #[must_use]
     fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self;
 }
 
-impl Numbers for f64 {
+impl SimdReal for f64 {
     const COUNT: usize = 1;
     #[inline(always)]
     fn of(number: impl Fn(usize) -> f64) -> Self {
@@ -68,7 +68,7 @@ impl Numbers for f64 {
     }
 }
 
-impl Numbers for Lanes {
+impl SimdReal for SimdVector {
     const COUNT: usize = WIDTH;
     #[inline(always)]
     fn of(number: impl Fn(usize) -> f64) -> Self {
@@ -110,12 +110,12 @@ pub fn over<const N: usize>(values: &[f64], formula: &impl Formula<N>, mut colum
         #[inline(always)]
         || {
             for (n, values) in values.as_chunks::<WIDTH>().0.iter().enumerate() {
-                for (column, numbers) in columns.iter_mut().zip(formula.at(Lanes(*values))) {
+                for (column, numbers) in columns.iter_mut().zip(formula.at(SimdVector(*values))) {
                     column[n * WIDTH..(n + 1) * WIDTH].copy_from_slice(&numbers.0);
                 }
             }
             if rest > 0 {
-                let found = formula.at(Lanes::of(|lane| last[lane.min(rest - 1)]));
+                let found = formula.at(SimdVector::of(|lane| last[lane.min(rest - 1)]));
                 for (column, numbers) in columns.iter_mut().zip(found) {
                     column[whole..].copy_from_slice(&numbers.0[..rest]);
                 }
@@ -140,7 +140,7 @@ pub fn widest<R>(work: impl FnMut() -> R) -> R {
     Arch::new().dispatch(Inlined(work))
 }
 
-impl Lanes {
+impl SimdVector {
     /// One number for each place.
     #[inline(always)]
     pub fn of(number: impl Fn(usize) -> f64) -> Self {
@@ -161,7 +161,7 @@ impl Lanes {
     }
 }
 
-impl From<f64> for Lanes {
+impl From<f64> for SimdVector {
     #[inline(always)]
     fn from(x: f64) -> Self {
         Self([x; WIDTH])
@@ -170,14 +170,14 @@ impl From<f64> for Lanes {
 
 macro_rules! lane_by_lane {
     ($($trait:ident $method:ident $op:tt),*) => {$(
-        impl $trait for Lanes {
+        impl $trait for SimdVector {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
                 self.with(other, |a, b| a $op b)
             }
         }
-        impl $trait<f64> for Lanes {
+        impl $trait<f64> for SimdVector {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: f64) -> Self {
@@ -189,7 +189,7 @@ macro_rules! lane_by_lane {
 
 lane_by_lane!(Add add +, Sub sub -, Mul mul *, Div div /);
 
-impl Neg for Lanes {
+impl Neg for SimdVector {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -197,7 +197,7 @@ impl Neg for Lanes {
     }
 }
 
-impl Real for Lanes {
+impl Real for SimdVector {
     #[inline(always)]
     fn value(self) -> f64 {
         self.0[0]
@@ -387,8 +387,8 @@ mod tests {
 
     #[test]
     fn functions_are_those_of_the_library_to_the_errors_they_say() {
-        let sin: [fn(f64) -> f64; 2] = [|x| Lanes::from(x).sin().value(), f64::sin];
-        let cos: [fn(f64) -> f64; 2] = [|x| Lanes::from(x).cos().value(), f64::cos];
+        let sin: [fn(f64) -> f64; 2] = [|x| SimdVector::from(x).sin().value(), f64::sin];
+        let cos: [fn(f64) -> f64; 2] = [|x| SimdVector::from(x).cos().value(), f64::cos];
         for range in [[-1.0, 1.0], [-10.0, 10.0], [-1000.0, 1000.0], [0.9e6, 1e6]] {
             for (name, function) in [("sin", sin), ("cos", cos)] {
                 let off = worst(range, function, |_| 1.0);
@@ -396,14 +396,14 @@ mod tests {
             }
         }
         for range in [[1e-300, 1e-290], [1e-5, 0.1], [0.5, 2.0], [1.0, 1e6]] {
-            let off = worst(range, [|x| Lanes::from(x).ln().value(), f64::ln], |y| y.abs().max(1.0));
+            let off = worst(range, [|x| SimdVector::from(x).ln().value(), f64::ln], |y| y.abs().max(1.0));
             assert!(off <= 3e-16, "ln on {range:?}: {off:e}");
         }
     }
 
     #[test]
     fn ends_are_exact_and_what_is_not_claimed_is_not_a_number() {
-        let of = |f: fn(Lanes) -> Lanes, x: f64| f(Lanes::from(x)).value();
+        let of = |f: fn(SimdVector) -> SimdVector, x: f64| f(SimdVector::from(x)).value();
         assert_eq!((of(Real::sin, 0.0), of(Real::cos, 0.0)), (0.0, 1.0));
         assert_eq!((of(Real::ln, 1.0), of(Real::ln, 2.0)), (0.0, LN_2));
         for x in [1.1e6, -1e300, f64::INFINITY, f64::NAN] {
@@ -435,7 +435,7 @@ mod tests {
 
     #[test]
     fn each_place_has_its_own_number() {
-        let x = Lanes::of(|lane| 0.1 + 0.7 * lane as f64);
+        let x = SimdVector::of(|lane| 0.1 + 0.7 * lane as f64);
         let found = (x.sin().powi(2) + x.cos().powi(2)) * x + x.powi(3) / 2.0 - x.sqrt();
         for (found, x) in found.0.iter().zip_eq(x.0) {
             assert!((found - (x + x.powi(3) / 2.0 - x.sqrt())).abs() < 1e-13 * x.powi(3).max(1.0));
